@@ -26,7 +26,7 @@ double smooth_slope(const std::vector<Key>& keys, std::size_t k)
 glm::dvec2 handle(const std::vector<Key>& keys, std::size_t k, glm::dvec2 own, double way)
 {
     if (own.x == 0) return {way / 3, smooth_slope(keys, k) * way / 3};
-    if (own.x * way < 0) return {0, own.y}; // it points away
+    if (own.x * way < 0) return {0, own.y}; // the handle points away
     return std::abs(own.x) > std::abs(way) ? own * (way / own.x) : own;
 }
 
@@ -38,7 +38,7 @@ double bezier(double a, double b, double c, double d, double t)
 
 double on(const TweenCurve& curve, double frame)
 {
-    double lo = 0, hi = 1; // frames ascend along the curve
+    double lo = 0, hi = 1; // the frame rises monotonically along the curve
     constexpr int halvings = 52;
     for (int i = 0; i < halvings; ++i) {
         const double middle = (lo + hi) / 2;

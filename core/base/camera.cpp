@@ -15,7 +15,7 @@ Frame frame_of(const Camera& camera)
 {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     glm::dvec3 right = glm::cross(forward, camera.up);
-    // Looking along `up` leaves the roll free: any horizontal direction will do.
+    // If the camera looks along `up`, its roll is free: any horizontal direction is right.
     if (glm::length(right) < 1e-9) right = glm::dvec3(1, 0, 0);
     right = glm::normalize(right);
     return {right, glm::cross(right, forward), forward};

@@ -25,8 +25,9 @@ constexpr std::array units{
     Unit{"deg", Measure::angle, 1},      Unit{"rad", Measure::angle, 180 / pi},
 };
 
-// sum = product { + - product }, product = signed { * / signed }, signed = [+ -] power,
-// power = value [ ^ signed ], value = (number | pi | f(sum, ...) | (sum)) [unit]
+// A Reader parses this grammar by recursive descent: sum = product { + - product }, product =
+// signed { * / signed }, signed = [+ -] power, power = value [ ^ signed ], value = (number | pi |
+// f(sum, ...) | (sum)) [unit]
 class Reader {
 public:
     Reader(std::string_view text, Measure measure) : rest_(text), measure_(measure) {}
@@ -88,7 +89,7 @@ private:
     }
     Value with_sign()
     {
-        constexpr int deepest = 64; // nobody nests further by hand
+        constexpr int deepest = 64; // deeper nesting is not typed by hand
         if (depth_ > deepest) return {};
         ++depth_;
         Value value;
@@ -168,7 +169,7 @@ std::optional<double> evaluate_expression(std::string_view text, Measure measure
     } else if (text.starts_with('=')) {
         text.remove_prefix(1);
     }
-    // A factor has no unit of its own.
+    // A factor has no unit.
     const bool factor = relative == '*' || relative == '/';
     const auto value = Reader(text, factor ? Measure::plain : measure).all();
     if (!value) return {};

@@ -18,7 +18,7 @@ std::size_t resident_bytes()
 void keep_freed_memory()
 {
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
-    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most there is: what is larger goes back at once
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest value; blocks above it are unmapped at once
 }
 
 } // namespace trivar

@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// What it is instead; empty: it is an ordinary file.
+// Names the kind of a file that is not ordinary; empty if it is ordinary.
 std::string unusual_kind(mode_t mode)
 {
     return S_ISREG(mode)    ? ""
@@ -40,8 +40,9 @@ void check_ordinary(const std::string& path, mode_t mode)
 
 OrdinaryFile::OrdinaryFile(const std::string& path) : path_(path)
 {
-    // Opening a device can do something to it, so it is looked at before. What took its place
-    // meanwhile is looked at again; without O_NONBLOCK a pipe would wait for its writer.
+    // The file is examined before it is opened, because opening a device can have effects, and
+    // again after, because it may have been replaced meanwhile. Without O_NONBLOCK a pipe would
+    // wait for its writer.
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) not_opened(path, errno);
     check_ordinary(path, status.st_mode);

@@ -12,9 +12,10 @@
 namespace trivar {
 namespace {
 
-// run(i) for every i < count, on any thread.
+// Calls run(i) for every i < count, on any thread.
 #ifdef __SANITIZE_THREAD__
-// The thread sanitizer cannot see how TBB orders its threads, for its library is not instrumented.
+// This variant uses no TBB: its library is not instrumented, so the thread sanitizer does not see
+// how it orders threads.
 void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 {
     std::atomic<std::size_t> next{0};
@@ -28,9 +29,9 @@ void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
     other.get();
 }
 #else
-// Each is a task: blocks are large, and the automatic partitioner would hand out several at once
-// and leave a thread without any at the end. Isolated: a thread that waits here takes no block of
-// another loop, whose lock it may hold.
+// Each i is a task of its own: blocks are large, and the automatic partitioner would hand out
+// several at once and leave a thread idle at the end. The loop is isolated: a thread that waits
+// here takes no block of another loop, whose lock it may hold.
 void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 {
     tbb::this_task_arena::isolate([&] {

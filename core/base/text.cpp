@@ -61,7 +61,7 @@ std::string excerpt(std::string_view text)
 {
     constexpr std::size_t most = 60;
     if (text.size() <= most) return printable(text);
-    std::size_t end = most; // not inside a letter
+    std::size_t end = most; // moved back to a character boundary below
     while (end > most - 4 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80) --end;
     return printable(text.substr(0, end)) + "...";
 }
@@ -70,7 +70,7 @@ std::string short_sentence(std::string_view text)
 {
     constexpr std::size_t most = 380;
     if (text.size() <= most) return printable(text);
-    std::size_t begin = text.size() - most; // not inside a letter
+    std::size_t begin = text.size() - most; // moved forward to a character boundary below
     while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0u) == 0x80)
         ++begin;
     return "..." + printable(text.substr(begin));
@@ -93,7 +93,7 @@ std::vector<std::string_view> trimmed_lines(std::string_view text)
 
 std::string read_text_file(const std::string& path)
 {
-    constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30; // as many as a .glb can have
+    constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30; // largest size of a .glb
     return read_file(path, most_bytes);
 }
 

@@ -17,7 +17,8 @@ namespace trivar {
 
 namespace {
 
-// A model stays whole when a file that goes with it vanishes while it is read.
+// Hashes the file, or returns a word if there is none, so that a model stays valid if a file that
+// it names vanishes while it is read.
 std::string hash_if_there(const std::string& path)
 {
     try {
@@ -46,7 +47,7 @@ std::string content_of(const std::string& path, const std::string& hash)
 struct AssetStore::State {
     std::string folder;
     std::map<std::string, std::string> relinked;
-    using Key = std::tuple<std::string, UpAxis, double>; // the file opened, and how it was read
+    using Key = std::tuple<std::string, UpAxis, double>; // the path, and how the file was read
     std::map<Key, LoadedModel> loaded;
     std::mutex mutex;
 };
@@ -83,7 +84,7 @@ std::string AssetStore::resolve(const std::string& path) const
 AssetStore::LoadedModel AssetStore::load(const ImportedFile& file, const Progress& progress) const
 {
     const std::string path = resolve(file.path);
-    // Held while reading: two threads that want the same big file should not both read it.
+    // The lock is held while reading, so that two threads do not both read the same large file.
     const std::lock_guard guard(state_->mutex);
     const auto [entry, fresh] = state_->loaded.try_emplace({path, file.up, file.scale});
     if (fresh) try {
@@ -103,7 +104,8 @@ AssetStore::LoadedModel AssetStore::load(const ImportedFile& file, const Progres
     if (result.model && !file.hash.empty() && file.hash != result.hash)
         result.notices.push_back(
             fmt::format("{}: the file has changed since this scene was made", file.path));
-    // What is missing may come back, say when a disk is plugged in.
+    // A missing file is not remembered, because it may come back, when a disk is plugged in for
+    // example.
     if (result.hash.empty()) state_->loaded.erase(entry);
     return result;
 }

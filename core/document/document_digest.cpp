@@ -85,7 +85,7 @@ std::string digest(const Document& document)
     }
     add(digest, *document.render);
     if (!document.rows->empty()) add(digest, *document.rows);
-    if (document.time != Time{}) { // there were scenes without it
+    if (document.time != Time{}) { // older scenes have none
         digest.add_text("time");
         add(digest, document.time);
     }

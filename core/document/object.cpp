@@ -8,7 +8,8 @@
 namespace trivar {
 namespace {
 
-// Exact for quarter turns, so that a model turned by 90 degrees keeps its coordinates' bits.
+// A Turn holds the cosine and sine of an angle, exact for quarter turns, so that a model turned by
+// 90 degrees keeps the bits of its coordinates.
 struct Turn {
     double cosine, sine;
 };
@@ -31,7 +32,7 @@ glm::dmat4 Transform::matrix() const
     const auto [cx, sx] = turn(rotation_deg.x);
     const auto [cy, sy] = turn(rotation_deg.y);
     const auto [cz, sz] = turn(rotation_deg.z);
-    // The columns of Rz Ry Rx.
+    // These are the columns of Rz Ry Rx.
     const glm::dvec3 x{cy * cz, cy * sz, -sy};
     const glm::dvec3 y{sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy};
     const glm::dvec3 z{cx * sy * cz + sx * sz, cx * sy * sz - sx * cz, cx * cy};

@@ -11,8 +11,8 @@
 namespace trivar {
 namespace {
 
-// Calls leaf(name, number, rule) for the numbers, choices and switches in a value and all that it
-// has inside, if they take keys.
+// Calls leaf(name, number, rule) for the numbers, choices and switches in a value, nested ones
+// included, that can have keys.
 template <class T, class Leaf>
 void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
 {
@@ -47,7 +47,7 @@ void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
         for (int i = 0; i < V::length(); ++i) leaf(name + "." + "xyzw"[i], value[i], rule);
 }
 
-std::vector<std::string_view> choices_in(std::string_view listed) // separated by |
+std::vector<std::string_view> choices_in(std::string_view listed) // the list is separated by |
 {
     std::vector<std::string_view> out;
     for (std::size_t at = 0; at <= listed.size();) {
@@ -58,7 +58,7 @@ std::vector<std::string_view> choices_in(std::string_view listed) // separated b
     return out;
 }
 
-// What a value is as a parameter, all but its name.
+// Makes the parameter of a value, without its name.
 template <class T> Parameter parameter_of(const std::string& name, const T& value, const Rule& rule)
 {
     using Kind = Parameter::Kind;
@@ -177,7 +177,7 @@ Document with_scene_values(Document document, const NewValue& value)
         try {
             check_view(moved);
             camera = moved;
-        } catch (const Rejected&) { // it would look nowhere: it stays
+        } catch (const Rejected&) { // the view would have no direction; it keeps its value
         }
     }
     return document;

@@ -87,7 +87,7 @@ std::vector<std::string> summary(const FilmCertificate& c)
         std::size_t parts = 0, triangles = 0, before = 0;
         int keys = 0;
         double bound = 0;
-        bool proven = true; // at every time, not at the moments alone
+        bool proven = true; // for all times, not only for the moments
     };
     Kind bent, moving;
     for (const FilmCertificate::PartClaim& part : c.parts) {

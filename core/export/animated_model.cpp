@@ -20,13 +20,13 @@
 namespace trivar {
 namespace {
 
-// Of the tolerance: for flat triangles, and for what is between the moments. What they do not take
-// is for the keys.
+// Shares of the tolerance: for flat triangles, and for the motion between moments. The keys get the
+// rest.
 constexpr double share_of_space = 0.4, share_of_between = 0.4;
-constexpr double share_of_sag = 0.2; // where nothing is proven between them
-constexpr double no_less = 0.6;      // of the sag with half as many moments: they do not help
-constexpr int most_moments = 16;     // to a frame
-constexpr int measured_moments = 4;  // where nothing is proven between them
+constexpr double share_of_sag = 0.2; // where the motion between moments is measured only
+constexpr double no_less = 0.6;      // of the sag with half as many moments, or more do not help
+constexpr int most_moments = 16;     // per frame
+constexpr int measured_moments = 4;  // per frame, where the motion between moments is measured only
 
 bool moves_by_itself(const FilmStrip& strip)
 {
@@ -42,7 +42,8 @@ bool plays_by_itself(const Document& document, const FilmStrip& strip)
     return !strip.bent() && !object(document, strip.object).playing.clip.empty();
 }
 
-// The strips of an object that a volume deforms at all times that they are shown at.
+// A BentObject lists the strips of an object that a volume deforms at all times at which they are
+// shown.
 struct BentObject {
     std::vector<const FilmStrip*> strips;
     std::unique_ptr<MotionBound> motion;
@@ -73,7 +74,7 @@ void bound_between(FilmPlan& plan, const Progress& progress)
                    "bounding the motion");
             for (std::size_t s = 0; s < object.strips.size(); ++s) {
                 const Part *a = object.strips[s]->shown[i], *b = object.strips[s]->shown[i + 1];
-                if (a && b) // what comes or goes does so at a moment
+                if (a && b) // a part appears and disappears only at a moment
                     object.bounds[s][i] = (*object.motion)(
                         *film.evaluated[i].objects.at(id), *a, film.moments[i],
                         *film.evaluated[i + 1].objects.at(id), *b, film.moments[i + 1]);
@@ -105,7 +106,7 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                     object.motion =
                         std::make_unique<MotionBound>(scene.document, strip.object, *assets);
             } else if (plays_by_itself(scene.document, strip)) {
-                measured = true; // its channels are kept as they are
+                measured = true; // its channels are copied unchanged
             } else if (moves_by_itself(strip) || strip.bent()) {
                 measure(strip);
             }
@@ -129,7 +130,7 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
     }
 }
 
-// What the keys may add at each moment, and what all comes to with what they do.
+// Computes the error that keys may add at each moment: what the tolerance leaves.
 std::vector<double> allowed_by(const AnimatedScene& scene, const std::vector<double>& space,
                                const std::vector<double>& between)
 {
@@ -161,8 +162,8 @@ void claim_targets(FilmCertificate::PartClaim& claim, const MotionBound& motion,
     }
 }
 
-// How far what hangs on nodes is at the moments from where it should be: keys, and what single
-// precision leaves of them and of what a skin does.
+// Measures how far meshes on nodes are from their true places at the moments: the error of keys, of
+// single precision and of skinning.
 void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progress& progress)
 {
     std::vector<FilmCertificate::PartClaim>& claims = out.certificate.parts;
@@ -217,7 +218,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             fmt::format("the tolerance must be above 0 m and at most {} m", most_tolerance));
     FilmPlan plan = planned(scene, assets, part_of(progress, 0, 0.3));
     AnimatedExport out;
-    out.film = std::move(plan.film); // strips keep their places
+    out.film = std::move(plan.film); // strips keep their addresses
     const Film& film = out.film;
     const std::vector<CurveStrip> curves = curve_strips(film, scene.document);
     if (film.strips.empty() && curves.empty()) throw Rejected("there is nothing visible to export");
@@ -251,7 +252,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
         }
     }
     AnimatedNodes nodes(film, scene.document, *assets, times_s, scene.tolerance);
-    constexpr std::size_t at_once = 16; // parts whose places are in memory
+    constexpr std::size_t at_once = 16; // parts in memory at once
     const std::vector<double> free(film.moments.size(), share_of_between * scene.tolerance);
     const std::vector<double> nothing(film.moments.size(), 0);
     for (std::size_t first = 0; first < film.strips.size(); first += at_once) {
@@ -279,7 +280,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                               keys[s - first].off);
                 nodes.add_targets(strip, std::move(keys[s - first]), claim);
             } else if (strip.bent() || strip.reshaped() || !nodes.add_moving(strip, claim)) {
-                // Its vertices, as they are at the moments.
+                // Copies the vertices of the part at the moments.
                 common.mesh = make_ref(in_triangles(*strip.first().rest));
                 common.space = nothing;
                 TargetKeys own = target_keys(film, strip, common, free, times_s);

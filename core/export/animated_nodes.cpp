@@ -17,7 +17,7 @@ AnimatedNodes::AnimatedNodes(const Film& film, const Document& document, const A
       times_s_(std::move(times_s)),
       tolerance_(tolerance)
 {
-    node("Scene", -1); // the only root: what moves below it is not turned upright itself
+    node("Scene", -1); // the only root; nodes below it are not turned to Y up themselves
 }
 
 int AnimatedNodes::node(const std::string& name, int parent)
@@ -100,7 +100,7 @@ std::vector<Value> AnimatedNodes::each_moment(const FilmStrip& strip, const auto
 bool AnimatedNodes::add_motion(int node, const std::vector<glm::dmat4>& matrices, const Box& box,
                                FilmCertificate::PartClaim& claim)
 {
-    // Half of it is for what is between the moments.
+    // The other half of the tolerance is for the motion between moments.
     std::optional<NodeMotion> motion = node_motion(node, matrices, times_s_, box, tolerance_ / 2);
     if (!motion) return false;
     Node& moved = model_.nodes[static_cast<std::size_t>(node)];
@@ -118,7 +118,7 @@ bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClai
         if (known.whole) hang(strip, known, claim);
         return known.whole;
     }
-    const Model before = model_; // references are shared, so that is cheap
+    const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
     Mesh mesh = *strip.first().rest;
     mesh.influences.clear();
@@ -130,7 +130,7 @@ bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClai
         clip_.channels.resize(channels);
         return false;
     }
-    const bool rests = clip_.channels.size() == channels; // at all moments
+    const bool rests = clip_.channels.size() == channels; // unchanged at all moments
     claim.way = rests && why_unproven(document_, strip.object).empty() ? "still" : "node";
     claim.triangles_before = claim.triangles = triangles(mesh).size();
     claim.node = at;
@@ -159,7 +159,7 @@ bool AnimatedNodes::add_curves(const CurveStrip& strip)
 {
     const CurvePart& first = strip.first();
     if (!strip.rests() && !strip.is_rigid()) return false;
-    const Model before = model_; // references are shared, so that is cheap
+    const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
     std::vector<bool> shown;
     std::vector<glm::dmat4> matrices;

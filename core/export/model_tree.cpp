@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nodes of a model as its file has them: bones are found by their names.
+// This file builds the nodes of a model as in its source file: bones are found by their names.
 #include "core/export/animated_nodes.h"
 
 #include "core/document/parameters.h"
@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// What a part takes up in its object's space, at most.
+// Extends a box by a part in the space of its object.
 void add_part(Box& box, const Part& part, const glm::dmat4& to_object)
 {
     Box own = bounding_box(*part.rest);
@@ -32,7 +32,7 @@ AnimatedNodes::Tree& AnimatedNodes::tree(const FilmStrip& strip)
     if (!from || (from->nodes.size() < 2 && from->clips.empty() && !strip.posed())) return tree;
     tree.from = from;
     tree.claim.object = strip.object;
-    const Model before = model_; // references are shared, so that is cheap
+    const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
     tree.object = node(source.name, holder(strip));
     if (!add_motion_of_object(tree, strip)) {
@@ -46,7 +46,7 @@ AnimatedNodes::Tree& AnimatedNodes::tree(const FilmStrip& strip)
         Node copy = from->nodes[n];
         if (copy.mesh >= 0) tree.with_mesh.push_back(static_cast<int>(n));
         copy.parent = copy.parent < 0 ? tree.object : tree.first + copy.parent;
-        copy.mesh = copy.skin = copy.curves = -1; // as its part is hung there
+        copy.mesh = copy.skin = copy.curves = -1; // attached with its part
         copy.morph_weights.clear();
         model_.nodes.push_back(std::move(copy));
     }
@@ -106,7 +106,7 @@ void AnimatedNodes::hang(const FilmStrip& strip, Tree& tree, FilmCertificate::Pa
     int at = tree.first + source;
     Mesh mesh = *strip.first().rest;
     const bool skinned = from.skin >= 0 && !mesh.influences.empty();
-    // What was subdivided stands in the object's space, as its skin had put it.
+    // A subdivided mesh is in the space of its object, with its skin already applied.
     if (from.skin >= 0 && !skinned) at = node(from.name, tree.object);
     const bool swells = strip.posed() && std::ranges::any_of(strip.shown, [](const Part* part) {
                             return part && part->posed && !part->posed->pose.morph_weights.empty();

@@ -17,7 +17,7 @@
 namespace trivar {
 namespace {
 
-// Bytes of a number, the least or the most significant one first.
+// Appends the bytes of a number in big-endian or little-endian order.
 void put_number(std::string& out, std::uint32_t bits, bool big)
 {
     for (int i = 0; i < 4; ++i)
@@ -65,8 +65,8 @@ const Part& shown_at(const FilmStrip& strip, std::size_t moment)
     return strip.first();
 }
 
-// All of an object in one mesh, Z up, and which of its vertices have a place in the cache: the
-// first of each point, as an OBJ has them.
+// A CachedMesh is an object as one mesh, Z up, with the vertices that are in the cache: the first
+// one of each point, as in an OBJ file.
 struct CachedMesh {
     Model model;
     std::vector<std::vector<std::uint32_t>> vertices; // by strip
@@ -113,7 +113,7 @@ std::string header(CacheFormat format, std::size_t points, const Film& film, dou
         put_number(out, std::uint32_t{1}, false);
         put_number(out, count, false);
         put_number(out, static_cast<float>(film.moments.front()), false);
-        put_number(out, 1.0f, false); // frames a sample
+        put_number(out, 1.0f, false); // frames per sample
         put_number(out, frames, false);
         return out;
     }
@@ -137,7 +137,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
     const auto name_of = [&](const CachedObject& object) {
         return (target.parent_path() / (target.stem().string() + "." + object.name)).string();
     };
-    for (const CachedObject& object : objects) // an .obj has a library of materials beside it
+    for (const CachedObject& object : objects) // an .obj file has a material library beside it
         for (const char* ending : {extension.c_str(), ".obj", ".mtl"})
             sources.check(name_of(object) + ending);
     struct MadeCache {
@@ -146,7 +146,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
         Model first;
     };
     std::vector<MadeCache> made;
-    constexpr std::size_t most_open = 200; // files of a program, of some 1,000 that it may have
+    constexpr std::size_t most_open = 200; // of the some 1,000 files a program may open
     for (std::size_t o = 0; o < objects.size(); ++o) {
         CachedMesh cached = cached_mesh(objects[o]);
         const std::string name = name_of(objects[o]);
@@ -172,7 +172,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
         objects.size() > most_open ? file.close() : file.settle();
         made.push_back({name, std::move(cache), std::move(cached.model)});
     }
-    std::vector<std::string> out; // all of them or, where it was stopped before, none
+    std::vector<std::string> out; // all files, or none if the export was stopped
     for (MadeCache& each : made) {
         write_model(each.first, each.name + ".obj");
         each.cache->finish();

@@ -18,11 +18,12 @@ template <class E> std::string chosen_name(E value)
 
 std::string why_not_laid(const EvaluatedObject& object)
 {
-    if (!object.notices.empty()) return object.notices.front(); // the cause comes first
+    if (!object.notices.empty()) return object.notices.front(); // the first notice is the cause
     return object.rejected.empty() ? "it has no shape" : object.rejected;
 }
 
-// A lattice shows nothing of its own.
+// Says whether an object lies on its stroke: some part is bent, or it is a lattice, which has no
+// parts.
 bool lies_on_its_stroke(const EvaluatedObject& object)
 {
     return object.lattice_stroke ||
@@ -30,14 +31,15 @@ bool lies_on_its_stroke(const EvaluatedObject& object)
                                [](const Part& part) { return part.bent != nullptr; });
 }
 
-// `document` as the log makes it, `shown` as it was evaluated into `model`, by model_of.
+// Makes the certificate of a model: `document` is the result of the log, `shown` is the document as
+// evaluated into `model` by model_of().
 Certificate certificate_of(const Document& document, const Document& shown,
                            const Evaluation& evaluated, const Model& model)
 {
     Certificate out;
     out.scene = digest(document);
     out.result = digest(evaluated);
-    int mesh = 0; // model_of() makes one a part, in this order
+    int mesh = 0; // model_of() makes one mesh per part, in this order
     for (const auto& [id, ref] : evaluated.objects) {
         const Object& source = object(shown, id);
         if (source.stroke && !lies_on_its_stroke(*ref))

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Of the lines of one material.
+// UsdLines are the lines of one material.
 struct UsdLines {
     std::vector<std::uint32_t> counts, points;
 };
@@ -41,7 +41,7 @@ std::size_t add_usd_curves(GrowingFile& file, const Film& film, const CurveStrip
         for (std::uint32_t p = curves.begin[l]; p < curves.begin[l + 1]; ++p)
             lines.points.push_back(p);
     }
-    // Lines have no width and viewers draw a tube of some: a thousandth of their size is thin.
+    // Lines have no width, but viewers draw a tube: a thousandth of their size looks thin.
     const double width = glm::length(bounding_box(*in_world(strip.first()).points).size()) / 1000;
     for (const auto& [material, lines] : by_material) {
         file.append(fmt::format("    def BasisCurves \"{}\" (\n"

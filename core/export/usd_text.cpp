@@ -10,7 +10,7 @@ namespace trivar {
 
 std::string usd_number(float value)
 {
-    return shortest(value + 0.0f); // no -0
+    return shortest(value + 0.0f); // avoids -0
 }
 
 namespace {
@@ -61,7 +61,7 @@ std::string usd_list(const std::vector<std::uint32_t>& values)
     return out + "]";
 }
 
-std::string usd_matrix(const glm::dmat4& m) // its rows are our columns
+std::string usd_matrix(const glm::dmat4& m) // rows in USD are columns here
 {
     std::string out = "( ";
     for (int c = 0; c < 4; ++c) {

@@ -166,7 +166,7 @@ void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double 
                             "    def Scope \"Materials\"\n    {{\n",
                             shortest(frames_per_second), shortest(film.moments.front()),
                             shortest(film.moments.back())));
-    std::map<Ref<std::vector<Material>>, std::size_t> first_of; // looked up only
+    std::map<Ref<std::vector<Material>>, std::size_t> first_of; // only for lookup
     std::size_t materials = 0;
     const auto add_materials = [&](const Ref<std::vector<Material>>& own) {
         if (!first_of.try_emplace(own, materials).second) return;

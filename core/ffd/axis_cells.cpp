@@ -12,7 +12,7 @@ namespace {
 
 using Polynomial = std::array<double, max_order>;
 
-// (a + b t) p
+// Returns (a + b t) p.
 Polynomial times(const Polynomial& p, double a, double b)
 {
     Polynomial out{};
@@ -26,7 +26,8 @@ Polynomial plus(Polynomial p, const Polynomial& q)
     return p;
 }
 
-// The Cox-de Boor triangle of span s, carried out on polynomials in t, u = center + width t.
+// Computes the basis functions of span s as polynomials in t, where u = center + width t, by the
+// Cox-de Boor triangle.
 std::array<Polynomial, max_order> basis_polynomials(const Knots& knots, int s, double center,
                                                     double width)
 {
@@ -61,7 +62,7 @@ AxisCells::Cell span_cell(const Knots& knots, double begin, double end)
     return cell;
 }
 
-// Constant, with the value at the end.
+// Makes the cell beyond an end of the domain: constant, with the value at the end.
 AxisCells::Cell end_cell(const Knots& knots, double end)
 {
     const Basis b = basis(knots, end);

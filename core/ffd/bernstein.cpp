@@ -9,7 +9,7 @@ std::size_t size(const Bernstein& f, std::size_t axis)
     return static_cast<std::size_t>(f.degree[axis]) + 1;
 }
 
-// The values of the Bernstein polynomials of a degree.
+// Computes the Bernstein polynomials of a degree at x.
 std::vector<double> basis_at(int degree, double x)
 {
     std::vector<double> b{1};
@@ -47,8 +47,8 @@ std::array<Bernstein, 2> halves(const Bernstein& f, std::size_t axis)
         for (std::size_t b = 0; b < inner; ++b) {
             double* low = out[0].coefficients.data() + a * n * inner + b;
             double* high = out[1].coefficients.data() + a * n * inner + b;
-            // Round r of the triangle leaves its first value to the lower half, the last to the
-            // upper one.
+            // Round r of the triangle gives its first value to the lower half and its last to the
+            // upper half.
             for (std::size_t r = 1; r < n; ++r) {
                 low[(r - 1) * inner] = high[0];
                 for (std::size_t i = 0; i + r < n; ++i)

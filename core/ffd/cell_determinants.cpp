@@ -15,8 +15,8 @@
 namespace trivar {
 namespace {
 
-// One number of two cells, or of four on processors with AVX2. Multiplications and additions are
-// not fused, so both give the same bits.
+// A Two holds one number for two cells; a Four for four, on processors with AVX2. Multiplications
+// and additions are not fused, so that both give the same bits.
 using Two = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 template <class Lanes> inline constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
@@ -28,14 +28,14 @@ std::vector<double> binomial_row(int n)
     return row;
 }
 
-// A net of coefficients, w fastest.
+// A Net is an array of coefficients, w fastest.
 struct Net {
     int u, v, w;
     std::size_t count() const { return at(u) * at(v) * at(w); }
 };
 
-// The binomials of every coefficient, multiplied. Coefficients times these are those of powers of
-// t / (1 - t), so that a product is a convolution.
+// Computes the product of binomials of each coefficient. Coefficients times these are coefficients
+// of powers of t / (1 - t), so that a product of polynomials is a convolution.
 std::vector<double> binomials(const Net& net)
 {
     std::vector<double> out;
@@ -52,8 +52,8 @@ template <class Lanes> struct Product {
     const Lanes *a, *b;
 };
 
-// The sum of products of scaled polynomials, with a of la and b of lb coefficients along w. A row
-// of the result stays in registers.
+// Adds up products of scaled polynomials, with la coefficients of a and lb of b along w. A row of
+// the result stays in registers.
 template <int la, int lb, std::size_t terms, class Lanes>
 HWY_INLINE void convolved(const Net& a, const Net& b,
                           const std::array<Product<Lanes>, terms>& products, Lanes* out)
@@ -90,7 +90,8 @@ convolve(const Net& a, const Net& b, const std::array<Product<Four>, terms>& pro
 }
 #endif
 
-// What the cells of a lattice have in common, and room for as many as there are lanes.
+// SomeCells computes as many cells at once as there are lanes: the data that cells of a lattice
+// share, and buffers.
 template <class Lanes> class SomeCells {
 public:
     SomeCells(const CellGrid& grid, const Lattice& lattice) : grid_(grid), lattice_(lattice)
@@ -150,7 +151,7 @@ public:
     }
 
 private:
-    // Aligned for all lanes at once, which the language's own allocation knows nothing of.
+    // Buffers are aligned for all lanes, which operator new does not guarantee.
     using Room = hwy::AlignedFreeUniquePtr<Lanes[]>;
     static Room room(std::size_t count) { return hwy::AllocateAligned<Lanes>(count); }
 
@@ -196,7 +197,7 @@ private:
         std::swap(p_, q_);
     }
 
-    // The coefficients of F_u, F_v or F_w, scaled, and what bounds them.
+    // Computes the scaled coefficients of F_u, F_v or F_w, and their bounds.
     void take_slope(int axis)
     {
         const Net net = slope_[at(axis)];
@@ -228,9 +229,9 @@ private:
                 }
         for (std::size_t lane = 0; lane < lanes<Lanes>; ++lane) {
             steepest_[lane][axis] = std::sqrt(most[lane]);
-            // A Bezier point is a mean of control points by weights of some twenty roundings an
-            // axis, and the sums have as many: 64 of 2^-52 of the largest cover both of a
-            // difference. Three coordinates: twice.
+            // A Bezier point is a weighted mean of control points with some twenty roundings per
+            // axis, and the sums have as many: 64 of 2^-52 of the largest control point bound both
+            // for a difference. Three coordinates double that.
             slope_doubt_[lane][axis] =
                 256 * epsilon * largest_[lane] * factor[lane] + 4 * epsilon * steepest_[lane][axis];
         }
@@ -256,9 +257,10 @@ private:
                                               det_.get());
     }
 
-    // A coefficient is a mean, with positive weights, of determinants of three coefficients of
-    // slopes. A sum of n products is off by n roundings of the sum of their sizes, which is at most
-    // twice the product of the three largest slopes; halving adds a hundred at most.
+    // Bounds the rounding error of the coefficients. A coefficient is a mean, with positive
+    // weights, of determinants of three slopes. A sum of n products is off by n roundings of the
+    // sum of their sizes, which is at most twice the product of the three largest slopes;
+    // subdivision adds at most a hundred.
     double doubt(std::size_t lane) const
     {
         const glm::dvec3 s = steepest_[lane], e = slope_doubt_[lane];
@@ -275,10 +277,10 @@ private:
     std::array<std::vector<double>, 3> binomials_;
     std::vector<double> unscale_;
     std::array<std::array<const CellGrid::Span*, 3>, lanes<Lanes>> spans_{};
-    // By coordinate, then net: Bezier points, slopes and minus F_v, F_v x F_w; and det J.
+    // By coordinate, then net: Bezier points, slopes, minus F_v, F_v x F_w; and det J.
     Room p_, q_, minus_, c_, det_;
     std::array<Room, 3> d_;
-    Lanes least_, most_, sum_; // of det J's coefficients
+    Lanes least_, most_, sum_; // of the coefficients of det J
     std::array<double, lanes<Lanes>> largest_{};
     std::array<glm::dvec3, lanes<Lanes>> steepest_{}, slope_doubt_{};
     CellDeterminant out_;
@@ -354,8 +356,8 @@ std::vector<int> CellGrid::touched(std::span<const PointMove> moves) const
     };
     const glm::ivec3 stored(axes_[0].count(), axes_[1].count(), axes_[2].count());
     for (const PointMove& move : moves) {
-        // Every unwrapped triple that stands for the point: a few turns of each axis, where a turn
-        // of a twisted one mirrors the other two.
+        // Visits each unwrapped index that stands for the point: a few turns of each axis; a turn
+        // of a twisted axis mirrors the other two.
         for (int u = 0; u <= axes_[0].unwrapped_count() / stored.x; ++u)
             for (int v = 0; v <= axes_[1].unwrapped_count() / stored.y; ++v)
                 for (int w = 0; w <= axes_[2].unwrapped_count() / stored.z; ++w) {

@@ -21,18 +21,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, 4>;
 using Matrix = std::array<std::array<double, max_order>, max_order>;
 
-// sum_r matrix[m][r] in[r], r < order
+// Returns sum_r matrix[m][r] in[r] for r < order.
 template <int order>
 HWY_INLINE hn::Vec<Tag> product(const Matrix& matrix, std::size_t m, const hn::Vec<Tag>* in)
 {
     const Tag d;
-    // Begun at +0, for then a sum of zeros is +0 whatever their signs.
+    // The sum begins with +0, because then a sum of zeros is +0 whatever their signs.
     auto sum = hn::Zero(d);
     for (std::size_t r = 0; r < order; ++r) sum = hn::MulAdd(hn::Set(d, matrix[m][r]), in[r], sum);
     return sum;
 }
 
-// out[m][x] = sum_r matrix[m][r] in[r][x] for x < length, a multiple of 4.
+// Computes out[m][x] = sum_r matrix[m][r] in[r][x] for x < length, a multiple of 4.
 template <int order>
 HWY_INLINE void contract_rows(const Matrix& matrix, const double* in, std::size_t in_stride,
                               std::size_t length, double* out, std::size_t out_stride)
@@ -60,8 +60,8 @@ HWY_ATTR void contract(int order, const Matrix& matrix, const double* in, std::s
     }
 }
 
-// The negated power form of one cell, highest powers first, in single precision. Returns the sum
-// of the absolute values of all coefficients but the constants.
+// Computes the negated power form of one cell, highest powers first, in single precision. Returns
+// the sum of the absolute values of all coefficients except the constants.
 HWY_ATTR float to_power_form(const std::array<const AxisCells::Cell*, 3>& cell,
                              const std::array<int, 3>& order, const double* points,
                              const std::array<std::size_t, 2>& stride, float* out)
@@ -87,7 +87,7 @@ HWY_ATTR float to_power_form(const std::array<const AxisCells::Cell*, 3>& cell,
     for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(d)) {
         auto sum = hn::Zero(df);
         for (std::size_t i = 0; i < count; i += 4) {
-            // 0 - x is +0 for both zeros, -x is not.
+            // 0 - x is +0 for both zeros; -x is not.
             const auto x = hn::Load(d, by_uvw.data() + count - 4 - i + lane);
             const auto negated = hn::DemoteTo(df, hn::Sub(hn::Zero(d), x));
             hn::StoreU(negated, df, out + i + lane);
@@ -108,7 +108,8 @@ namespace {
 
 HWY_EXPORT(to_power_form);
 
-// Control points by unwrapped index, each as four doubles, so that cells need not wrap.
+// UnwrappedPoints are control points by unwrapped index, four doubles each, so that cells need not
+// wrap.
 struct UnwrappedPoints {
     std::vector<double> points;
     std::array<std::size_t, 2> stride; // of u and v, in doubles

@@ -28,8 +28,9 @@ void put_back(std::span<const std::uint32_t> place, std::size_t begin, const glm
     for (std::size_t v = 0; v < place.size(); ++v) to[v] = from[place[v] - begin];
 }
 
-// Deforms a chunk in the order of computation and puts the results into that of the mesh. Writing
-// them there at once is slower: random loads overlap, random stores hardly do.
+// Deforms a chunk in the order of computation and copies the results to the order of the mesh.
+// Returns whether normals are missing. Writing directly in mesh order is slower: random loads
+// overlap, random stores hardly do.
 bool deform_chunk(const SortedVertices& vertices, std::size_t chunk,
                   const CellPolynomials& polynomials, const Mesh& mesh, DeformedArrays& out)
 {
@@ -86,7 +87,7 @@ DeformedArrays Deformer::arrays(const Lattice& lattice, DeformedArrays reuse) co
     const CellPolynomials polynomials =
         cell_polynomials(lattice.displacement, s.cells, s.vertices.cells, s.embedding);
     const std::size_t chunks = s.vertices.chunk_begin.size() - 1;
-    std::vector<unsigned char> missing(chunks, 0); // a bool a chunk, written side by side
+    std::vector<unsigned char> missing(chunks, 0); // per chunk; not bits, for parallel writes
     parallel_blocks(chunks, 1, [&](std::size_t chunk, std::size_t) {
         missing[chunk] = deform_chunk(s.vertices, chunk, polynomials, *s.mesh, out);
     });

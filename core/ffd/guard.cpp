@@ -15,7 +15,7 @@ bool overlap(const CellGrid::Place& cell, const Box& box)
     return glm::all(glm::lessThan(cell.lo, box.hi)) && glm::all(glm::lessThan(box.lo, cell.hi));
 }
 
-// Those of the cells that are to be judged.
+// Returns the cells that are to be judged.
 std::vector<int> not_excepted(const CellGrid& grid, std::vector<int> cells,
                               const GuardOptions& options)
 {
@@ -44,10 +44,11 @@ std::vector<int> all_cells(const CellGrid& grid)
 struct GuardJudgement {
     Verdict verdict = Verdict::unknown;
     double least = 0;
-    bool worse = false; // than it was before, somewhere
+    bool worse = false; // than before, in some coefficient
 };
 
-// Of cells that are not good: how far below 0 each coefficient of sign * det J is, else 0.
+// Floors say for each cell that is not good how far each coefficient of sign * det J is below 0; 0
+// if it is not.
 using Floors = std::map<int, std::vector<double>>;
 
 Floors floors_of(const CellGrid& grid, const Lattice& lattice, const std::vector<int>& cells,
@@ -105,7 +106,7 @@ CellVerdicts with(CellVerdicts verdicts, const std::vector<int>& cells,
     return verdicts;
 }
 
-// A move of control points, tried at shares of it.
+// A TriedMove is a move of control points that is tried in shares.
 class TriedMove {
 public:
     TriedMove(const Lattice& from, const CellVerdicts& before, std::span<const PointMove> moves,
@@ -130,7 +131,8 @@ public:
         return not_excepted(grid_, grid_.touched(moves_), options_);
     }
 
-    // Those of them at the site of the point that goes farthest, where most is bent.
+    // Returns the touched cells at the site of the point that moves furthest, where the bending is
+    // largest.
     std::vector<int> at_the_middle(const std::vector<int>& touched) const
     {
         const auto farthest = std::ranges::max_element(
@@ -164,10 +166,10 @@ public:
 
     struct Answer {
         std::vector<GuardJudgement> judged;
-        std::vector<int> forbidding; // the worst first
+        std::vector<int> forbidding; // worst first
     };
-    // What cells say of the move as it is. Where some that forbid it are bad at a glance, no others
-    // are looked at more closely.
+    // Judges the move at its present share. If a quick test rejects some cells, no others are
+    // examined in detail.
     Answer answer(const std::vector<int>& cells) const
     {
         GuardOptions at_a_glance = options_;
@@ -186,8 +188,8 @@ public:
         return out;
     }
 
-    // By halving, from a step that the cell forbids down to one that it allows, or 0. The cell is
-    // asked alone.
+    // Finds by bisection the largest step below `step` that the cell allows, or 0. Judges this cell
+    // alone.
     int allowed_by(int cell, int step)
     {
         int low = 0;
@@ -202,7 +204,8 @@ public:
     }
 
 private:
-    // What was good stays good; what was not becomes so, or worse nowhere.
+    // Says whether a move is allowed: good cells stay good; others become good, or get worse in no
+    // coefficient.
     bool allows(int cell, const GuardJudgement& now) const
     {
         if (now.verdict == Verdict::proven_good) return true;
@@ -232,7 +235,7 @@ private:
     const GuardOptions& options_;
     CellGrid grid_;
     Lattice trial_;
-    Floors floors_; // of the touched cells that are not good
+    Floors floors_; // of touched cells that are not good
 };
 
 } // namespace
@@ -255,7 +258,7 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     const std::vector<int> cells = not_excepted(grid, all_cells(grid), options);
     CellVerdicts out{grid.breaks(), std::vector<Verdict>(grid.count(), Verdict::excepted),
                      std::vector<double>(grid.count())};
-    // Which sign is the right one may be known only when all cells have been looked at.
+    // The right sign may be known only after all cells have been examined.
     std::vector<GuardJudgement> positive(cells.size()), negative(cells.size());
     std::vector<double> volumes(cells.size()), sizes(cells.size());
     each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
@@ -295,8 +298,8 @@ CertifiedShare certified_share(const Lattice& from, const CellVerdicts& before,
                                std::span<const PointMove> moves, const GuardOptions& options)
 {
     TriedMove move(from, before, moves, options);
-    // Those that forbade a share are asked first about a smaller one, and the others only when
-    // those allow it.
+    // The cells that forbade a share are asked first about a smaller one, the others only if these
+    // allow it.
     const std::vector<int> touched = move.touched();
     std::vector<int> suspects = move.at_the_middle(touched), others = without(touched, suspects);
     CertifiedShare out;

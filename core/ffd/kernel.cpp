@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<float>;
 using Vec = hn::Vec<Tag>;
 
-// Orders that the compiler knows; 0: the order of the lattice.
+// Orders known at compile time; 0: the order of the lattice.
 template <int U, int V, int W> struct Orders {
     std::array<int, 3> order;
     HWY_INLINE int u() const { return U > 0 ? U : order[0]; }
@@ -56,7 +56,7 @@ HWY_INLINE Triple combine(const Triple& a, Vec x, const Triple& b, Vec y, const 
     return {sum(a.x, b.x, c.x), sum(a.y, b.y, c.y), sum(a.z, b.z, c.z)};
 }
 
-// v / |v|, or zero where |v|^2 is not above `least`, which it never is when not a number.
+// Returns v / |v|, or zero if |v|^2 is not above `least`, as for NaN.
 HWY_INLINE Triple unit(const Triple& v, Vec least)
 {
     const Tag d;
@@ -68,8 +68,9 @@ HWY_INLINE Triple unit(const Triple& v, Vec least)
     return {scaled(v.x), scaled(v.y), scaled(v.z)};
 }
 
-// One component of the polynomial at N registers of t at once, by Horner's rule in w in v in u.
-// Two registers share the load of a coefficient, which is as dear as a multiply-add.
+// Evaluates one component of the polynomial at N registers of t at once, by Horner's rule in w,
+// then v, then u. Two registers share the load of a coefficient, which costs as much as a
+// multiply-add.
 template <std::size_t N, class O>
 HWY_INLINE std::array<Vec, N> value(const O& o, const float* c, const std::array<Triple, N>& t)
 {
@@ -99,10 +100,10 @@ HWY_INLINE std::array<Vec, N> value(const O& o, const float* c, const std::array
 
 struct Jet1 {
     Vec value;
-    Triple slope; // by the three t
+    Triple slope; // along the three axes of t
 };
 
-// The same with derivatives: where p becomes p t + c, p' becomes p' t + p.
+// Evaluates the same with derivatives: where p becomes p t + c, p' becomes p' t + p.
 template <class O> HWY_INLINE Jet1 jet(const O& o, const float* c, const Triple& t)
 {
     const Tag d;
@@ -134,7 +135,8 @@ template <class O> HWY_INLINE Jet1 jet(const O& o, const float* c, const Triple&
     return {p, {pu, pv, pw}};
 }
 
-// Interleaves to consecutive vec3. Lanes beyond the run are garbage that the next run overwrites.
+// Interleaves three registers into consecutive vec3. Lanes beyond the run are garbage that the next
+// run overwrites.
 HWY_INLINE void store(const Triple& v, glm::vec3* to)
 {
     hn::StoreInterleaved3(v.x, v.y, v.z, Tag(), &to->x);
@@ -148,7 +150,7 @@ HWY_INLINE bool any_zero(const Triple& v, std::size_t count)
     return !hn::AllFalse(d, hn::And(all, hn::FirstN(d, count)));
 }
 
-// A column of J: rest - slopes * t_by_p.
+// Returns a column of J: rest - slopes * t_by_p.
 HWY_INLINE Triple column(const CellPolynomials::Frame& frame, std::size_t x, const Jet1& px,
                          const Jet1& py, const Jet1& pz)
 {
@@ -193,7 +195,7 @@ void deform_positions(const O& o, const SortedVertices& vertices, const SortedVe
     if (i < run.end) deform_registers<1>(o, vertices, i, c, out);
 }
 
-// J from the slopes of the polynomial; columns.
+// A Jacobian holds the columns of J, from the slopes of the polynomial.
 struct Jacobian {
     Triple a, b, c;
 };
@@ -206,7 +208,7 @@ HWY_INLINE Jacobian jacobian(const CellPolynomials::Frame& frame, const Jet1& x,
 
 HWY_INLINE Triple deformed_normal(const Jacobian& j, const Triple& n)
 {
-    // Where |cof(J) n| is below 3e-7 |J|^2, single precision has no digit of the normal.
+    // Where |cof(J) n| is below 3e-7 |J|^2, no digit of the normal is right in single precision.
     const Vec hopeless = hn::Set(Tag(), 1e-13f);
     const Vec size = hn::Add(dot(j.a, j.a), hn::Add(dot(j.b, j.b), dot(j.c, j.c)));
     return unit(combine(cross(j.b, j.c), n.x, cross(j.c, j.a), n.y, cross(j.a, j.b), n.z),

@@ -6,7 +6,7 @@
 namespace trivar {
 namespace {
 
-// Twice the area vector of a polygon, by Newell's formula.
+// Returns twice the area vector of a polygon, by Newell's formula.
 glm::dvec3 area_vector(const Mesh& mesh, std::size_t face, const std::vector<glm::vec3>& positions)
 {
     glm::dvec3 sum(0);
@@ -29,7 +29,7 @@ std::vector<glm::vec3> fill_missing_normals(const Mesh& mesh,
                                             const std::vector<glm::vec3>& positions,
                                             std::vector<glm::vec3> normals)
 {
-    std::vector<std::uint32_t> slot(normals.size(), 0); // 1-based place in `sums`
+    std::vector<std::uint32_t> slot(normals.size(), 0); // 1-based index into `sums`; 0: none
     std::vector<glm::dvec3> sums(1);
     for (std::size_t v = 0; v < normals.size(); ++v) {
         if (normals[v] != glm::vec3(0) || mesh.normals[v] == glm::vec3(0)) continue;

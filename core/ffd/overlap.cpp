@@ -22,7 +22,7 @@ bool meet(const Box& a, const Box& b)
     return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
 }
 
-// Whether a plane across the direction has all points of one on one side, the others beyond.
+// Says whether a plane normal to the direction separates two sets of points.
 bool apart(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b,
            const glm::dvec3& direction)
 {
@@ -40,7 +40,7 @@ bool apart(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b,
     return a_hi + rounding < b_lo || b_hi + rounding < a_lo;
 }
 
-// Pieces of a volume, halved as they are asked for.
+// A PieceTree holds pieces of a volume, which are halved on demand.
 class PieceTree {
 public:
     PieceTree(const UnrolledMap& map, int halvings) : map_(map), halvings_(halvings) {}
@@ -56,7 +56,7 @@ public:
     int add(const ParameterBox& box)
     {
         Piece piece{box, map_.bounds(box), map_.hull(box), {-1, -1}};
-        // The margin covers rounding.
+        // The margin bounds the rounding error.
         const glm::dvec3 slack =
             1e-13 * glm::max(glm::abs(piece.bounds.lo), glm::abs(piece.bounds.hi));
         piece.bounds.lo -= slack;
@@ -120,7 +120,7 @@ public:
             if (clear(a, b)) continue;
             if (a != b && find_witness(a, b, out)) return out;
             if (out.pairs >= options_.pairs || !split(a, b)) {
-                // Others may still have a witness.
+                // Other pairs may still have a witness.
                 out.verdict = Verdict::unknown;
                 out.one = middle(a);
                 out.other = middle(b);
@@ -133,7 +133,7 @@ public:
 private:
     glm::dvec3 middle(int i) const { return (tree_[i].box.lo + tree_[i].box.hi) / 2.0; }
 
-    // The boxes round both pieces, across seams as well, in each of which they touch.
+    // Returns the boxes round both pieces, also across seams, in each of which they touch.
     std::vector<ParameterBox> boxes_round(const ParameterBox& a, const ParameterBox& b) const
     {
         std::vector<ParameterBox> out;
@@ -154,7 +154,7 @@ private:
         return out;
     }
 
-    // Proven that no point of one piece meets another point of the other.
+    // Says whether it is proven that no point of one piece coincides with a point of the other.
     bool clear(int i, int j) const
     {
         const auto &a = tree_[i], &b = tree_[j];
@@ -175,7 +175,8 @@ private:
         return map_.nearly_affine({glm::min(a.box.lo, b.box.lo), glm::max(a.box.hi, b.box.hi)});
     }
 
-    // Newton's steps from a piece to where the middle of the other one lies as well.
+    // Looks for a witness by Newton's method, from one piece to a point with the same image as the
+    // middle of the other.
     bool find_witness(int i, int j, Overlap& out) const
     {
         if (tree_[i].hull.empty() || tree_[j].hull.empty() ||
@@ -184,7 +185,8 @@ private:
         return met_from(middle(i), middle(j), out) || met_from(middle(j), middle(i), out) ||
                met_from(inward(i), inward(j), out);
     }
-    // Faces that lie on each other have what is behind them in common.
+    // Returns a point inside the volume behind a face: faces that coincide may share the space
+    // behind them.
     glm::dvec3 inward(int i) const
     {
         glm::dvec3 out = middle(i);
@@ -206,7 +208,8 @@ private:
             const glm::dvec3 step = glm::inverse(j) * (target - f.value);
             if (glm::distance(f.value, target) < 1e-12 * extent) {
                 const glm::dvec3 inside = glm::min(other - lo, hi - other) / size;
-                // Inside, and not the first point again: what rounding leaves of the step is less.
+                // The point must be inside and differ from the first one; a step this small is only
+                // rounding.
                 if (!(std::min({inside.x, inside.y, inside.z}) > 1e-6) ||
                     !(glm::length(step / size) < 1e-9) || same(one, other))
                     return false;
@@ -229,7 +232,7 @@ private:
         return !boxes_round(round, {other, other}).empty();
     }
 
-    // Into pairs with the halves of the larger piece; not if both are small enough.
+    // Replaces a pair by pairs with the halves of the larger piece; false if both are small enough.
     bool split(int i, int j)
     {
         if (i == j) {

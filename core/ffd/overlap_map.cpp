@@ -9,9 +9,9 @@
 namespace trivar {
 namespace {
 
-constexpr int most_cells = 36; // of a box whose parts are looked at one by one
+constexpr int most_cells = 36; // largest number of cells of a box that is examined part by part
 
-// One turn more than a closed axis has.
+// Extends a closed axis by one turn.
 Knots unrolled(const Knots& knots)
 {
     if (knots.closure() == Closure::open) return knots;
@@ -33,7 +33,7 @@ bool jumps(const Knots& knots)
     return false;
 }
 
-// Whether the affine part of a map goes round with its axes.
+// Says whether the affine part of a map closes with its axes.
 bool closes(const Lattice& lattice)
 {
     const auto& axes = lattice.displacement.axes;
@@ -187,11 +187,12 @@ bool UnrolledMap::nearly_affine(const ParameterBox& box) const
     const Jet<glm::dvec3> f = jet((box.lo + box.hi) / 2.0);
     const glm::dmat3 a(f.first[0], f.first[1], f.first[2]);
     if (!(std::abs(glm::determinant(a)) > 0)) return false;
-    // Each axis by the length it has in the world, so that it does not matter how fast it is run.
+    // Each axis is measured by its length in the world, so that its parametrization does not
+    // matter.
     const glm::dvec3 speed(glm::length(a[0]), glm::length(a[1]), glm::length(a[2]));
     const glm::dmat3 inverse = glm::inverse(a);
     const std::vector<BezierCell> of = parts(box);
-    glm::dvec3 worst(0); // along a flat axis no two points differ
+    glm::dvec3 worst(0); // 0 for a flat axis, along which no two points differ
     for (const BezierCell& part : of) {
         const glm::dvec3 edge = part.hi - part.lo;
         const std::array<int, 3> step{part.orders.y * part.orders.z, part.orders.z, 1};
@@ -202,7 +203,7 @@ bool UnrolledMap::nearly_affine(const ParameterBox& box) const
             const double factor = (part.orders[axis] - 1) / edge[axis];
             const int row = step[at(axis)] * part.orders[axis];
             for (int p = 0; p < static_cast<int>(part.points.size()); ++p) {
-                if (p % row >= row - step[at(axis)]) continue; // the last along the axis
+                if (p % row >= row - step[at(axis)]) continue; // the last point along the axis
                 const glm::dvec3 slope =
                     factor * (part.points[at(p + step[at(axis)])] - part.points[at(p)]);
                 const double off = glm::length(speed * (inverse * slope - unit)) / speed[axis];

@@ -19,8 +19,8 @@ glm::vec4 first_four(const std::array<double, max_order>& row)
     return {row[0], row[1], row[2], row[3]};
 }
 
-// The axis in functions of an order less: its knots less the first and the last. Nothing where
-// they would be C^-1.
+// Makes the cells of the axis for functions of one order less: its knots without the first and the
+// last. None if they would be C^-1.
 std::optional<AxisCells> lower_cells(const Knots& knots)
 {
     const std::vector<double>& t = knots.values();
@@ -29,11 +29,11 @@ std::optional<AxisCells> lower_cells(const Knots& knots)
     return AxisCells(Knots::general(knots.order() - 1, {t.begin() + 1, t.end() - 1}));
 }
 
-// Rows 5 to 9, see core/kernel/raised.glsl.
+// Fills rows 5 to 9, see core/kernel/raised.glsl.
 void pack_raised(const Knots& knots, const AxisCells::Cell& cell, const AxisCells::Cell* lower,
                  glm::vec4* rows)
 {
-    rows[5] = {1, 0, 0, 0}; // of order 1
+    rows[5] = {1, 0, 0, 0}; // order 1
     const double width = cell.per_unit > 0 ? 1 / cell.per_unit : 0;
     for (int r = 0; r + 1 < knots.order(); ++r) {
         const double begin = knots.values()[at(cell.first + 1 + r)],
@@ -45,7 +45,7 @@ void pack_raised(const Knots& knots, const AxisCells::Cell& cell, const AxisCell
     for (int m = 0; m + 1 < knots.order(); ++m) rows[5 + m] = first_four(lower->power[at(m)]);
 }
 
-// Adds the axis to the table.
+// Adds an axis to the table.
 void pack_axis(PackedAxes& out, std::size_t axis, const Knots& knots)
 {
     const AxisCells cells(knots);
@@ -69,7 +69,7 @@ void pack_axis(PackedAxes& out, std::size_t axis, const Knots& knots)
     }
 }
 
-// The largest absolute value of an entry.
+// Returns the largest absolute value of an entry.
 double largest_entry(const glm::dmat3& m)
 {
     double most = 0;
@@ -78,7 +78,7 @@ double largest_entry(const glm::dmat3& m)
     return most;
 }
 
-// A power of two that brings entries of J, up to this large or so, near 1.
+// Returns a power of two that scales entries of J of about this size to near 1.
 float scale_for(double size)
 {
     return size > 0 && std::isfinite(size) ? std::ldexp(1.0f, -std::ilogb(size)) : 1.0f;
@@ -138,8 +138,8 @@ VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& packed,
     out.x_by_p = x_by_p;
     out.x_middle = glm::vec4(middle, 0);
 
-    // Where the rest is a shift, and the object not far from its origin, nothing is taken off and
-    // added again: an untouched lattice then gives the very bits back.
+    // If the rest map is a shift and the object is near its origin, no offset is subtracted and
+    // added again: an untouched lattice then returns the same bits.
     const bool shift = glm::dmat3(embedding.to_rest) == glm::dmat3(1);
     const double extent = object.empty() ? 0 : glm::length(object.size());
     const bool near_origin = shift && glm::length(middle) < 4 * extent;
@@ -154,7 +154,7 @@ VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& packed,
         displaced = std::max(displaced, glm::length(d));
     out.jacobian_scale =
         scale_for(largest_entry(glm::dmat3(embedding.to_rest)) + displaced * steepest);
-    // The best of single precision: smaller steps lose digits, larger ones the slope.
+    // This step is best in single precision: smaller ones lose digits, larger ones lose the slope.
     out.difference_step = static_cast<float>(1e-4 * extent);
     return out;
 }

@@ -15,7 +15,7 @@ std::ptrdiff_t slice_size(const Trivariate<glm::dvec3>& f)
     return std::ssize(f.points) / f.axes[0].count();
 }
 
-// The function with u and another axis exchanged.
+// Exchanges u and another axis of the function.
 Trivariate<glm::dvec3> exchanged(Trivariate<glm::dvec3> f, int axis)
 {
     if (axis == 0) return f;
@@ -31,7 +31,7 @@ Trivariate<glm::dvec3> exchanged(Trivariate<glm::dvec3> f, int axis)
     return out;
 }
 
-// u turned round: F(-u).
+// Reverses u: F(-u).
 Trivariate<glm::dvec3> mirrored(const Trivariate<glm::dvec3>& f)
 {
     std::vector<double> knots = f.axes[0].values();
@@ -45,9 +45,10 @@ Trivariate<glm::dvec3> mirrored(const Trivariate<glm::dvec3>& f)
     return out;
 }
 
-// Control points are blossoms at `degree` knots in a row (Ramshaw 1989). With the end as a knot of
-// multiplicity degree - 1, for one derivative to be continuous, the last one gives way to those of
-// the straight piece: P + (mean of the knots - end) F'.
+// Extends the function beyond its end along u by a straight piece. Control points are blossoms at
+// `degree` consecutive knots (Ramshaw 1989). If the end becomes a knot of multiplicity degree - 1,
+// which leaves one continuous derivative, the last control point is replaced by those of the
+// straight piece: P + (mean of the knots - end) F'.
 Trivariate<glm::dvec3> prolonged_end(const Trivariate<glm::dvec3>& f, double to)
 {
     const Knots& axis = f.axes[0];
@@ -62,7 +63,7 @@ Trivariate<glm::dvec3> prolonged_end(const Trivariate<glm::dvec3>& f, double to)
     Trivariate<glm::dvec3> out{{Knots::general(axis.order(), knots), f.axes[1], f.axes[2]},
                                {f.points.begin(), f.points.end() - size}};
     const auto last = f.points.end() - size, previous = last - size;
-    for (int n = 1; n <= degree; ++n) // of the knots are at `to`
+    for (int n = 1; n <= degree; ++n) // n: number of knots at `to`
         for (std::ptrdiff_t s = 0; s < size; ++s) {
             const glm::dvec3 slope = (last[s] - previous[s]) * (degree / (end - before));
             out.points.push_back(last[s] + slope * ((to - end) * n / degree));
@@ -83,14 +84,14 @@ Lattice prolonged(const Lattice& lattice, int axis, double from, double to)
 
 Lattice prolonged_round(const Lattice& lattice, const Box& uvw)
 {
-    constexpr double step = 0.25; // of the domain
+    constexpr double step = 0.25; // relative to the domain
     Lattice out = lattice;
     if (uvw.empty()) return out;
     for (int axis = 0; axis < 3; ++axis) {
         const Knots knots = lattice.displacement.axes[at(axis)];
         if (knots.closure() != Closure::open) continue;
         const double begin = knots.begin(), end = knots.end(), width = step * (end - begin);
-        const Reach near = reach(knots); // what is outside by a rounding is inside
+        const Reach near = reach(knots); // a point outside by rounding counts as inside
         const double before = std::max(0.0, near.least - uvw.lo[axis]),
                      behind = std::max(0.0, uvw.hi[axis] - near.most);
         out = prolonged(out, axis, begin - std::ceil(before / width) * width,

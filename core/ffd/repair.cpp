@@ -23,7 +23,8 @@ std::vector<PointMove> one_pass(const RepairAttempt& attempt, const RepairSite& 
     }
 }
 
-// Limits beyond which a way does harm: columns of a twentieth, gaps of two thirds of a layer.
+// Returns the largest number of passes of a way. More would do harm: columns of a twentieth of
+// their height, gaps of two thirds of a layer.
 int most_passes(RepairWay way, const RepairOptions& options)
 {
     return way == RepairWay::lowered_heights    ? std::min(options.passes, 40)
@@ -42,7 +43,8 @@ std::vector<PointMove> difference(const RepairSite& site, const Lattice& from, c
     return out;
 }
 
-// The least of sixteen shares of the moves that does; found by halving, judged as it is returned.
+// Finds by bisection the least of sixteen shares of the moves that is good; each share is judged as
+// it is returned.
 std::vector<PointMove> as_few_as_do(const Lattice& folded, const CellVerdicts& before,
                                     std::vector<PointMove> moves, const GuardOptions& options)
 {
@@ -104,7 +106,8 @@ AttemptMoves attempted(const RepairAttempt& how, const RepairSite& site, const L
         verdicts = judged_again(std::move(verdicts), now, moves, quick);
     }
     AttemptMoves out{how, difference(site, folded, now)};
-    // Differences are rounded, and some cells were looked at in haste.
+    // Differences are rounded and some cells were judged quickly, so that the result is judged
+    // again.
     out.attempt.certified =
         judged_again(before, moved(folded, out.moves), out.moves, options.guard).good();
     if (out.attempt.certified)

@@ -18,7 +18,7 @@ std::vector<std::size_t> sorted_once(std::vector<std::size_t> of)
     return of;
 }
 
-// The axes across the columns.
+// Returns the axes across the columns.
 std::array<int, 2> across(int axis)
 {
     return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
@@ -29,8 +29,8 @@ glm::dvec3 world(const Lattice& lattice, const glm::ivec3& i)
     return control_point(lattice, i.x, i.y, i.z);
 }
 
-// The neighbour of a column one step along an axis; an axis that is not open goes round, a twisted
-// one ends, for the columns beyond stand upside down.
+// Steps from a column to its neighbour along an axis; false at an end. A periodic axis wraps; a
+// twisted one ends, because the columns beyond are upside down.
 bool neighbour(const Knots& axis, int& i, int step)
 {
     i += step;
@@ -38,7 +38,7 @@ bool neighbour(const Knots& axis, int& i, int step)
     return i >= 0 && i < axis.count();
 }
 
-// Moves points of a column other than the ground's to where `place` puts them.
+// Moves all points of a column except the ground point to where `place` puts them.
 template <class Place>
 void move_column(const RepairSite& site, const Lattice& lattice, glm::ivec3 ground,
                  const Place& place, std::vector<PointMove>& moves)
@@ -53,7 +53,7 @@ void move_column(const RepairSite& site, const Lattice& lattice, glm::ivec3 grou
     }
 }
 
-// The ground's normal under a column, toward the inside of the volume.
+// Returns the normal of the ground under a column, toward the inside of the volume.
 glm::dvec3 ground_normal(const Lattice& lattice, const glm::ivec3& ground, int axis, int sign)
 {
     std::array<glm::dvec3, 2> along{};
@@ -70,8 +70,8 @@ glm::dvec3 ground_normal(const Lattice& lattice, const glm::ivec3& ground, int a
     return length > 0 ? n / length : glm::dvec3(0);
 }
 
-// Heights in the order of layers from the ground: the nearest ones, by least squares, that rise by
-// at least `gap` each (pool adjacent violators).
+// Returns the heights nearest to the given ones, in least squares, that rise by at least `gap` per
+// layer from the ground (pool adjacent violators).
 std::vector<double> rising(const std::vector<double>& heights, double gap)
 {
     struct Pool {
@@ -96,21 +96,22 @@ std::vector<double> rising(const std::vector<double>& heights, double gap)
     return out;
 }
 
-// A place in a cell where det J is too small, and the value wanted there.
+// A Constraint is a place in a cell where det J is too small, and the value wanted there.
 struct Constraint {
     std::size_t cell;
     glm::dvec3 x; // 0 to 1
     double wanted;
 };
 
-// At 27 samples, and at the site of the least coefficient of a cell that is not good: coefficients
-// have to be positive, not det J alone, so there it is raised whatever it is.
+// Lists the constraints of a cell: at 27 samples, and, if the cell is not good, at the site of its
+// least coefficient. There det J is always raised, because not only det J but its coefficients must
+// be positive.
 std::vector<Constraint> constraints(std::size_t cell, const CellDeterminant& det,
                                     const CellVerdicts& verdicts, bool good, int pass)
 {
     const Bernstein& f = det.f;
     const int sign = verdicts.sign;
-    // A hundredth of what det J is elsewhere, and more with every pass.
+    // The wanted value is a hundredth of the usual det J, and more with every pass.
     const double usual = std::clamp(sign * det.mean, 0.1 * verdicts.typical, verdicts.typical);
     const double wanted = 0.01 * (1 + (good ? 0 : std::min(pass, 40) / 8.0)) * usual;
     std::vector<Constraint> out;
@@ -129,9 +130,9 @@ std::vector<Constraint> constraints(std::size_t cell, const CellDeterminant& det
     return out;
 }
 
-// Where a point would lie as evenly between its neighbours along every axis as their sites do;
-// beyond an end, straight on. Two points along an axis have no middle. Displacements are enough:
-// the rest map is affine.
+// Returns the displacement that puts a point as evenly between its neighbours along each axis as
+// their sites are; beyond an end, on a straight line. Axes with two points have no middle.
+// Displacements suffice, because the rest map is affine.
 glm::dvec3 even_place(const Trivariate<glm::dvec3>& f, const glm::ivec3& index)
 {
     glm::dvec3 sum(0);
@@ -142,13 +143,14 @@ glm::dvec3 even_place(const Trivariate<glm::dvec3>& f, const glm::ivec3& index)
         ++lines;
         glm::ivec3 i = index;
         if (knots.closure() != Closure::open && i[axis] == 0) {
-            // The same point one turn on.
+            // The same point one turn further.
             if (knots.closure() == Closure::twisted)
                 for (int other = 0; other < 3; ++other)
                     i[other] = f.axes[at(other)].count() - 1 - i[other];
             i[axis] = knots.count();
         }
-        // The point and two others, whose line goes through it: neighbours, or the next two.
+        // The even place is on the line through two other points: both neighbours, or the next two
+        // at an end.
         const int step = i[axis] == 0 ? 1 : i[axis] + 1 == knots.unwrapped_count() ? -1 : 0;
         glm::ivec3 one = i, two = i;
         one[axis] += step == 0 ? -1 : step;
@@ -161,14 +163,14 @@ glm::dvec3 even_place(const Trivariate<glm::dvec3>& f, const glm::ivec3& index)
     return lines > 0 ? sum / double(lines) : f.point(index.x, index.y, index.z);
 }
 
-// Moves the points of the cell until det J is about what it should be.
+// Moves the points of the cell until det J is near its wanted value.
 void fulfil(const RepairSite& site, const CellGrid::Place& cell,
             const std::vector<std::size_t>& points, const Constraint& c, bool ground_yields,
             int sign, Lattice& lattice)
 {
     auto& f = lattice.displacement;
     const glm::dvec3 edge = cell.hi - cell.lo;
-    // Off the knots, where an axis of order 2 has two slopes.
+    // The place is moved off the knots, where an axis of order 2 has two slopes.
     const glm::dvec3 uvw = cell.lo + edge * glm::clamp(c.x, 0.001, 0.999);
     const std::array<Basis, 3> b{basis(f.axes[0], uvw.x, 1), basis(f.axes[1], uvw.y, 1),
                                  basis(f.axes[2], uvw.z, 1)};
@@ -194,7 +196,7 @@ void fulfil(const RepairSite& site, const CellGrid::Place& cell,
         squares += glm::dot(gradient[p], gradient[p]);
         steepest = std::max(steepest, glm::length(gradient[p]));
     }
-    // No point goes further than half a cell at once.
+    // No point moves further than half a cell at once.
     const double furthest = 0.5 * std::cbrt(std::abs(c.wanted) * 100 * edge.x * edge.y * edge.z);
     const double step = std::min((c.wanted - det) / squares, furthest / steepest);
     if (!(step > 0) || !std::isfinite(step)) return;
@@ -311,7 +313,7 @@ std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& la
         move_column(
             site, lattice, ground,
             [&](const glm::ivec3&, const glm::dvec3& p) {
-                // The result rises with the height and stays below the cap; small values hardly
+                // The result rises with the height and stays below the cap; small heights hardly
                 // change.
                 const double share = glm::distance(p, foot) / cap;
                 return foot + (p - foot) * std::pow(1 + std::pow(share, 6), -1.0 / 6);
@@ -397,7 +399,7 @@ std::vector<PointMove> relaxed(const RepairSite& site, const Lattice& lattice,
             fulfil(site, cell, points, c, ground_yields, verdicts.sign, now);
     }
     touched = sorted_once(std::move(touched));
-    // A little of evening keeps what was moved for one fold from becoming the next.
+    // Some smoothing keeps points that were moved for one fold from making another.
     const Trivariate<glm::dvec3> before = now.displacement;
     for (const std::size_t p : touched)
         if (!site.held(p, ground_yields))

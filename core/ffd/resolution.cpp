@@ -20,7 +20,7 @@ bool mirrored_by_another(const std::array<Knots, 3>& axes, int axis)
     return false;
 }
 
-// With the mirror images of those that have none; those that nearly have one get it.
+// Adds the missing mirror images to inserted knots and makes nearly mirrored ones exact.
 std::vector<double> symmetric(const Knots& knots, std::vector<double> inserted)
 {
     const double sum = knots.begin() + knots.end(), near = 1e-9 * (knots.end() - knots.begin());
@@ -32,7 +32,7 @@ std::vector<double> symmetric(const Knots& knots, std::vector<double> inserted)
         std::size_t below = 0, above = 0;
         for (; i < inserted.size() && lower(inserted[i]) - t <= near; ++i)
             ++(inserted[i] <= sum / 2 ? below : above);
-        const bool middle = sum / 2 - t <= near; // its own image
+        const bool middle = sum / 2 - t <= near; // its own mirror image
         out.insert(out.end(), middle ? below + above : std::max(below, above),
                    middle ? sum / 2 : t);
         if (!middle) out.insert(out.end(), std::max(below, above), sum - t);
@@ -40,7 +40,7 @@ std::vector<double> symmetric(const Knots& knots, std::vector<double> inserted)
     return out;
 }
 
-// Of those a control point of a closed axis stands for, each once.
+// Lists the sites between lo and hi; for a closed axis each control point once.
 std::vector<double> sites_within(const Knots& knots, double lo, double hi)
 {
     std::vector<double> out;
@@ -50,7 +50,8 @@ std::vector<double> sites_within(const Knots& knots, double lo, double hi)
     return out;
 }
 
-// Middles of the spans that meet [lo, hi], until so many control points have their sites there.
+// Lists middles of the spans that meet [lo, hi], until the wanted number of control points has its
+// sites there.
 std::vector<double> middles(Knots knots, double lo, double hi, int wanted)
 {
     std::vector<double> out;
@@ -69,7 +70,8 @@ std::vector<double> middles(Knots knots, double lo, double hi, int wanted)
     return out;
 }
 
-// The parameters of the point of the volume next to p, from the control point next to it.
+// Finds the parameters of the point of the volume nearest to p, starting from the control point
+// nearest to it.
 glm::dvec3 parameters_near(const Lattice& lattice, const glm::dvec3& p)
 {
     const auto& axes = lattice.displacement.axes;
@@ -85,7 +87,7 @@ glm::dvec3 parameters_near(const Lattice& lattice, const glm::dvec3& p)
     glm::dvec3 uvw;
     for (int a = 0; a < 3; ++a)
         uvw[a] = axes[at(a)].into_domain(axes[at(a)].greville(nearest[a])).t;
-    // Newton's steps, while they come nearer.
+    // Newton's method runs as long as the distance decreases.
     best = 1e300;
     for (int round = 0; round < 12; ++round) {
         const Jet<glm::dvec3> f = evaluate(lattice, uvw, 1);
@@ -101,7 +103,7 @@ glm::dvec3 parameters_near(const Lattice& lattice, const glm::dvec3& p)
     return uvw;
 }
 
-// `count` values spread over the sorted ones as these are, the ends left out.
+// Returns `count` values distributed like the given sorted ones, without the ends.
 std::vector<double> spread(const std::vector<double>& values, int count)
 {
     std::vector<double> out;
@@ -119,7 +121,7 @@ Knots with_fewer(const Knots& knots, int count)
 {
     const auto& t = knots.values();
     if (knots.closure() == Closure::open) {
-        // The knots inside the domain, and its ends.
+        // These are the knots inside the domain, and its ends.
         const std::vector<double> inside(t.begin() + knots.degree(),
                                          t.begin() + knots.unwrapped_count() + 1);
         std::vector<double> all(t.begin(), t.begin() + knots.order());
@@ -136,8 +138,8 @@ Knots with_fewer(const Knots& knots, int count)
     return Knots::closed(knots.order(), period, knots.end(), knots.closure());
 }
 
-// Four parameters for each control point, the ends of an open domain among them, symmetric where
-// the knots are.
+// Returns four parameters per control point, with the ends of an open domain, symmetric if the
+// knots are.
 std::vector<double> samples(const Knots& knots)
 {
     const std::vector<double> breaks = knots.breaks();
@@ -150,7 +152,7 @@ std::vector<double> samples(const Knots& knots)
     return out;
 }
 
-// The knots of both, each as often as where it stands more often.
+// Returns the union of two knot vectors, with the higher multiplicity of each knot.
 Knots united(const Knots& a, const Knots& b)
 {
     std::vector<double> further;
@@ -194,7 +196,8 @@ AxisKnots knots_for_sphere(const Lattice& lattice, const glm::dvec3& center_worl
         const Knots& knots = lattice.displacement.axes[at(axis)];
         const double speed = glm::length(f.first[at(axis)]);
         if (!(speed > 0) || !(radius_world > 0)) continue;
-        // Not to the sphere's ends: control points lie beside the line through its centre.
+        // The ends of the sphere are left out: control points lie beside the line through its
+        // centre.
         const double half = std::min(0.8 * radius_world / speed, knots.end() - knots.begin());
         out[at(axis)] = middles(knots, uvw[axis] - half, uvw[axis] + half, across);
     }
@@ -236,8 +239,7 @@ double largest_difference(const Lattice& a, const Lattice& b)
     for (int axis = 0; axis < 3; ++axis) {
         if (axis_of(f, axis) == axis_of(g, axis)) continue;
         Knots both = united(axis_of(f, axis), axis_of(g, axis));
-        // Control points beyond the ends of an axis that is not clamped say little of what is
-        // inside.
+        // If the axis is not clamped, control points beyond its ends say little about the inside.
         if (both.closure() == Closure::open) both = opened(both);
         f = over_knots(f, axis, both);
         g = over_knots(g, axis, both);
@@ -247,7 +249,7 @@ double largest_difference(const Lattice& a, const Lattice& b)
         most = std::max(most, glm::distance(f.points[i], g.points[i]));
         size = std::max({size, glm::length(f.points[i]), glm::length(g.points[i])});
     }
-    return most + 1e-14 * size; // what rounding may hide
+    return most + 1e-14 * size; // bound of the rounding error
 }
 
 } // namespace trivar

@@ -18,8 +18,8 @@ struct PlacedVertex {
     std::array<float, 3> t{};
 };
 
-// Whether a parameter has to be brought into the domain of an axis: most lie there, and nothing is
-// cheaper than seeing it.
+// Says whether a parameter must be mapped into the domain of an axis. Most lie in it, and this test
+// is cheaper than the mapping.
 bool goes_round(double t, const Knots& axis)
 {
     return !(t >= axis.begin() && t < axis.end()) && axis.closure() != Closure::open &&
@@ -46,7 +46,7 @@ PlacedVertex place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
     for (std::size_t a = 0; a < 3; ++a) {
         double t = uvw[static_cast<int>(a)];
         if (goes_round(t, axes[a]))
-            t = axes[a].into_domain(t).t; // a later axis may have mirrored it
+            t = axes[a].into_domain(t).t; // again, because a later axis may have mirrored it
         const AxisCells::Place at = cells[a].place(t);
         out.key.cell[a] = at.cell;
         out.t[a] = at.t;
@@ -54,7 +54,7 @@ PlacedVertex place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
     return out;
 }
 
-// `order`, stably sorted by a digit of what it refers to.
+// Sorts `order` stably by a digit of the elements that it refers to.
 template <class Digit>
 std::vector<std::uint32_t> counting_sort(const std::vector<std::uint32_t>& order,
                                          std::uint32_t digits, const Digit& digit)
@@ -82,8 +82,8 @@ std::vector<std::uint32_t> order_by_cell(const std::vector<PlacedVertex>& placed
                : order;
 }
 
-// Long enough that a cell of a solid model holds some registers full of a chunk's vertices, short
-// enough that the chunk's results fit a second-level cache.
+// Returns a chunk length at which a cell of a solid model has several registers of vertices in a
+// chunk, while the results of a chunk fit a second-level cache.
 std::size_t chunk_length(const std::array<AxisCells, 3>& cells)
 {
     double count = 1;
@@ -96,7 +96,8 @@ template <class T> void resize(std::array<std::vector<T>, 3>& arrays, std::size_
     for (std::vector<T>& a : arrays) a.resize(count);
 }
 
-// Once a vertex; the library's comparison of arrays is a function call.
+// Compares two keys. This runs once per vertex, and the library's comparison of arrays is a
+// function call.
 bool same_cell(const CellKey& a, const CellKey& b)
 {
     return a.cell[0] == b.cell[0] && a.cell[1] == b.cell[1] && a.cell[2] == b.cell[2] &&

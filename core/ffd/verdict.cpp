@@ -13,7 +13,7 @@ double signed_least(const Bernstein& f, int sign)
     const double* x = f.coefficients.data();
     const std::size_t n = f.coefficients.size();
     const double factor = sign;
-    // Four at a time: none waits for the one before.
+    // Four independent minima let the processor work in parallel.
     std::array<double, 4> least;
     least.fill(factor * *x);
     for (std::size_t i = 0; i + 4 <= n; i += 4)
@@ -33,7 +33,7 @@ bool bad_at_a_corner(const Bernstein& f, int sign, double doubt)
     return false;
 }
 
-// Looks where the least coefficient is: det J is often least near there.
+// Says whether det J is bad at the site of its least coefficient, near which it is often least.
 bool bad_at_the_least(const Bernstein& f, double signed_least, int sign, double doubt)
 {
     const auto found = std::ranges::find(f.coefficients, sign * signed_least);

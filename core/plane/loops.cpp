@@ -44,7 +44,7 @@ Region united(const Region& loops, bool even_odd)
 
 Region inset(const Region& region, double distance)
 {
-    constexpr double longest_spike = 4; // of a reflex corner, in distances
+    constexpr double longest_spike = 4; // at a reflex corner, in distances
     ClipperLib::ClipperOffset offset(longest_spike);
     offset.AddPaths(paths_of(region), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
     ClipperLib::Paths result;

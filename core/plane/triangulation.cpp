@@ -17,11 +17,11 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using NumberedVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using MarkedFace = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<bool, Kernel>>; // whether it is inside
+    Kernel, CGAL::Triangulation_face_base_with_info_2<bool, Kernel>>; // bool: inside the region
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<NumberedVertex, MarkedFace>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using Face = Delaunay::Face_handle; // side i is from vertex(ccw(i)) to vertex(cw(i))
+using Face = Delaunay::Face_handle; // side i runs from vertex(ccw(i)) to vertex(cw(i))
 
 Triangulation::Corners corners_of(Face f)
 {
@@ -66,8 +66,8 @@ struct Triangulation::Plane {
         assert(found);
         return f->vertex(Delaunay::ccw(side))->info() == a ? f : f->neighbor(side);
     }
-    // The number of the vertex at p, a new one or the one that was. A face near to it saves a
-    // search.
+    // Returns the number of the vertex at p, which is added if it is new. A face near p shortens
+    // the search.
     int put(const glm::ivec2& p, Face near)
     {
         const auto v = delaunay.insert(Delaunay::Point(p.x, p.y), near);
@@ -84,9 +84,8 @@ struct Triangulation::Plane {
         do face->info() = true;
         while (++face != first);
     }
-    // Walks from a face to the one that p lies in or on the rim of, but not across an edge that
-    // stays. Which way it looks first changes with each step, so that it does not go round in
-    // circles.
+    // Walks from a face to the one that contains p, without crossing a constrained edge; none if it
+    // is behind one. The first side to try changes with each step, so that the walk does not cycle.
     std::optional<Face> face_in_sight(Face from, const Delaunay::Point& p) const
     {
         const std::size_t most = 4 * delaunay.number_of_faces() + 16;
@@ -153,7 +152,7 @@ void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
 void Triangulation::refine(double longest, const std::function<bool(const Corners&)>& may_split,
                            const std::function<void(int point, const Corners&)>& added)
 {
-    constexpr std::size_t most = 200000; // points: of a letter that fills the grid
+    constexpr std::size_t most = 200000; // points, for a letter as large as the grid
     Delaunay& delaunay = plane_->delaunay;
     for (bool changed = true; changed;) {
         changed = false;
@@ -165,14 +164,14 @@ void Triangulation::refine(double longest, const std::function<bool(const Corner
             const std::optional<Face> f = plane_->face(v);
             if (!f || !may_split(v)) continue;
             const Delaunay::Point centre = delaunay.circumcenter(*f);
-            if (!(std::hypot(centre.x(), centre.y()) < most_units)) continue; // a sliver's
+            if (!(std::hypot(centre.x(), centre.y()) < most_units)) continue; // of a sliver
             const glm::ivec2 p = on_grid(centre);
             const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
             if (!in) continue;
             const Corners round = corners_of(*in);
             if (!may_split(round)) continue;
             const int point = plane_->put(p, *in);
-            if (point < static_cast<int>(points_.size())) continue; // one that was
+            if (point < static_cast<int>(points_.size())) continue; // the point exists already
             points_.push_back(p);
             plane_->mark_round(point);
             added(point, round);

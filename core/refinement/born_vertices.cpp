@@ -20,7 +20,7 @@ glm::vec3 unit_blended(const glm::vec3& a, const glm::vec3& b, float t)
     return length > 0 ? v / length : a;
 }
 
-// The four heaviest joints of both, their weights scaled to the sum 1 again.
+// Returns the four heaviest joints of both, with weights scaled to the sum 1.
 Mesh::Influences blended(const Mesh::Influences& a, const Mesh::Influences& b, float t)
 {
     struct Joint {
@@ -53,7 +53,7 @@ Mesh::Influences blended(const Mesh::Influences& a, const Mesh::Influences& b, f
     return out;
 }
 
-// `make(a, b, t)` for each vertex that is born, where the array is used at all.
+// Appends `make(a, b, t)` for each born vertex, if the mesh has the array.
 template <class Value>
 void extend(std::vector<Value>& values, const std::vector<BornVertex>& born, std::size_t own,
             const auto& make)

@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// To be added where several bounds are multiplied and added.
+// Relative rounding error of sums and products of several bounds.
 constexpr double rounding_of_sums = 1e-12;
 
 double bound_of(ErrorBounds& bounds, const std::array<ErrorBounds::Corner, 2>& edge,
@@ -22,7 +22,7 @@ double bound_of(ErrorBounds& bounds, const std::array<ErrorBounds::Corner, 3>& t
     return bounds.triangle(triangle, method);
 }
 
-// The parameters of all points within a distance of a simplex.
+// Returns the parameters of all points within a distance of a simplex.
 template <std::size_t corners>
 std::array<glm::dvec3, 2>
 reached_parameters(const std::array<ErrorBounds::Corner, corners>& simplex, double distance_world,
@@ -63,7 +63,7 @@ ComposedBounds::ComposedBounds(const ComposedCells& cells) : cells_(cells), firs
     for (const Ref<DisplacementCells>& each : cells.cells_) next_.emplace_back(each);
 }
 
-// The share of each volume in a bound, and where it moves the corners.
+// Shares are the parts that each volume adds to a bound, and where it moves the corners.
 template <std::size_t corners> struct ComposedBounds::Shares {
     double bound = 0;
     std::size_t worst = 0; // 0: the first volume
@@ -75,7 +75,7 @@ ComposedBounds::Shares<corners> ComposedBounds::shares(const Simplex<corners>& s
                                                        BoundMethod method)
 {
     Shares<corners> out{bound_of(first_, simplex.by_first, method), 0, simplex.by_first};
-    double greatest = out.bound; // share of a volume
+    double greatest = out.bound; // largest share of a volume
     std::array<glm::dvec3, corners> world = simplex.world;
     for (std::size_t n = 0; n < next_.size() && out.bound < infinite; ++n) {
         const Embedding& embedding = cells_.next_[n].embedding;

@@ -21,7 +21,7 @@ void each_line(const glm::ivec3& n, int axis, auto&& visit)
             visit(i * stride[at(a)] + j * stride[at(b)], stride[at(axis)]);
 }
 
-// Coefficient of t^m in Bernstein polynomial i at t + 1/2, at [m][i].
+// Computes the coefficient of t^m in Bernstein polynomial i at t + 1/2, at [m][i].
 using Powers = std::array<std::array<double, max_order>, max_order>;
 Powers bernstein_powers(int order)
 {
@@ -38,7 +38,7 @@ Powers bernstein_powers(int order)
 
 } // namespace
 
-// The second and third order are symmetric forms.
+// A Taylor is the expansion up to the third order; the second and third order are symmetric forms.
 struct CubicError::Taylor {
     glm::dvec4 value;
     std::array<glm::dvec4, 3> first;
@@ -67,7 +67,7 @@ CubicError::CubicError(const DisplacementCells::Cell& cell, const glm::ivec3& or
 
 CubicError::Taylor CubicError::round(const glm::dvec3& middle, const glm::dvec3& reach) const
 {
-    // p(t + middle) along each axis by Horner's rule, over and over.
+    // Shifts the origin, p(t + middle), along each axis by repeated Horner's rule.
     Points p;
     std::copy_n(power_.begin(), orders_.x * orders_.y * orders_.z, p.begin());
     for (int a = 0; a < 3; ++a)
@@ -93,12 +93,12 @@ CubicError::Taylor CubicError::round(const glm::dvec3& middle, const glm::dvec3&
             for (int k = 0; k < orders_.z; ++k, ++from) {
                 const int total = i + j + k;
                 if (total > 3) {
-                    const glm::dvec4 size = glm::abs(*from); // no shorter than it is
+                    const glm::dvec4 size = glm::abs(*from); // at least its length
                     out.left_out += (size.x + size.y + size.z) * power[0][at(i)] * power[1][at(j)] *
                                     power[2][at(k)];
                     continue;
                 }
-                // Which axes the term has, each as often as it stands in it.
+                // Lists the axes of the term, with multiplicity.
                 std::array<std::size_t, 3> axes{};
                 int n = 0;
                 for (int c = 0; c < i; ++c) axes[at(n++)] = 0;
@@ -131,7 +131,7 @@ CubicError::Bound CubicError::operator()(const std::array<glm::dvec3, corners>& 
     const glm::dvec3 middle = (lo + hi) / 2.0;
     const Taylor f = round(middle - 0.5, (hi - lo) / 2.0);
 
-    // With a_i the value and first order in corner i less the linear function there, and the
+    // With a_i the value and first order in corner i minus the linear function there, and the
     // symmetric forms B and T: e_ijk = (a_i + a_j + a_k + B_ij + B_jk + B_ki) / 3 + T_ijk.
     std::array<glm::dvec3, corners> x;
     for (std::size_t i = 0; i < corners; ++i) x[i] = local[i] - middle;
@@ -164,12 +164,12 @@ CubicError::Bound CubicError::operator()(const std::array<glm::dvec3, corners>& 
     constexpr std::integral_constant<int, 3> degree;
     std::array<glm::dvec4, at(net_size<int{corners}>(degree))> net;
     each_term<int{corners}>(degree, [&](int index, int r, int c) {
-        // 3 - r times corner 0, r - c times corner 1, c times corner 2
+        // Index of corner 0 is 3 - r times, of corner 1 r - c times, of corner 2 c times.
         const auto corner = [&](int n) { return at((n >= 3 - r) + (n >= 3 - c)); };
         const std::size_t i = corner(0), j = corner(1), k = corner(2);
         net[at(index)] = (a[i] + a[j] + a[k] + b[i][j] + b[j][k] + b[k][i]) / 3.0 + third(i, j, k);
     });
-    // Then the net is some 3 % from what it bounds.
+    // With these levels the net is within some 3 % of the function.
     constexpr int levels = corners == 3 ? 4 : 2;
     return {std::sqrt(longest_squared<int{corners}>(net, degree, levels, 0)), f.left_out};
 }

@@ -40,7 +40,7 @@ int floor_of_quotient(int a, int b)
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-// The control points of the derivative along an axis are difference quotients of neighbours.
+// Bounds the derivative along an axis, whose control points are difference quotients of neighbours.
 double steepest(const Trivariate<glm::dvec3>& f, int axis)
 {
     const Knots& knots = f.axes[at(axis)];
@@ -74,7 +74,7 @@ AxisSlabs::AxisSlabs(const Knots& knots)
     for (std::size_t i = 0; i + 1 < breaks_.size(); ++i)
         spans_.push_back(span_of(knots, breaks_[i], breaks_[i + 1]));
     for (const double b : breaks_) joints_.push_back(joint_of(knots, b));
-    if (open()) // what is constant meets what is not, without a jump
+    if (open()) // the constant part joins the rest without a jump
         joints_.front() = joints_.back() = Joint::kink;
 }
 
@@ -127,7 +127,7 @@ AxisSlabs::Span AxisSlabs::span(int slab) const
 double AxisSlabs::snapped(double x) const
 {
     if (!open()) return x;
-    const double slack = 1e-6 * period_; // as reach() has it
+    const double slack = 1e-6 * period_; // the same slack as in reach()
     if (x < breaks_.front() && x >= breaks_.front() - slack) return breaks_.front();
     if (x > breaks_.back() && x <= breaks_.back() + slack) return breaks_.back();
     return x;
@@ -165,7 +165,7 @@ void DisplacementCells::load(const glm::ivec3& slabs, Cell& cell) const
         cell.begin[a] = slabs[a] < 0 && cell.beyond[a] ? 0 : axis(a).begin(slabs[a]);
         cell.size[a] = cell.beyond[a] ? 1 : axis(a).end(slabs[a]) - cell.begin[a];
     }
-    // Along w as the points are fetched, then along v, then along u.
+    // The derivatives are contracted along w, in which the points are contiguous, then v, then u.
     const glm::ivec3 n = orders();
     std::array<glm::dvec4, max_order * max_order * max_order> lines, planes;
     const auto place = [&](int i, int j, int k) { return at((i * n.y + j) * n.z + k); };

@@ -47,8 +47,8 @@ void subtract_linear(NetPoints<corners>& net, int degree,
     });
 }
 
-// What rounding may hide: of the coefficients, which are means of some hundred control points, and
-// of where a corner lies in its cell.
+// Bounds the rounding error: of the coefficients, which are means of some hundred control points,
+// and of the place of a corner in its cell.
 template <int corners>
 double doubt(const DisplacementCells& cells, const std::array<glm::dvec3, corners>& uvw,
              const glm::dvec3& cell_size)
@@ -67,8 +67,8 @@ bool by_second_derivatives(BoundMethod method)
     return method < BoundMethod::net_affine;
 }
 
-// An affine map that takes the corners to their displacements; across the simplex it is the
-// derivative in its middle.
+// Returns the affine map from the corners to their displacements; its derivative across the simplex
+// is the one in its middle.
 template <int corners>
 glm::dmat4 affine_through(const DisplacementCells& cells,
                           const std::array<glm::dvec3, corners>& uvw,
@@ -98,7 +98,7 @@ glm::dmat4 affine_through(const DisplacementCells& cells,
     return out;
 }
 
-// The Bezier points over the part of a cell between local parameters.
+// Restricts Bezier points to the part of a cell between local parameters.
 void restrict(std::array<glm::dvec4, max_order * max_order * max_order>& points,
               const glm::ivec3& n, const glm::dvec3& lo, const glm::dvec3& hi)
 {
@@ -153,11 +153,11 @@ const DisplacementCells::Cell& ErrorBounds::cell(const glm::ivec3& slabs)
     return cell_;
 }
 
-// One simplex with its method.
+// A Work bounds one simplex by its method.
 template <int corners> struct ErrorBounds::Work {
     ErrorBounds& bounds;
     std::array<glm::dvec3, corners> uvw, d;
-    double extra = 0; // where a corner was brought back to the end of an axis
+    double extra = 0; // for corners that were clamped to the end of an axis
 
     Work(ErrorBounds& all, const std::array<Corner, corners>& from) : bounds(all)
     {
@@ -171,7 +171,7 @@ template <int corners> struct ErrorBounds::Work {
             }
         }
     }
-    // A number that was no number must not pass for a small one.
+    // Raises the maximum; NaN counts as infinite.
     static void raise(double& most, double by)
     {
         if (!(by <= most)) most = std::isnan(by) ? infinity : by;
@@ -200,7 +200,7 @@ template <int corners> struct ErrorBounds::Work {
         return crossing.jump ? infinity : most + extra;
     }
 
-    // Of a small piece, where terms above the third order hardly matter; infinite elsewhere.
+    // Bounds a small piece, where terms above the third order are small; infinite otherwise.
     double cubic(const DisplacementCells::Cell& cell, const SimplexPiece<corners>& piece,
                  const std::array<glm::dvec3, corners>& linear)
     {
@@ -264,7 +264,8 @@ template <int corners> struct ErrorBounds::Work {
         SecondDerivatives<corners> m(method, uvw);
         const Crossing crossing =
             each_piece<corners>(*bounds.cells_, uvw, [&](const SimplexPiece<corners>& piece) {
-                // A sliver would cost all digits: then the cell's polynomial over the whole.
+                // A sliver would lose all digits; the polynomial of the cell over the whole simplex
+                // is used instead.
                 const bool whole = !m.worth_cutting(piece.weight);
                 const DisplacementCells::Cell& cell = bounds.cell(piece.slabs);
                 SimplexPiece<corners> all = SimplexPiece<corners>{piece.slabs, {}, uvw};

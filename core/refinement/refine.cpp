@@ -19,7 +19,7 @@ namespace {
 using Index = SharedTriangles::Index;
 using Edge = SharedTriangles::Edge;
 using Triangle = SharedTriangles::Triangle;
-// An edge of half a kilometre is below a millimetre then, and single precision at its end.
+// At this depth an edge of half a kilometre is below a millimetre, the limit of single precision.
 constexpr int most_depth = 20;
 
 class Refinement {
@@ -41,7 +41,7 @@ public:
 
 private:
     void measure_rounding(const std::vector<RefinePart>& parts);
-    // parallel_blocks, with a word in between on what is a matter of seconds.
+    // Runs parallel_blocks in slices, and reports progress between them.
     void each_block(std::size_t count, std::size_t grain, const auto& work) const
     {
         constexpr std::size_t slice = 65536;
@@ -61,12 +61,12 @@ private:
     bool any_marked(const Triangle& triangle) const;
     Index worst_edge(const Triangle& triangle) const;
     Index edge_of_needle(const Triangle& triangle) const;
-    // Of an edge or a triangle; not looked at again in four where that would not change what is
-    // done.
+    // Bounds the error of an edge or a triangle; its four parts are bounded only if that can change
+    // what is done.
     double bound(ComposedBounds& bounds, const auto& simplex, double target) const;
-    // What single precision takes away of the tolerance at a point, by where its vertices are
-    // rounded to and by where those are taken; at most, in an edge or a triangle; and what it
-    // leaves.
+    // Bounds the part of the tolerance that single precision uses at a point, by the rounding of
+    // its vertices and of their deformed positions; the largest in an edge or a triangle; and the
+    // rest that is left.
     double rounding(const SharedTriangles::Point& point) const
     {
         return point.misplaced + point.moved * stretch_;
@@ -88,17 +88,17 @@ private:
 
     RefineOptions options_;
     const Progress& progress_;
-    double done_ = 0; // of the edges there were last
+    double done_ = 0; // share of the edges that are done
     ComposedCells cells_;
     SharedTriangles all_;
     std::size_t first_new_edge_ = 0;
-    glm::dvec3 scale_{0}; // world units by u, v and w, at most
-    double shortest_ = 0; // edges up to here are not split
-    double stretch_ = 0;  // no step becomes longer by more, deformed
+    glm::dvec3 scale_{0}; // bounds of world units per u, v and w
+    double shortest_ = 0; // edges up to this length are not split
+    double stretch_ = 0;  // largest ratio of a deformed to an undeformed step
     bool out_of_budget_ = false, marked_ = false;
 };
 
-// Single precision rounds every vertex that is born, and every place that a vertex is taken to.
+// Measures rounding: single precision rounds every born vertex and every deformed position.
 void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
 {
     Box box;
@@ -198,18 +198,19 @@ Index Refinement::worst_edge(const Triangle& triangle) const
     return worst;
 }
 
-// A needle whose longest edge is just within the tolerance while another is not. Where only that
-// one is split, the next needle on the longest edge may be off as well, ever nearer to it without
-// an end: half of an S is further off its chord than all of it. So it is split, too.
+// Finds the longest edge of a needle if it is only just within the tolerance while another edge is
+// not. If only the other one were split, the next needle on the longest edge could be off as well,
+// and so on without end, because half of an S is further off its chord than all of it. So the
+// longest edge is split, too.
 Index Refinement::edge_of_needle(const Triangle& triangle) const
 {
-    constexpr double thin = 1.02;  // its other edges together, by the longest: a tenth as high
-    constexpr double share = 0.25; // of it that the other edge is long at least, along it then
-    // Of the tolerance: a chord between two points of a curve is off it by no more than twice what
-    // the chord of the whole is.
+    constexpr double thin = 1.02;  // sum of the other two by the longest: a tenth as high
+    constexpr double share = 0.25; // least length of the other edge, relative to the longest
+    // Relative to the tolerance: a chord between two points of a curve is off it by at most twice
+    // the error of the whole chord.
     constexpr double near = 0.45;
     std::array<double, 3> length;
-    for (std::size_t i = 0; i < 3; ++i) { // undeformed: a needle over a kink is bent
+    for (std::size_t i = 0; i < 3; ++i) { // undeformed, because a needle over a kink is bent
         const Edge& side = all_.edges()[triangle.edges[i]];
         length[i] = glm::length(scale_ * (all_.points()[side.a].uvw - all_.points()[side.b].uvw));
     }
@@ -235,7 +236,7 @@ void Refinement::mark()
     };
     const std::size_t first = first_new_edge_;
     bound_edges();
-    // A bound that says nothing says nothing of the halves either.
+    // An infinite bound stays infinite for the halves, so such edges are not split.
     for (std::size_t e = first; e < edges.size(); ++e)
         if (edges[e].bound > target(edges[e]) && edges[e].bound < infinite)
             mark_edge(static_cast<Index>(e));
@@ -252,8 +253,8 @@ void Refinement::mark()
         if (any_marked(t)) mark_edge(edge_of_needle(t));
 }
 
-// Every marked edge adds a triangle to each of those that it is a side of. Where that is too many,
-// the worst edges are split and the others are not.
+// Keeps to the budget of triangles: a marked edge adds one triangle per triangle that it is a side
+// of. If that is too many, only the worst edges are split.
 void Refinement::keep_to_budget()
 {
     std::vector<Edge>& edges = all_.edges();
@@ -340,7 +341,7 @@ RefinementResult Refinement::result()
     for (std::size_t p = 0; p < out.parts.size(); ++p) {
         out.parts[p].mesh = all_.mesh(p);
         out.parts[p].born = all_.born(p);
-        out.parts[p].bound_at.resize(out.parts[p].mesh->vertex_count()); // some are of no face
+        out.parts[p].bound_at.resize(out.parts[p].mesh->vertex_count()); // some have no face
         out.parts[p].triangles_before = all_.triangles_before(p);
         out.bound = std::max(out.bound, out.parts[p].bound);
     }

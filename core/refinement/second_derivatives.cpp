@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::array<std::size_t, 2>, 6> pairs{
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
 
-// The corner where two legs meet that lie along parameter axes each; -1: none.
+// Returns the corner at which two edges meet that are parallel to parameter axes; -1 if none.
 int axis_parallel_corner(const std::array<glm::dvec3, 3>& uvw)
 {
     const auto axis_of_leg = [](const glm::dvec3& leg) {
@@ -49,7 +49,7 @@ SecondDerivatives<corners>::SecondDerivatives(BoundMethod method,
         directions_ = 3;
         along_ = {glm::dvec3(-1, 1, 0), glm::dvec3(0, -1, 1), glm::dvec3(1, 0, -1)};
     } else {
-        // The longest edge first, so that a flat triangle has one direction at least.
+        // The longest edge comes first, so that a flat triangle has at least one direction.
         int longest = 0;
         for (int i = 1; i < 3; ++i)
             if (glm::distance(uvw[at(i)], uvw[at((i + 1) % 3)]) >
@@ -68,7 +68,8 @@ SecondDerivatives<corners>::SecondDerivatives(BoundMethod method,
         along_[1][longest] = -1;
         along_[1] = (along_[1] - foot * along_[0]) / height;
         if (method == BoundMethod::waldron) return;
-        // The thesis takes the coordinates of the parameter plane: the axis that lies most in it.
+        // The thesis uses the coordinates of the parameter plane: the axis that is most nearly in
+        // the triangle.
         const glm::dvec3 x = e / length, y = (f - foot * x) / height;
         const glm::dvec3 in_plane = x * x + y * y;
         const int axis = in_plane.x >= in_plane.y && in_plane.x >= in_plane.z ? 0
@@ -125,8 +126,8 @@ void SecondDerivatives<corners>::add(const NetPoints<corners>& net, int degree,
             any_direction_ = greatest_[0];
             return;
         }
-        // (xx + yy)/2 + (xx - yy)/2 cos + xy sin of twice the angle is convex in (cos, sin): a
-        // polygon round the circle has its greatest length at a corner.
+        // (xx + yy)/2 + (xx - yy)/2 cos + xy sin of twice the angle is convex in (cos, sin): over a
+        // polygon round the circle its length is greatest at a corner.
         constexpr int polygon = 64;
         const double out = 1 / std::cos(std::numbers::pi / polygon);
         for (int k = 0; k < polygon; ++k) {
@@ -147,7 +148,7 @@ template <int corners> double SecondDerivatives<corners>::bound() const
     if constexpr (corners == 2) {
         return greatest_[0] / 8;
     } else {
-        // Corner i lies between the edges i and i + 2; M2 of it is number 3 + (i + 2) % 3.
+        // Corner i is between the edges i and i + 2; M2 of it is number 3 + (i + 2) % 3.
         const auto at_corner = [&](int i) {
             return greatest_[at(i)] + 2 * greatest_[at(3 + (i + 2) % 3)] +
                    greatest_[at((i + 2) % 3)];

@@ -36,7 +36,7 @@ void SharedTriangles::take_vertices()
         const std::vector<glm::vec3>& positions = given_[p].mesh->positions;
         parts_[p].point_of.resize(positions.size());
         for (std::size_t v = 0; v < positions.size(); ++v)
-            // + 0: minus zero is zero
+            // + 0.0 turns -0 into 0
             placed.push_back(
                 {glm::dvec3(given_[p].embedding.to_uvw * glm::dvec4(positions[v], 1)) + 0.0,
                  static_cast<Index>(p), static_cast<Index>(v)});
@@ -45,7 +45,7 @@ void SharedTriangles::take_vertices()
         return std::tie(x.uvw.x, x.uvw.y, x.uvw.z, x.part, x.vertex) <
                std::tie(y.uvw.x, y.uvw.y, y.uvw.z, y.part, y.vertex);
     });
-    std::vector<std::size_t> first; // of each point
+    std::vector<std::size_t> first; // by point
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (i == 0 || placed[i].uvw != placed[i - 1].uvw) first.push_back(i);
         parts_[placed[i].part].point_of[placed[i].vertex] = static_cast<Index>(first.size() - 1);
@@ -65,13 +65,13 @@ void SharedTriangles::place(Point& point, const Embedding& embedding,
                             const glm::dvec3& p_object) const
 {
     const glm::dvec4 p(p_object, 1);
-    point.uvw = glm::dvec3(embedding.to_uvw * p) + 0.0; // minus zero is zero
+    point.uvw = glm::dvec3(embedding.to_uvw * p) + 0.0; // + 0.0 turns -0 into 0
     point.displacement = evaluate(lattice_.displacement, point.uvw).value;
     point.rest_world = glm::dvec3(embedding.to_rest * p);
     point.last_world = through(next_, point.first_world());
 }
 
-// Deformed as they will be in the whole mesh, bit for bit.
+// Deforms new vertices with the same bits as later in the whole mesh.
 void SharedTriangles::measure_places(std::size_t p, std::size_t first)
 {
     const State& part = parts_[p];
@@ -84,7 +84,7 @@ void SharedTriangles::measure_places(std::size_t p, std::size_t first)
     for (const NextVolume& next : next_) placed = deform(placed, next.embedding, *next.lattice);
     for (std::size_t v = 0; v < fresh.positions.size(); ++v) {
         Point& point = points_[part.point_of[first + v]];
-        // its vertices may stand in other parts, and so be a rounding apart at rest
+        // The vertices of a point may be in several parts and differ at rest by rounding.
         const glm::dvec3 rest(embedding.to_rest * glm::dvec4(fresh.positions[v], 1));
         const glm::dvec3 wanted = through(next_, rest + point.displacement);
         const double off = glm::distance(glm::dvec3(placed.positions[v]), wanted);
@@ -95,7 +95,7 @@ void SharedTriangles::measure_places(std::size_t p, std::size_t first)
 
 void SharedTriangles::take_triangles()
 {
-    std::vector<Index> corners; // of all triangles, corners by point
+    std::vector<Index> corners; // of all triangles, sorted by point
     for (std::size_t p = 0; p < given_.size(); ++p) {
         const Mesh& mesh = *given_[p].mesh;
         const std::vector<glm::uvec3> cut = trivar::triangles(mesh);
@@ -255,7 +255,7 @@ void SharedTriangles::split_triangle(const Triangle& t, std::vector<Triangle>& o
     const auto add = [&](std::array<Index, 3> vertices, std::array<Index, 3> edges) {
         out.push_back({vertices, edges, t.part, t.face, unknown});
     };
-    const auto half = [&](std::size_t i, Index vertex) { // of edge i, at one of its ends
+    const auto half = [&](std::size_t i, Index vertex) { // half of edge i at one of its ends
         const Edge& edge = edges_[t.edges[i]];
         return point_of[vertex] == edge.a ? edge.halves : edge.halves + 1;
     };
@@ -270,7 +270,7 @@ void SharedTriangles::split_triangle(const Triangle& t, std::vector<Triangle>& o
         add({x, y, z}, {yx, zy, xz});
         return;
     }
-    // Turned so that its first edge is the only marked one, or the only one that is not.
+    // Rotates the triangle so that its first edge is the only marked one, or the only unmarked one.
     std::size_t i = 0;
     while ((middle[i] != none) != (marked == 1)) ++i;
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -306,7 +306,7 @@ Ref<Mesh> SharedTriangles::mesh(std::size_t p) const
     mesh.face_begin = {0};
     mesh.face_group.clear();
     mesh.face_material.clear();
-    if (parts_[p].split) mesh.creases.clear(); // for subdivision, which came before
+    if (parts_[p].split) mesh.creases.clear(); // creases are for subdivision, which is done
     for (const Triangle& t : triangles_) {
         if (t.part != p) continue;
         add_face(mesh, t.vertices);

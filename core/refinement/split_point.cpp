@@ -42,7 +42,7 @@ glm::dvec4 value_on(const ErrorBounds::EdgePiece& piece, double t)
 
 double furthest_point(const Pieces& pieces, const Chord& edge)
 {
-    constexpr int samples = 64; // over the whole edge, and the ends of the pieces
+    constexpr int samples = 64; // over the whole edge, besides the ends of the pieces
     double most = 0, at_t = 0.5;
     for (const ErrorBounds::EdgePiece& piece : pieces) {
         const int steps =
@@ -60,15 +60,15 @@ double furthest_point(const Pieces& pieces, const Chord& edge)
     return at_t;
 }
 
-// The slope of a piece at its start (0) or its end (1), by the edge's parameter.
+// Returns the slope of a piece at its start (0) or its end (1), by the parameter of the edge.
 glm::dvec4 end_slope(const ErrorBounds::EdgePiece& piece, int end)
 {
     const int i = end == 0 ? 0 : piece.degree - 1;
     return (piece.net[at(i + 1)] - piece.net[at(i)]) * (piece.degree / (piece.to - piece.from));
 }
 
-// Equal halves of the integral of |E''|^(1/2), by the control points of the second derivative. A
-// kink that makes most of the error is the place itself.
+// Finds the point that halves the integral of |E''|^(1/2), by the control points of the second
+// derivative. A kink that causes most of the error is itself the point.
 double equal_halves(Pieces pieces)
 {
     std::ranges::sort(pieces, {}, &ErrorBounds::EdgePiece::from);

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-constexpr double rounding_of_stretch = 1e-12; // of all that follows
+constexpr double rounding_of_stretch = 1e-12; // relative, of all that follows
 
 double spectral_norm(const glm::dmat3& m)
 {
@@ -27,8 +27,8 @@ glm::dvec3 row_of(const glm::dmat4& m, int r)
     return {m[0][r], m[1][r], m[2][r]};
 }
 
-// The mean of the derivatives along one axis that the Bezier points of a cell give, by the cell's
-// own parameters, and the furthest distance of one of them from it.
+// A Slope is the mean of the derivatives along one axis, by the parameters of the cell, that the
+// Bezier points of a cell give, and the largest distance of one of them from it.
 struct Slope {
     glm::dvec3 mean{0};
     double radius = 0;

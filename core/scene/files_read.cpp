@@ -25,7 +25,7 @@ std::string content_of(const TextShape& text, const AssetStore& assets)
 {
     try {
         return font_of(text, assets).font.digest();
-    } catch (const Rejected&) { // said of the object, which has no shape
+    } catch (const Rejected&) { // reported for the object, which has no shape
         return {};
     }
 }
@@ -35,7 +35,7 @@ void add_companions(SourceFiles& files, const std::string& path)
     try {
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
         for (const std::string& name : companions_of(path)) files.add((folder / name).string());
-    } catch (const Rejected&) { // it cannot be read, so it names nothing
+    } catch (const Rejected&) { // an unreadable file names no others
     }
 }
 

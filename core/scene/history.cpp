@@ -47,7 +47,7 @@ bool History::commit()
 void History::set_aside_undone()
 {
     if (position_ == steps_.size()) return;
-    constexpr std::size_t most = 100; // a hand that tries one value after another leaves as many
+    constexpr std::size_t most = 100; // enough for trying one value after another
     const auto undone = steps_.begin() + static_cast<std::ptrdiff_t>(position_);
     Branch branch{position_, {undone, steps_.end()}, {}};
     const auto left_later =
@@ -62,7 +62,7 @@ void History::set_aside_undone()
 
 namespace {
 
-// Steps that follow `before` others, each after the branches that left there and were undone.
+// Appends steps that follow `before` others, each after the undone branches that begin there.
 void retell_steps(const std::vector<History::Step>& steps, std::size_t before,
                   const std::vector<History::Branch>& branches,
                   const std::function<void(const History::Step&)>& step,

@@ -22,7 +22,7 @@ bool is_shapes_folder(const fs::path& name)
     return name.string().starts_with(kept_name) && name.string().ends_with(shapes_suffix);
 }
 
-// Whether a scene holds that text. One that cannot be read may.
+// Says whether a scene contains the text; true if it cannot be read.
 bool names(const fs::path& scene, const std::string& text)
 {
     try {

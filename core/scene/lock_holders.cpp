@@ -10,9 +10,10 @@
 namespace trivar {
 namespace {
 
-// "7: FLOCK ADVISORY WRITE 1234 fe:00:131 0 EOF", the process and behind it the file's number. The
-// device is left out: some file systems name another there than in `stat`, and one holder too many
-// costs nothing but a look at it.
+// Lists the processes that hold a lock on a file, from lines like "7: FLOCK ADVISORY WRITE 1234
+// fe:00:131 0 EOF": the process and, after the device, the number of the file. The device is
+// ignored: some file systems show another one there than in `stat`, and an extra holder only costs
+// one more check.
 std::vector<long> holders_of(ino_t number)
 {
     std::vector<long> holders;
@@ -28,7 +29,7 @@ std::vector<long> holders_of(ino_t number)
     return holders;
 }
 
-// What follows the name of a line of /proc/PROCESS/status, a hexadecimal set of signals.
+// Parses a hexadecimal set of signals after the name in a line of /proc/PROCESS/status.
 unsigned long long signals_of(const std::string& line)
 {
     unsigned long long set = 0;
@@ -53,7 +54,8 @@ bool is_exiting(long process)
     std::ifstream stat(fmt::format("/proc/{}/stat", process));
     std::string line;
     std::getline(stat, line);
-    // "1234 (name) S parent group session terminal its_group flags"; a name may hold anything.
+    // The line is "1234 (name) S parent group session terminal its_group flags"; a name may contain
+    // any character.
     std::istringstream words(line.substr(line.rfind(')') + 1));
     std::string state;
     long number = 0;

@@ -37,7 +37,8 @@ bool write_all(int descriptor, std::string_view text)
     return true;
 }
 
-// Between opening and locking another program may have renamed a new file over this one.
+// Says whether the open file still has this path: another program may have renamed a new file over
+// it between opening and locking.
 bool still_at(int descriptor, const std::string& path)
 {
     struct stat open_file {
@@ -46,24 +47,25 @@ bool still_at(int descriptor, const std::string& path)
            open_file.st_ino == named_file.st_ino && open_file.st_dev == named_file.st_dev;
 }
 
-// A file system without locks (some network ones) must not keep anybody from working.
+// Tries to lock the file. A file system without locks (some network ones) counts as locked, so that
+// it stops nobody from working.
 bool locked(int descriptor)
 {
     return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
-// A killed program may have the file locked for a moment yet.
+// Waits for the lock while a killed program that still holds it exits; says whether it was got.
 bool freed_in_a_moment(int descriptor)
 {
     constexpr auto step = std::chrono::milliseconds(5);
-    constexpr int most = 2000; // to write what is left of a crashed program takes seconds
+    constexpr int most = 2000; // writing the core dump of a crashed program takes seconds
     struct stat file {};
     if (::fstat(descriptor, &file) != 0) return false;
     for (int i = 0; i < most && held_by_the_dying(file); ++i) {
         std::this_thread::sleep_for(step);
         if (locked(descriptor)) return true;
     }
-    return locked(descriptor); // it went while it was looked for
+    return locked(descriptor); // the holder exited meanwhile
 }
 
 void flush_folder(const std::string& path)
@@ -80,8 +82,7 @@ void flush_folder(const std::string& path)
 
 LockedFile::LockedFile(const std::string& path) : path_(path)
 {
-    static_cast<void>(
-        OrdinaryFile(path)); // what is none is neither opened to be written nor locked
+    static_cast<void>(OrdinaryFile(path)); // throws before a device or pipe is opened or locked
     for (;;) {
         descriptor_ = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
         if (descriptor_ < 0) {
@@ -101,7 +102,7 @@ LockedFile::LockedFile(const std::string& path, std::string_view text)
       access_(Access::locked)
 {
     std::error_code ignored;
-    // The target of a link is replaced, not the link.
+    // If the path is a symbolic link, its target is replaced.
     const std::filesystem::path target = std::filesystem::is_symlink(path, ignored)
                                              ? std::filesystem::weakly_canonical(path, ignored)
                                              : std::filesystem::path(path);

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-// The files that a command names, which may be changed where the command may.
+// Returns the files that a command names, which can be changed if the command can.
 template <class C> auto files_of(C& command)
 {
     using File = std::conditional_t<std::is_const_v<C>, const ImportedFile, ImportedFile>;
@@ -50,7 +50,7 @@ std::filesystem::path place_for(const std::filesystem::path& file,
     return usable(path) ? path : numbered_name(path, usable);
 }
 
-// New paths of files by their old ones, both absolute.
+// NewPaths maps the old path of a file to its new one, both absolute.
 using NewPaths = std::map<std::filesystem::path, std::filesystem::path>;
 
 NewPaths shapes_brought(const History& history, const std::filesystem::path& from,

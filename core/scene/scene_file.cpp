@@ -41,7 +41,8 @@ struct SceneFile::State {
     {
         if (file && path.empty()) put_aside(file_path);
     }
-    // It has a name now, or another.
+    // Closes the file because the scene gets a name, or another one; a file without a name is
+    // removed.
     void let_go()
     {
         std::error_code ignored;
@@ -54,15 +55,15 @@ struct SceneFile::State {
     History history;
     std::vector<std::string> lines = lines_of(log_header());
     bool as_opened = true, in_use = false, look_only = false;
-    ino_t looked_at = 0;  // the number of the file that is followed
-    std::string original; // of a copy
+    ino_t looked_at = 0;  // inode of the file that is followed
+    std::string original; // path of the original of a copy
     std::string path, folder = absolute_folder("");
     std::string kept_in; // folder for scenes without a name; empty: not kept
     std::optional<LockedFile> file;
-    std::string file_path;     // `path`, or where it is kept without a name
-    std::uintmax_t length = 0; // of the file's whole lines
+    std::string file_path;     // `path`, or the path of the unnamed copy
+    std::uintmax_t length = 0; // of the whole lines of the file
     std::string missing;       // lines that are not in the file yet
-    std::string torn;          // the file as it was found, to be kept before its end is cut off
+    std::string torn;          // the file as it was found, kept before its end is cut off
     std::string trouble;
     std::vector<std::string> notices;
 };
@@ -80,7 +81,7 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     state_->history = replay(log);
     state_->lines = lines_of(std::string_view(text).substr(0, log.good_bytes));
     state_->folder = absolute_folder(path);
-    state_->original = path; // till it turns out to be that very file
+    state_->original = path; // until it proves to be that very file
     if (!log.notice.empty()) state_->notices.push_back(log.notice);
     if (file.access() == LockedFile::Access::in_use) {
         state_->in_use = true;
@@ -118,12 +119,12 @@ SceneFile SceneFile::copy_of(const std::string& path)
 SceneFile SceneFile::looked_at(const std::string& path)
 {
     struct stat status {};
-    const bool there = ::stat(path.c_str(), &status) == 0; // before it is read: more may come
+    const bool there = ::stat(path.c_str(), &status) == 0; // before reading: lines may be added
     SceneFile scene = copy_of(path);
     State& s = *scene.state_;
     s.look_only = true;
     s.looked_at = there ? status.st_ino : 0;
-    s.notices.clear(); // a torn line is one that is being written
+    s.notices.clear(); // a torn line is still being written
     for (const std::string& line : s.lines) s.length += line.size() + 1;
     return scene;
 }
@@ -164,7 +165,7 @@ std::optional<std::string> SceneFile::left_in(const std::string& folder)
             const SceneFile scene(path);
             const bool in_use = scene.path().empty();
             if (!in_use && !scene.history().steps().empty()) return path;
-        } catch (const Rejected&) { // stays there, for whoever can mend it
+        } catch (const Rejected&) { // stays there, to be repaired by hand
         }
     }
     return std::nullopt;
@@ -177,12 +178,12 @@ std::vector<std::string> SceneFile::set_aside_in(const std::string& folder)
 
 SceneFile SceneFile::taken_up(const std::string& left)
 {
-    static_cast<void>(SceneFile(left)); // it can be read
+    static_cast<void>(SceneFile(left)); // throws if it cannot be read
     SceneFile scene(brought_back(left));
     State& s = *scene.state_;
     s.path.clear();
     s.as_opened = false;
-    s.torn.clear(); // half a line of a scene nobody named
+    s.torn.clear(); // half a line of a scene without a name
     return scene;
 }
 
@@ -201,7 +202,7 @@ void SceneFile::start_kept()
     State& s = *state_;
     if (s.kept_in.empty()) return;
     std::error_code ignored;
-    std::filesystem::create_directories(s.kept_in, ignored); // else writing says why not
+    std::filesystem::create_directories(s.kept_in, ignored); // if this fails, writing reports why
     const std::string path = free_kept_path(s.kept_in);
     try {
         const std::string text = log_text(s.history);
@@ -289,7 +290,7 @@ void SceneFile::save_copy(const std::string& path) const
     copies.keep();
 }
 
-// A command that begins a branch was taken when the branch was made.
+// Checks a new command. A command that begins a known branch was checked when the branch was made.
 void SceneFile::check_given(const Command& command) const
 {
     check_may_change();

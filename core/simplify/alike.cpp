@@ -42,8 +42,8 @@ std::vector<std::uint32_t> first_equal_vertices(const Mesh& mesh)
     std::vector<std::uint32_t> first(mesh.vertex_count());
     std::iota(first.begin(), first.end(), 0u);
     if (mesh.points.empty()) return first;
-    // The different ones of a point, a list each; no more of them are compared than a mesh has that
-    // was made to be looked at.
+    // The different values of a point form a list; the number of comparisons is limited to what
+    // meshes made for display need.
     constexpr std::uint32_t none = ~0u;
     constexpr int most_compared = 64;
     std::vector<std::uint32_t> list(point_count(mesh), none), next(mesh.vertex_count(), none);

@@ -9,12 +9,13 @@
 namespace trivar {
 namespace {
 
-// Of equal collapses the one along the shorter edge comes first, or flat parts become slivers: of
-// this share of an edge a distance counts as nothing.
+// Distances below this share of an edge count as 0. Of equal collapses the one along the shorter
+// edge comes first, so that flat parts do not become slivers.
 constexpr double unseen_share = 1e-3;
-// Twice the area by the square of the longest edge below which a triangle is a sliver.
+// A triangle is a sliver if twice its area, relative to the square of its longest edge, is below
+// this.
 constexpr double sliver = 1e-3;
-constexpr double cos_turned = 0.2; // between a triangle's normals before and after: 78 degrees
+constexpr double cos_turned = 0.2; // between the normals of a triangle before and after: 78 degrees
 
 } // namespace
 
@@ -93,21 +94,22 @@ void CollapseCost::after(const Collapse& c)
     if (!tolerance_.empty()) tolerance_[to] = std::min(tolerance_[to], tolerance_[from]);
 }
 
-// The two edges that become one are both rails.
+// Says whether the two edges that become one are both rails.
 bool CollapseCost::joins_rails(const Collapse& c) const
 {
     return (c.fl.is_valid() && surface_.is_rail(c.v0vl) && surface_.is_rail(c.vlv1)) ||
            (c.fr.is_valid() && surface_.is_rail(c.vrv0) && surface_.is_rail(c.v1vr));
 }
 
-// The two triangles of the edge have different vertices at the goal: whose would the others get?
+// Says whether a collapse would end a seam: the two triangles of the edge have different vertices
+// at the goal, so that the other triangles have no unique one.
 bool CollapseCost::ends_a_seam(const Collapse& c) const
 {
     return c.fl.is_valid() && c.fr.is_valid() && !surface_.is_rail(c.v0v1) &&
            !alike(mesh_, surface_.vertex(c.fl, c.v1), surface_.vertex(c.fr, c.v1));
 }
 
-// A new edge would lie on one between other fans of the same points.
+// Says whether a new edge would coincide with one between other fans of the same points.
 bool CollapseCost::meets_itself(const Collapse& c) const
 {
     if (!any_shared_) return false;
@@ -123,7 +125,8 @@ bool CollapseCost::meets_itself(const Collapse& c) const
     return false;
 }
 
-// Whether a node has an edge to another node of the other one's point. They have numbers in a row.
+// Says whether a node has an edge to another node of the point of `other`; these have consecutive
+// numbers.
 bool CollapseCost::touches_twin(int node, int other) const
 {
     const auto point = [&](int n) {
@@ -150,7 +153,7 @@ bool CollapseCost::keeps_its_sides(const Collapse& c) const
     });
 }
 
-// Also where it becomes a sliver.
+// Says whether a triangle turns over or becomes a sliver.
 bool CollapseCost::turns_over(const std::vector<glm::dvec3>& places, const glm::uvec3& nodes,
                               int corner, std::size_t goal) const
 {

@@ -12,8 +12,8 @@
 namespace trivar {
 namespace {
 
-// OpenMesh's rules of what may be collapsed, asked where its decimater would collapse next. That
-// one asks them of all neighbours of all that a collapse touched, some 36 times a collapse.
+// A Collapser applies the rules of OpenMesh for allowed collapses only to the next candidate. The
+// decimater of OpenMesh checks all neighbours of a collapse, some 36 times per collapse.
 class Collapser : private OpenMesh::Decimater::BaseDecimaterT<HalfEdges> {
 public:
     Collapser(FanHalfEdges& surface, CollapseCost cost)
@@ -35,11 +35,11 @@ public:
             const Next next = next_.top();
             next_.pop();
             const Look& look = looks_[static_cast<std::size_t>(next.node)];
-            if (next.number != look.number) continue; // looked at again since
+            if (next.number != look.number) continue; // a newer look exists
             const Collapse c(half_edges_, HalfEdge(look.half_edge));
             const std::optional<double> cost = cost_(c, any_cost);
             if (!is_collapse_legal(c) || !cost || *cost > next.cost) {
-                look_at(c.v0, true); // what it would have been collapsed onto has grown
+                look_at(c.v0, true); // the goal has changed since the look
                 continue;
             }
             collapse(c);
@@ -52,8 +52,8 @@ public:
     }
 
 private:
-    struct Look {           // the last one at a node
-        int half_edge = -1; // that it is best collapsed along
+    struct Look {           // the last look at a node
+        int half_edge = -1; // the best one to collapse
         std::uint32_t number = 0;
     };
     struct Next {
@@ -76,7 +76,7 @@ private:
         for (const HalfEdges::VertexHandle node : round_) look_at(node, false);
     }
 
-    // Puts in line what a node is best collapsed onto.
+    // Queues the best collapse of a node.
     void look_at(HalfEdges::VertexHandle node, bool only_legal)
     {
         Look& look = looks_[index(node)];

@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    // The adjacency of the triangles: corner 3 t + i is corner i of triangle t.
+    // Builds the adjacency of the triangles: corner 3 t + i is corner i of triangle t.
     Adjacency take_triangles()
     {
         out_.triangles = triangles(mesh_);
@@ -64,7 +64,7 @@ private:
         for (std::uint32_t t = 0; t < out_.triangles.size(); ++t) out_.left_out += !is_in(t);
     }
 
-    // Both corners at an end of an edge are of one fan.
+    // Makes the nodes: corners at the same end of a shared edge are in one fan.
     void take_nodes()
     {
         std::vector<std::uint32_t> parent(3 * out_.triangles.size());
@@ -100,7 +100,7 @@ private:
         out_.fixed = out_.shared;
     }
 
-    // The sides of an edge that decimation sees: none, one or two.
+    // Returns the sides of an edge that decimation sees: none, one or two.
     std::pair<std::uint32_t, std::uint32_t> both_in(std::uint32_t edge) const
     {
         std::pair out(Fans::none, Fans::none);
@@ -109,7 +109,8 @@ private:
         return out;
     }
 
-    // What the two sides of an edge do not have in common: all, or values at one end or both.
+    // A Difference says what differs between the two sides of an edge: the faces, or the values at
+    // one end or both.
     struct Difference {
         bool faces, here, there; // here: where the first side begins
         bool line() const { return faces || (here && there); }
@@ -148,7 +149,7 @@ private:
             if (one == Fans::none) continue;
             if (other != Fans::none && sharpness[e] == 0) {
                 const Difference sides = difference(one, other);
-                // A seam ends here, or all edges of a pole do.
+                // A seam ends here, or all edges of a pole are seams.
                 if (sides.here != sides.there)
                     out_.fixed[node(sides.here ? one : edges_.next(one))] = true;
                 if (!sides.line()) continue;
@@ -190,7 +191,7 @@ private:
 
     bool has_its_own_normal(std::uint32_t t) const
     {
-        constexpr double cos_same = 0.999; // a polygon's triangles lie at an angle
+        constexpr double cos_same = 0.999; // triangles of one polygon may be at an angle
         const glm::uvec3 v = out_.triangles[t];
         const auto p = [&](int i) { return glm::dvec3(mesh_.positions[v[i]]); };
         const glm::dvec3 normal = glm::cross(p(1) - p(0), p(2) - p(0));

@@ -26,7 +26,7 @@ FanHalfEdges::FanHalfEdges(const Fans& fans)
         const glm::uvec3 n = fans.nodes[t];
         if (n.x == Fans::none) continue;
         if (!half_edges_.add_face(node_handle(n.x), node_handle(n.y), node_handle(n.z))
-                 .is_valid()) { // what OpenMesh has no room for stays as it is
+                 .is_valid()) { // faces that OpenMesh cannot add stay unchanged
             for (int i = 0; i < 3; ++i) half_edges_.status(node_handle(n[i])).set_locked(true);
             ++refused_;
             continue;
@@ -62,7 +62,7 @@ void FanHalfEdges::collapse(const Collapse& c)
         changed_[f] = true;
         return true;
     });
-    // Of the two edges that become one either may be the one that stays.
+    // Either of the two edges that become one may be the one that remains.
     if (c.fl.is_valid()) join(c.v0vl, c.vlv1);
     if (c.fr.is_valid()) join(c.vrv0, c.v1vr);
     half_edges_.collapse(c.v0v1);

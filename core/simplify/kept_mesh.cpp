@@ -20,7 +20,7 @@ glm::vec3 unit_or(const glm::dvec3& normal, const glm::vec3& otherwise)
     return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
-// The normals of the corners of triangles, #T by 3; empty where the mesh has none.
+// Returns the normals of the corners of triangles, #T by 3; empty if the mesh has none.
 std::vector<std::array<glm::vec3, 3>> corner_normals(const Mesh& mesh, const Fans& fans,
                                                      const Decimation& left)
 {
@@ -103,7 +103,7 @@ private:
         if (!mesh_.face_group.empty()) out_.face_group.push_back(mesh_.face_group[face]);
     }
 
-    // The numbers of a polygon's corners, from those of its triangles.
+    // Finds the corners of a polygon from those of its triangles.
     void take_outline(std::size_t first, std::size_t end, std::vector<std::uint32_t>& polygon)
     {
         known_.clear();

@@ -4,7 +4,7 @@
 namespace trivar {
 namespace {
 
-// Square to the normal again.
+// Makes the tangent orthogonal to the normal.
 glm::vec4 straightened(const glm::vec4& tangent, const glm::vec3& normal)
 {
     const glm::vec3 along(tangent), across = along - normal * glm::dot(normal, along);
@@ -59,7 +59,7 @@ void KeptVertices::write(Mesh& out, std::vector<std::uint32_t>& numbers) const
             out.tangents[v] = straightened(out.tangents[v], out.normals[v]);
 }
 
-// Numbered from 0 without gaps; none where each vertex is a point.
+// Writes the points, numbered from 0 without gaps; none if each vertex is a point.
 void KeptVertices::write_points(Mesh& out, const std::vector<std::uint32_t>& order) const
 {
     std::vector<std::uint32_t> number(mesh_.vertex_count(), none);

@@ -16,7 +16,8 @@ Triangle3 placed(const glm::uvec3& v, const std::vector<glm::dvec3>& places)
     return {places[v.x], places[v.y], places[v.z]};
 }
 
-// Triangles of one of the two meshes that the other one lacks, and that other one.
+// A Claim lists triangles of one of the two meshes that the other one lacks, and has the other
+// mesh.
 struct Claim {
     Reach other;
     std::vector<std::size_t> numbers; // of the triangles
@@ -24,7 +25,8 @@ struct Claim {
     std::vector<glm::uvec3> nodes;
 };
 
-// Both ways in a pose, but for triangles of which skips(way, number, triangle).
+// Makes the claims of both directions in a pose, without the triangles for which skips(way, number,
+// triangle).
 template <class Skips>
 std::array<Claim, 2> claims(const Fans& fans, const Decimation& left,
                             const std::vector<glm::dvec3>& places, Skips skips)
@@ -52,7 +54,7 @@ std::array<Claim, 2> claims(const Fans& fans, const Decimation& left,
     return out;
 }
 
-// Which triangles are not proven to be within a distance, ascending.
+// Lists the triangles that are not proven to be within a distance, ascending.
 std::vector<std::size_t> unproven(const Claim& claim, double distance)
 {
     std::vector<char> proven(claim.triangles.size());
@@ -66,8 +68,8 @@ std::vector<std::size_t> unproven(const Claim& claim, double distance)
     return out;
 }
 
-// The least distance, not below `least`, that all triangles are proven to be within; those that are
-// proven on the way are dropped.
+// Raises `least` by factors until all triangles are proven to be within it; triangles that are
+// proven earlier are dropped.
 double raised(Claim& claim, double least, double factor)
 {
     while (!claim.triangles.empty()) {
@@ -121,7 +123,7 @@ std::vector<std::uint32_t> Proof::unproven_nodes(const Decimation& left)
     return nodes;
 }
 
-// Round triangles of which there was another, or none, in the round before, and round that other.
+// Returns the boxes of triangles that changed since the last round, before and after.
 std::vector<Box> Proof::boxes_moved(const std::vector<glm::uvec3>& now,
                                     const std::vector<glm::dvec3>& places) const
 {
@@ -141,8 +143,8 @@ double proven_error(const Fans& fans, const Decimation& left, const VertexPlaces
     for (const std::vector<glm::dvec3>& pose : places)
         for (Claim& claim : claims(fans, left, pose, none_is_skipped)) {
             constexpr double fine = 1.25, coarse = fine * fine * fine * fine * fine * fine;
-            const double level =
-                raised(claim, least, coarse); // one coarse step less was too little
+            // One coarse step below this level was too little.
+            const double level = raised(claim, least, coarse);
             least = raised(claim, std::max(least, level / coarse), fine);
         }
     return least;

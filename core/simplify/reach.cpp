@@ -15,10 +15,10 @@ Box box_of(const Triangle3& triangle)
 
 namespace {
 
-constexpr std::size_t most_pieces = 2000; // and as many as there are triangles near
-constexpr std::size_t few = 12;           // triangles that are cut off one after another
-constexpr double smallest_piece = 0.02;   // of the distance: what is not proven then is not near
-constexpr double overlap = 0.25; // of the distance, by which prisms are wider: no gap at an edge
+constexpr std::size_t most_pieces = 2000; // plus one per nearby triangle
+constexpr std::size_t few = 12;           // triangles that are subtracted one by one
+constexpr double smallest_piece = 0.02;   // relative to the distance: smaller pieces fail
+constexpr double overlap = 0.25; // of the distance: margin of prisms, so that edges have no gaps
 
 using Polygon = std::vector<glm::dvec3>; // convex
 
@@ -59,7 +59,7 @@ Ball ball_of(const Triangle3& t)
     return {ball.center, std::sqrt(most)};
 }
 
-// A convex polygon in two along a plane.
+// Halves are the two parts of a convex polygon at a plane.
 struct Halves {
     Polygon below, above;
 };
@@ -87,7 +87,8 @@ bool all_within(const Polygon& polygon, const Triangle3& triangle, double distan
     });
 }
 
-// What of a polygon is not above or below a triangle, within a distance of it.
+// Appends to `left` the part of a polygon that is not above or below a triangle, within a distance
+// of it.
 void cut_off(const Polygon& polygon, const Triangle3& triangle, double distance,
              std::vector<Polygon>& left)
 {
@@ -96,7 +97,7 @@ void cut_off(const Polygon& polygon, const Triangle3& triangle, double distance,
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
         longest = std::max(longest, square(triangle[(i + 1) % 3] - triangle[i]));
-    // Less at a sharp corner, or the wider prism has one that lies far outside.
+    // The margin is smaller at a sharp corner, where that of the wider prism would lie far outside.
     const double wider = size > 0 ? overlap * distance * size / longest : 0;
     std::vector<Polygon> outside;
     Polygon inside = polygon;
@@ -166,7 +167,7 @@ bool Reach::covers(const Triangle3& piece, const std::vector<int>& near, std::si
         if (all) return true;
     }
     if (!reached[0] || !reached[1] || !reached[2]) return false;
-    // Quarters have fewer near them, but at a corner that many share.
+    // Quarters have fewer triangles near them, except at a corner that many triangles share.
     const bool can_cut = near.size() <= few || 2 * near.size() > near_before;
     if (can_cut && is_cut_away(piece, near, distance)) return true;
     if (ball_of(piece).radius < smallest_piece * distance) return false;

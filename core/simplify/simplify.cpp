@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// By vertex, at rest, with each morph target and in each pose.
+// Returns the positions of the vertices at rest, with each morph target and in each pose.
 VertexPlaces places_of(const Mesh& mesh, const SimplifyOptions& options)
 {
     VertexPlaces out;
@@ -55,20 +55,21 @@ void check(const Mesh& mesh, const SimplifyOptions& options)
                                        pose.size(), mesh.vertex_count()));
 }
 
-// What single precision cannot tell apart is one place.
+// Returns the distance below which single precision cannot separate two places.
 double rounding_of(const Mesh& mesh)
 {
     return 0x1p-24 * glm::length(bounding_box(mesh).size());
 }
 
-// Decimates until nothing is further than the error. The tolerance of quadrics is a mean and no
-// bound, so what is not proven gets half the tolerance and all is done again; what still is not
-// after some rounds stays as it is. Two or three rounds are usual.
+// Decimates until no triangle is further away than the error. The tolerance of quadrics is a mean
+// and not a bound, so that each node that is not proven gets half its tolerance and decimation
+// starts again; nodes that still fail after some rounds are left unchanged. Two or three rounds are
+// usual.
 Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
                             const VertexPlaces& places, std::size_t triangles,
                             const Progress& progress)
 {
-    constexpr double first_share = 0.5; // of the error: more rounds above it, more triangles below
+    constexpr double first_share = 0.5; // of the error: more means more rounds, less more triangles
     constexpr int halvings = 5, most_rounds = 12;
     const NodePlaces nodes = by_node(fans, places);
     DecimationTarget target{triangles,

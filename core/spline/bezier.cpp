@@ -27,7 +27,7 @@ std::vector<BezierSpan> bezier_spans(const Knots& bezier)
 
 std::array<double, max_order * max_order> bezier_segment(int order, double lo, double hi)
 {
-    // de Casteljau's triangle with another argument at every step.
+    // This is de Casteljau's triangle with a different argument in each step.
     std::array<double, max_order * max_order> out{};
     const int d = order - 1;
     for (int i = 0; i < order; ++i) {

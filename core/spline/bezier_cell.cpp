@@ -8,7 +8,7 @@ namespace {
 
 using Row = std::array<double, max_order>;
 
-// Bernstein polynomials of one order at x, and their derivatives.
+// Computes the Bernstein polynomials of one order at x, and their derivatives.
 struct Bernstein {
     Row value{1}, derivative{};
 };
@@ -57,7 +57,7 @@ CellValue evaluate(const BezierCell& cell, const glm::dvec3& x)
     CellValue out;
     const glm::dvec3* p = cell.points.data();
     for (int i = 0; i < cell.orders.x; ++i) {
-        // Contracted over w, then over v: the plane's value and its slopes along v and w.
+        // Contracts over w, then over v: the value of the plane and its slopes along v and w.
         glm::dvec3 plane(0), plane_v(0), plane_w(0);
         for (int j = 0; j < cell.orders.y; ++j) {
             glm::dvec3 line(0), line_w(0);

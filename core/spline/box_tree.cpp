@@ -26,7 +26,7 @@ int BoxTree::build(const std::vector<Box>& boxes, std::vector<int>::iterator beg
         return here;
     }
     nodes_.push_back(node);
-    // Halved across the longest side of the whole, by the middles of the boxes.
+    // Splits at the median of the box centres across the longest side.
     const glm::dvec3 size = node.bounds.hi - node.bounds.lo;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto middle = [&](int i) {

@@ -12,8 +12,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-// A twisted axis is solved as a periodic one of twice the length: its second half are the mirrored
-// points, and the solution of mirrored data is mirrored by itself.
+// Returns 2 for a twisted axis, which is solved as a periodic one of twice the length: the second
+// half are the mirrored points, and the solution of mirrored data is itself mirrored.
 int sheets(const Knots& knots)
 {
     return knots.closure() == Closure::twisted ? 2 : 1;
@@ -27,8 +27,8 @@ void check_size(long long rows, long long columns)
                        std::to_string(rows) + " control points on an axis is too large");
 }
 
-// Row s: the basis functions at parameter s, or their derivatives. Columns: control points of all
-// sheets.
+// Makes the collocation matrix: row s holds the basis functions, or their derivatives, at parameter
+// s. The columns are the control points of all sheets.
 Sparse collocation(const Knots& knots, std::span<const double> parameters, int derivative = 0)
 {
     const AxisMap once = sampling_map(knots, parameters, derivative);
@@ -49,8 +49,8 @@ Sparse collocation(const Knots& knots, std::span<const double> parameters, int d
     return out;
 }
 
-// int N_i'' N_j'' dt, exact by Gauss's rule: the integrand is a polynomial of degree <= 6 between
-// breaks.
+// Computes the matrix of int N_i'' N_j'' dt, exactly, by Gauss quadrature: between breaks the
+// integrand is a polynomial of degree at most 6.
 Sparse roughness(const Knots& knots)
 {
     constexpr std::array<double, 4> node{-0.8611363115940526, -0.3399810435848563,
@@ -71,7 +71,7 @@ Sparse roughness(const Knots& knots)
     return d.transpose() * w.asDiagonal() * d;
 }
 
-// The first sheet's rows of a solution, as a map.
+// Returns the rows of the first sheet of a solution as a map.
 AxisMap map_of(const Eigen::MatrixXd& solution, int count)
 {
     AxisMap map;
@@ -102,7 +102,7 @@ void check_samples(const Knots& knots, std::span<const double> parameters,
         throw Rejected("a curve through its first and last sample needs two of them");
 }
 
-// Makes row and column i of the normal equations say P_i = q_column.
+// Replaces equation i of the normal equations by P_i = q_column.
 void pin(Sparse& a, Eigen::MatrixXd& right, int i, int column)
 {
     right.col(column) -= Eigen::VectorXd(a.col(i));
@@ -120,7 +120,7 @@ Eigen::VectorXd weights_of(const Sparse& collocation, const FitOptions& options)
     return w;
 }
 
-// The control points that solve the normal equations with the given right sides.
+// Solves the normal equations with the given right sides for the control points.
 AxisMap solution(const Knots& knots, Sparse a, Eigen::MatrixXd right, const FitOptions& options)
 {
     if (options.smoothing > 0) a += options.smoothing * roughness(knots);
@@ -129,7 +129,7 @@ AxisMap solution(const Knots& knots, Sparse a, Eigen::MatrixXd right, const FitO
         pin(a, right, static_cast<int>(a.rows()) - 1, static_cast<int>(right.cols()) - 1);
     }
     const Eigen::SimplicialLDLT<Sparse> ldlt(a);
-    // A pivot this far below the largest is what rounding leaves of a zero.
+    // A pivot this far below the largest one is a zero with rounding errors.
     const bool determined =
         ldlt.info() == Eigen::Success &&
         ldlt.vectorD().minCoeff() > 1e-13 * ldlt.vectorD().cwiseAbs().maxCoeff();
@@ -156,8 +156,8 @@ AxisMap interpolation_map(const Knots& knots)
     Eigen::SparseLU<Sparse> lu(collocation(knots, greville_sites(knots)));
     Eigen::MatrixXd inverse;
     if (lu.info() == Eigen::Success) inverse = lu.solve(Eigen::MatrixXd::Identity(n, n).eval());
-    // Interpolation at the Greville sites of an order up to 6 is well conditioned (de Boor 1978);
-    // a huge inverse means that two sites coincide.
+    // Interpolation at the Greville abscissae is well conditioned for orders up to 6 (de Boor
+    // 1978); a huge inverse means that two of them coincide.
     if (lu.info() != Eigen::Success || !(inverse.cwiseAbs().maxCoeff() < 1e9))
         throw Rejected("this axis cannot be interpolated: two of its Greville abscissae coincide");
     return map_of(inverse, knots.count());

@@ -51,7 +51,7 @@ Surface<glm::dvec3> GrevilleGrid::through(std::vector<glm::dvec3> values) const
 {
     assert(values.size() ==
            static_cast<std::size_t>(tables_[0].count) * static_cast<std::size_t>(tables_[1].count));
-    // Row r is `width` values one after the other; rows are `step` apart.
+    // Row r has `width` consecutive values; rows are `step` apart.
     const auto solve = [&](const Axis& axis, glm::dvec3* rows, int step, int width) {
         const auto subtract = [&](int from, int row, double factor) {
             glm::dvec3 *to = rows + row * step, *other = rows + from * step;

@@ -11,7 +11,8 @@
 namespace trivar {
 namespace {
 
-// The first span with a length, at or behind j, of the domain; the last one where there is none.
+// Returns the first span of the domain, from j on, that has a length; the last such span if there
+// is none.
 int piece_of(const Knots& knots, int j)
 {
     const auto& t = knots.values();
@@ -22,7 +23,8 @@ int piece_of(const Knots& knots, int j)
 
 } // namespace
 
-// The recursion of the basis functions with another argument at every step.
+// Computes the blossom: the recursion of the basis functions with a different argument in each
+// step.
 std::array<double, max_order> blossom(const std::vector<double>& t, int s, int degree,
                                       const double* arguments)
 {

@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::array<double, max_order>;
 
-// The values of all basis functions of order o that are not zero on span s.
+// Computes all basis functions of order o that are not zero on span s.
 Row values_of_order(const std::vector<double>& t, int s, int o, double u)
 {
     Row n{1};
@@ -32,8 +32,8 @@ Row values_of_order(const std::vector<double>& t, int s, int o, double u)
     return n;
 }
 
-// N_i' = d (N_i^{d-1} / (t_{i+d} - t_i) - N_{i+1}^{d-1} / (t_{i+d+1} - t_{i+1})), where a zero
-// denominator stands for a function that is zero.
+// Computes the derivatives N_i' = d (N_i^{d-1} / (t_{i+d} - t_i) - N_{i+1}^{d-1} / (t_{i+d+1} -
+// t_{i+1})), where a term with a zero denominator is 0.
 Row differentiated(const std::vector<double>& t, int s, int o, const Row& lower)
 {
     Row out{};
@@ -57,7 +57,7 @@ void check_size(int order, int count)
         throw Rejected("order " + std::to_string(order) + " needs at least " +
                        std::to_string(order) + " control points, there are " +
                        std::to_string(count));
-    constexpr int most = 1 << 20; // an axis beyond this is a mistake, not a shape
+    constexpr int most = 1 << 20; // more than any useful axis
     if (count > most)
         throw Rejected(std::to_string(count) + " control points on an axis are more than " +
                        std::to_string(most));
@@ -97,7 +97,8 @@ Knots Knots::uniform(int order, int count, double begin, double end)
 
 Knots Knots::general(int order, std::vector<double> knots)
 {
-    // Kept small here so that the conversion cannot overflow; the constructor says what is wrong.
+    // The size is limited so that the conversion cannot overflow; the constructor reports the
+    // error.
     const auto size = static_cast<int>(std::min(knots.size(), std::size_t{1} << 22));
     const int count = size - std::clamp(order, 0, 16);
     return {order, count, Closure::open, std::move(knots)};
@@ -118,7 +119,7 @@ Knots Knots::closed(int order, const std::vector<double>& one_period, double end
     check_size(order, count);
     const double period = end - one_period.front();
     if (!(one_period.back() < end)) throw Rejected("a knot lies beyond the end of the period");
-    // order - 1 knots of the period before, one period, order of the period behind.
+    // The knots are order - 1 of the period before, one period, and order of the period after.
     std::vector<double> t;
     for (int i = 1 - order; i < count + order; ++i) {
         const int turn = i < 0 ? -1 : i / count;
@@ -142,7 +143,7 @@ int Knots::span(double t) const
     const auto first = knots_.begin() + order_ - 1;
     const auto last = knots_.begin() + unwrapped_count();
     auto above = std::upper_bound(first, last + 1, t);
-    // At the end of the domain the last span that has a length.
+    // At the end of the domain this is the last span that has a length.
     if (above == last + 1) above = std::lower_bound(first, last + 1, *last);
     return static_cast<int>(above - knots_.begin()) - 1;
 }

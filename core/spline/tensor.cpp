@@ -14,7 +14,7 @@ bool can_be_mirrored(const Knots& knots)
     if (knots.closure() != Closure::open) return false;
     const auto& t = knots.values();
     const double sum = knots.begin() + knots.end();
-    // Symmetric but for the rounding of equally spaced knots.
+    // Symmetry is tested up to the rounding of equally spaced knots.
     const double rounding = 1e-12 * std::max(std::abs(knots.begin()), std::abs(knots.end()));
     for (std::size_t i = 0; i < t.size(); ++i)
         if (!(std::abs(t[i] + t[t.size() - 1 - i] - sum) <= rounding)) return false;
@@ -28,7 +28,7 @@ void check_shape(std::span<const Knots> axes, std::size_t points)
     std::size_t wanted = 1;
     for (const Knots& k : axes) {
         wanted *= static_cast<std::size_t>(k.count());
-        if (wanted > points) break; // before the product can overflow
+        if (wanted > points) break; // stops before the product can overflow
     }
     if (points != wanted)
         throw Rejected("there are " + std::to_string(points) +

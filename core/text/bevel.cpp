@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// What of the longest edge the edges of rings are at most: Triangulation::refine wants it.
+// Ratio of the edges of rings to the longest edge; Triangulation::refine needs it.
 constexpr double short_edge = 0.7;
 constexpr int most_rings = 64;
 
@@ -21,7 +21,7 @@ double bevel_of(const Extrusion& extrusion)
 
 std::vector<BevelRing> bevel_rings(const Region& region, const Extrusion& extrusion)
 {
-    constexpr double least_step = 8; // units between two rings, far above their rounding
+    constexpr double least_step = 8; // units between rings, far above rounding
     constexpr double quarter = std::numbers::pi / 2;
     const double longest = short_edge * extrusion.max_edge, bevel = bevel_of(extrusion);
     const bool round = extrusion.bevel_steps > 1;
@@ -49,7 +49,7 @@ std::vector<EdgeNormals> edge_normals(const Loop& loop)
 {
     const double smooth = std::cos(40 * std::numbers::pi / 180);
     const std::size_t n = loop.size();
-    std::vector<glm::dvec2> across(n); // of the edge that begins at i, as long as that
+    std::vector<glm::dvec2> across(n); // by edge: its normal, as long as the edge
     for (std::size_t i = 0; i < n; ++i) {
         const glm::dvec2 along = glm::dvec2(loop[(i + 1) % n]) - glm::dvec2(loop[i]);
         across[i] = {along.y, -along.x};

@@ -41,7 +41,7 @@ void append_curve(Loop& loop, std::span<const glm::dvec2> control, double tolera
     const int n = chords(control, tolerance);
     for (int i = 1; i <= n; ++i) {
         const double t = double(i) / n;
-        std::array<glm::dvec2, 4> p{}; // de Casteljau
+        std::array<glm::dvec2, 4> p{}; // control points of de Casteljau's algorithm
         std::copy(control.begin(), control.end(), p.begin());
         for (std::size_t left = control.size() - 1; left > 0; --left)
             for (std::size_t k = 0; k < left; ++k) p[k] += (p[k + 1] - p[k]) * t;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_outline_points = 10000;
 
-// What FreeType walks along an outline with. A step says 0 to go on.
+// An Outliner collects an outline from FreeType. Its steps return 0 to continue.
 struct Outliner {
     double units_per_step = 1, tolerance = 1;
     Region loops = {};
@@ -137,7 +137,7 @@ bool Font::has(char32_t letter) const
 double Font::line_height() const
 {
     const double height = double(state_->face->height) / state_->face->units_per_EM;
-    return height > 0.1 && height < 10 ? height : 1.2; // what a damaged font says
+    return height > 0.1 && height < 10 ? height : 1.2; // a damaged font may give any number
 }
 
 const std::string& Font::title() const

@@ -26,7 +26,7 @@ std::string text_of(FcPattern* font, const char* field, int n = 0)
 int number_of(FcPattern* font, const char* field, int otherwise)
 {
     double value = otherwise;
-    FcPatternGetDouble(font, field, 0, &value); // of a variable font it is a range: `otherwise`
+    FcPatternGetDouble(font, field, 0, &value); // variable font: a range, `otherwise` stays
     return static_cast<int>(std::lround(value));
 }
 
@@ -76,7 +76,7 @@ std::vector<InstalledFont> installed_fonts()
     const std::unique_ptr<FcPattern, void (*)(FcPattern*)> wanted(FcPatternCreate(),
                                                                   FcPatternDestroy);
     FcPatternAddBool(wanted.get(), FC_OUTLINE, FcTrue);
-    FcPatternAddBool(wanted.get(), FC_VARIABLE, FcFalse); // its named instances are listed
+    FcPatternAddBool(wanted.get(), FC_VARIABLE, FcFalse); // instances are listed
     const std::unique_ptr<FcObjectSet, void (*)(FcObjectSet*)> fields(
         FcObjectSetBuild(FC_FAMILY, FC_STYLE, FC_FILE, FC_INDEX, FC_WEIGHT, FC_WIDTH, FC_SLANT,
                          FC_FONTFORMAT, nullptr),

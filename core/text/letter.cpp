@@ -22,8 +22,8 @@ glm::dvec2 em_of(const glm::ivec2& p)
     return glm::dvec2(p) / double(em_units);
 }
 
-// Puts a body together out of its front, the same behind, and the sides between. Points of the
-// surface: those of the front, those behind, those of the sides' inner rows.
+// A Body is assembled from the front, the same shape at the back, and the sides. Its points are
+// numbered in this order: front, back, inner rows of the sides.
 class Body {
 public:
     Body(const LetterFront& front, const std::vector<BevelRing>& rings, const Extrusion& extrusion)
@@ -57,8 +57,8 @@ private:
         return static_cast<std::uint32_t>(mesh_.vertex_count()) - 1;
     }
 
-    // Straight up where the triangle is flat; on a bevel its ring's normal on this side of a
-    // corner, raised by the bevel's profile.
+    // Computes the normals of a triangle: straight up if it is flat; on a bevel the normal of the
+    // ring on this side of a corner, tilted by the profile of the bevel.
     std::array<glm::dvec3, 3> normals_of(const Triangulation::Corners& v) const
     {
         std::array<glm::dvec3, 3> p{}, normals{};
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    // A column of vertices down the side at a corner of the rim; `points` its points.
+    // Adds a column of vertices down the side at a corner of the rim, one for each of `points`.
     std::vector<std::uint32_t> column(const glm::dvec2& p, const glm::dvec2& normal, double along,
                                       const std::vector<std::uint32_t>& points)
     {
@@ -117,7 +117,7 @@ private:
         const double high = extrusion_.depth - bevel_;
         for (std::size_t row = 0; row < points.size(); ++row) {
             const double part = double(row) / static_cast<double>(points.size() - 1);
-            // Both ends to the bit as in front and behind.
+            // Both ends have the same bits as the front and the back.
             const double z =
                 row + 1 == points.size() ? extrusion_.depth - high : high + (bevel_ - high) * part;
             own.push_back(add_vertex({p, z}, {normal, 0}, {along, z}, points[row]));
@@ -155,7 +155,7 @@ private:
         }
     }
 
-    // From 0 in the order of first appearance.
+    // Numbers the points from 0 in the order of first appearance.
     void number_points()
     {
         std::map<std::uint32_t, std::uint32_t> number;
@@ -176,8 +176,8 @@ private:
 
 std::optional<Mesh> letter_body(const Region& region, const Extrusion& extrusion)
 {
-    // Where it touches itself in a point or nearly it is drawn in by some thousandths of a percent
-    // of an em, which parts it there.
+    // Tries growing insets of up to some thousandths of a percent of an em. They separate a shape
+    // where it touches itself, or nearly does, in a point.
     for (const double units : {0, 6, 12, 24, 60}) {
         const Region apart = units > 0 ? inset(region, units) : region;
         if (apart.empty()) return std::nullopt;

@@ -7,10 +7,11 @@
 namespace trivar {
 namespace {
 
-using RingCorners = std::vector<std::vector<int>>; // of each loop, the points
+using RingCorners = std::vector<std::vector<int>>; // the points of each loop
 
-// The point of a ring's sharp corner on the next ring, where it has one: the mitre between them is
-// an edge, or the ring's corner would be cut off flat. Its place is rounded on both rings.
+// Finds the point of the next ring that belongs to a sharp corner of this ring; -1 if there is
+// none. The mitre between them must be an edge, or the corner of the ring would be cut off. Its
+// position is rounded on both rings.
 int mitred(const std::map<std::pair<int, int>, int>& next, const Loop& loop, std::size_t i,
            double step)
 {
@@ -55,7 +56,7 @@ std::optional<LetterFront> letter_front(const std::vector<BevelRing>& rings, dou
                 own.push_back(point);
             }
         }
-    std::vector<std::pair<int, int>> edges; // of the rim
+    std::vector<std::pair<int, int>> edges; // edges of the rim
     for (std::size_t r = 0; r < rings.size(); ++r)
         for (const std::vector<int>& loop : corners[r])
             for (std::size_t i = 0; i < loop.size(); ++i) {

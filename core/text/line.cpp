@@ -10,8 +10,8 @@ namespace trivar {
 namespace {
 
 struct Run {
-    std::size_t begin, end; // letters of the line
-    int level;              // odd: from right to left
+    std::size_t begin, end; // range of letters in the line
+    int level;              // odd: right to left
     hb_script_t script;
 };
 
@@ -24,14 +24,15 @@ std::vector<FriBidiLevel> levels_of(std::u32string_view letters)
     std::vector<FriBidiLevel> levels(letters.size());
     fribidi_get_bidi_types(text.data(), count, types.data());
     fribidi_get_bracket_types(text.data(), count, types.data(), brackets.data());
-    FriBidiParType direction = FRIBIDI_PAR_ON; // that of the first letter that has one
+    FriBidiParType direction = FRIBIDI_PAR_ON; // direction of the first letter that has one
     if (fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count, &direction,
                                             levels.data()) == 0)
         throw Rejected("there is not enough memory to lay out the text");
     return levels;
 }
 
-// As they are read. Spaces, marks and signs belong to the script before them.
+// Splits a line into runs in reading order. Spaces, marks and signs belong to the script before
+// them.
 std::vector<Run> runs_of(std::u32string_view letters)
 {
     const std::vector<FriBidiLevel> levels = levels_of(letters);
@@ -55,7 +56,8 @@ std::vector<Run> runs_of(std::u32string_view letters)
     return runs;
 }
 
-// From left to right: rule L2 of the algorithm, over runs in place of letters.
+// Orders runs from left to right: rule L2 of the bidirectional algorithm, over runs instead of
+// letters.
 void order_by_sight(std::vector<Run>& runs)
 {
     int highest = 0;
@@ -80,7 +82,7 @@ void shape(hb_font_t* font, std::u32string_view letters, const Run& run, int spa
                         static_cast<int>(run.end - run.begin));
     hb_buffer_set_direction(buffer, run.level % 2 == 1 ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
     hb_buffer_set_script(buffer, run.script);
-    hb_buffer_set_language(buffer, hb_language_from_string("und", -1)); // not the computer's
+    hb_buffer_set_language(buffer, hb_language_from_string("und", -1)); // not the user's
     hb_buffer_set_cluster_level(buffer, HB_BUFFER_CLUSTER_LEVEL_MONOTONE_GRAPHEMES);
     const std::array<hb_feature_t, 2> apart{
         {{HB_TAG('l', 'i', 'g', 'a'), 0, 0, ~0u}, {HB_TAG('c', 'l', 'i', 'g'), 0, 0, ~0u}}};
@@ -88,7 +90,7 @@ void shape(hb_font_t* font, std::u32string_view letters, const Run& run, int spa
     unsigned count = 0;
     const hb_glyph_info_t* glyphs = hb_buffer_get_glyph_infos(buffer, &count);
     const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer, &count);
-    constexpr int farthest = 1 << 28; // of a pen that a damaged font sends off
+    constexpr int farthest = 1 << 28; // limit of the pen position for damaged fonts
     for (unsigned i = 0; i < count; ++i) {
         const auto far = [](int step) { return std::clamp(step, -most_units, most_units); };
         line.glyphs.push_back(
@@ -111,7 +113,7 @@ Font::Line Font::line(std::u32string_view letters, int spacing) const
     std::vector<Run> runs = runs_of(letters);
     order_by_sight(runs);
     for (const Run& run : runs) shape(state_->shaper, letters, run, spacing, line);
-    if (!line.glyphs.empty()) line.width -= spacing; // none after the last
+    if (!line.glyphs.empty()) line.width -= spacing; // no spacing after the last letter
     return line;
 }
 

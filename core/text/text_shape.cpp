@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_letters = 2000, most_faces = 4000000;
 
-// What stands for a letter that the font lacks.
+// Returns the shape that replaces a letter that the font lacks.
 Region frame()
 {
     const auto box = [](double x0, double y0, double x1, double y1) {
@@ -29,7 +29,7 @@ Region frame()
     return {box(gap, 0, width - gap, 0.7), hole};
 }
 
-// The bodies of a font's glyphs, each made once.
+// Glyphs holds the bodies of the glyphs of a font; each is made once.
 class Glyphs {
 public:
     Glyphs(const Font& font, const TextShape& shape)
@@ -41,7 +41,7 @@ public:
                      .max_edge = shape.max_edge}
     {
     }
-    // Null: it shows nothing.
+    // Returns null if the glyph is empty.
     const Mesh* operator()(unsigned glyph)
     {
         const auto [entry, fresh] = bodies_.try_emplace(glyph);
@@ -90,8 +90,8 @@ void append(Mesh& mesh, const Mesh& letter, const glm::dvec2& at, double size,
     points += static_cast<std::uint32_t>(point_count(letter));
 }
 
-// Of other letters the place where this is read may have no picture either, and a mark that joins
-// the letter before it would sit on a comma.
+// Says whether a letter can be shown in a notice: others may be missing in the font of the window
+// too, and a combining mark would join the comma before it.
 bool is_drawn_nearly_everywhere(char32_t letter)
 {
     constexpr char32_t latin_ends = 0x17F, greek_begins = 0x370, arabic_ends = 0x6FF;
@@ -115,12 +115,12 @@ std::string lacking(const std::u32string& letters, const std::string& title)
         letters.size() == 1 ? "one letter" : fmt::format("{} letters", letters.size()), list);
 }
 
-// Of a line's letters those that the font has no glyph for, each once. What is drawn together, as a
-// letter with its marks, is one cluster, known by its first letter.
+// Adds the letters of a line for which the font has no glyph, each once. Letters that are drawn
+// together, such as a letter and its marks, are one cluster, named by its first letter.
 void add_missing(std::u32string& missing, const Font& font, std::u32string_view letters,
                  const Font::Line& line)
 {
-    std::map<std::size_t, bool> clusters{{letters.size(), false}}; // whether it has a box
+    std::map<std::size_t, bool> clusters{{letters.size(), false}}; // by first letter: any missing
     for (const Font::PlacedGlyph& put : line.glyphs) clusters[put.letter] |= put.glyph == 0;
     const auto add = [&](char32_t letter) {
         if (missing.find(letter) == missing.npos) missing += letter;
@@ -133,7 +133,7 @@ void add_missing(std::u32string& missing, const Font& font, std::u32string_view 
             add(letters[i]);
             named = true;
         }
-        if (!named) add(letters[it->first]); // the font's own tables took it away
+        if (!named) add(letters[it->first]); // removed by the tables of the font
     }
 }
 
