@@ -20,7 +20,8 @@ using nlohmann::json;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;
 
-// Empty where its chunks are no GLB's: whether that matters the reader says.
+// Returns the JSON of a GLB; empty if its chunks are damaged, which the reader reports if it
+// matters.
 std::string json_of_glb(std::string_view bytes)
 {
     try {
@@ -58,7 +59,7 @@ public:
             add(library);
             try {
                 add_of_mtl(read_bytes(library.path, largest_file), library.name);
-            } catch (const Rejected&) { // said where the model is read
+            } catch (const Rejected&) { // reported when the model is read
             }
         }
     }

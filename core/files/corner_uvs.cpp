@@ -7,7 +7,7 @@
 namespace trivar {
 namespace {
 
-// The values of the old vertices at the new ones.
+// Copies the values of the old vertices to the new ones.
 template <class T> void spread(std::vector<T>& values, const std::vector<std::uint32_t>& old_of)
 {
     if (values.empty()) return;
@@ -42,7 +42,7 @@ Mesh with_corner_uvs(const Mesh& mesh, const std::vector<glm::vec2>& uvs)
             result.corners[order[i]] = static_cast<std::uint32_t>(old_of.size() - 1);
         }
         if (i > first) continue;
-        old_of.push_back(v); // no face has it
+        old_of.push_back(v); // a vertex of no face
         set.emplace_back(0);
     }
     spread(result.positions, old_of);

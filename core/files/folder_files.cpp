@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_name = 4096;  // of a path, where the system has such a bound
-constexpr std::size_t most_in_vain = 10000; // names
-constexpr int most_names = 10000;           // of a folder: more are not a model's
+constexpr std::size_t longest_name = 4096;  // of a path, like the bound of the system
+constexpr std::size_t most_in_vain = 10000; // names that are not found
+constexpr int most_names = 10000;           // in a folder; a folder with more is not one of a model
 
 std::string in_small_letters(std::string text)
 {

@@ -46,7 +46,7 @@ GlbEntries GlbAccessors::attributes(const Mesh& mesh)
     }
     for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
         std::vector<glm::vec2> uvs = mesh.uvs[set];
-        for (glm::vec2& uv : uvs) uv.y = 1 - uv.y; // glTF's v goes down
+        for (glm::vec2& uv : uvs) uv.y = 1 - uv.y; // v of glTF points down
         result["TEXCOORD_" + std::to_string(set)] = add(uvs, "VEC2");
     }
     return result;
@@ -54,7 +54,7 @@ GlbEntries GlbAccessors::attributes(const Mesh& mesh)
 
 namespace {
 
-// Lines of two points each, or one line through all of them.
+// Makes a primitive of separate lines of two points each, or of one line through all points.
 GlbEntries line_primitive(GlbAccessors& to, const Mesh& points, std::size_t first, std::size_t end,
                           bool pairs)
 {

@@ -20,7 +20,8 @@ public:
     {
     }
 
-    // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
+    // Reads an accessor whose elements have the size of `Value`. A limit on all copied bytes keeps
+    // a file from using one accessor many times.
     template <class Value> std::vector<Value> values(const GlbJson& accessor_index)
     {
         const GlbJson& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());

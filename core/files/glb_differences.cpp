@@ -22,7 +22,8 @@ bool is_near(double found, double expected)
     return std::abs(found - expected) <= glb_number_tolerance * std::max(1.0, std::abs(expected));
 }
 
-// Refuses a name that occurs twice in one object, which programs read differently.
+// Parses JSON. Throws Rejected if an object has two members of one name, because programs differ in
+// which one they read.
 FoundJson parsed(const std::string& text)
 {
     std::vector<std::set<std::string>> names;
@@ -109,7 +110,8 @@ private:
                 compare(found[name], value, inside + name);
     }
 
-    // Both have the same layout from here on: the expected one's, which is to be trusted.
+    // Compares the data. From here on both files have the layout of the expected one, which is
+    // trusted.
     void compare_data()
     {
         if (found_.binary.size() != expected_.binary.size())

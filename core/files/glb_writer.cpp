@@ -20,7 +20,7 @@ public:
     {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Trivar"}};
         for (const Material& material : model_.materials) {
-            Json entry = written(material); // adds to other lists, so the list is looked up after
+            Json entry = written(material); // adds to other lists, so its own is looked up after
             json_["materials"].push_back(std::move(entry));
         }
         skinned_.resize(model_.meshes.size());
@@ -62,7 +62,7 @@ private:
                 where.push_back(static_cast<std::uint32_t>(v));
                 what.push_back(values[v]);
             }
-        constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // a difference
+        constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // bytes per difference
         if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
             out_.add(values, "VEC3");
         } else {
@@ -103,7 +103,7 @@ private:
         std::vector<glm::vec4> weights;
         for (const Mesh::Influences& each : mesh.influences) {
             joints.push_back(each.joints);
-            for (int k = 0; k < 4; ++k) // what has no weight names no joint
+            for (int k = 0; k < 4; ++k) // without a weight no joint is named
                 if (each.weights[k] == 0) joints.back()[static_cast<std::size_t>(k)] = 0;
             weights.push_back(each.weights);
         }
@@ -120,7 +120,8 @@ private:
         json_["skins"].push_back(std::move(written));
     }
 
-    // Many channels share their times, and channels of morph targets their weights.
+    // Adds an accessor once per content: many channels share their times, and channels of morph
+    // targets their weights.
     int shared_accessor(const std::vector<float>& values, const char* type, std::size_t components)
     {
         const auto [known, fresh] = shared_.try_emplace({type, values}, 0);
@@ -160,7 +161,8 @@ private:
         json_["animations"].push_back(std::move(written));
     }
 
-    // One primitive a material, all on the same vertices. -1 where there is no face.
+    // Writes one primitive per material, all on the same vertices. Returns -1 if there are no
+    // faces.
     int write_mesh(const Mesh& mesh, bool skinned)
     {
         const std::vector<glm::uvec3> all = triangles(mesh);
@@ -186,7 +188,7 @@ private:
         return static_cast<int>(json_["meshes"].size()) - 1;
     }
 
-    // -1 where there is no line.
+    // Writes the lines. Returns -1 if there are none.
     int write_curves(const Curves& curves)
     {
         Json primitives = curve_primitives(out_, curves, model_.materials.size());
@@ -211,7 +213,7 @@ private:
         into["scale"] = {p.scale.x, p.scale.y, p.scale.z};
     }
 
-    // Nodes that a clip moves must be written as translation, rotation and scale.
+    // Says which nodes a clip moves: they must be written as translation, rotation and scale.
     std::vector<bool> moved_nodes() const
     {
         std::vector<bool> out(model_.nodes.size());
@@ -222,8 +224,8 @@ private:
         return out;
     }
 
-    // Skinned meshes on nodes that nothing else is there for: where these are does not count, so
-    // they are roots and have no place.
+    // Says which nodes exist only for a skinned mesh: their place has no effect, so they become
+    // roots without a transform.
     std::vector<bool> placeless_nodes(const std::vector<bool>& moved) const
     {
         std::vector<bool> out;
@@ -252,7 +254,7 @@ private:
             Json written;
             if (!node.name.empty()) written["name"] = node.name;
             const glm::dmat4 outside = node.parent < 0 ? z_to_y : glm::dmat4(1);
-            std::size_t top = n; // what hangs on the parent
+            std::size_t top = n; // child of the parent
             if (moved[n]) {
                 put_parts(written, node.rest);
                 if (const glm::dmat4 outer = outside * node.outer; outer != glm::dmat4(1)) {
@@ -281,7 +283,7 @@ private:
                 node.curves < 0 ? -1 : curves_index.at(static_cast<std::size_t>(node.curves));
             if (curves >= 0) name_mesh(curves, node.name);
             if (curves >= 0 && mesh < 0) written["mesh"] = curves;
-            if (curves >= 0 && mesh >= 0) { // a node shows one mesh, and that may have targets
+            if (curves >= 0 && mesh >= 0) { // a node shows one mesh, which may have targets
                 written["children"] = Json::array({model_.nodes.size() + holders.size()});
                 Json child{{"mesh", curves}};
                 if (!node.name.empty()) child["name"] = node.name;
@@ -349,7 +351,7 @@ private:
         if (texture.uv_set != 0) into[key]["texCoord"] = texture.uv_set;
     }
 
-    // The place of an entry in one of the file's lists, added where it is new.
+    // Returns the index of an entry in one of the lists of the file; a new entry is added.
     std::size_t index_of(const char* list, const Json& entry)
     {
         Json& entries = json_[list];
@@ -378,7 +380,7 @@ private:
     {
         binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
         if (!binary_.empty()) json_["buffers"] = {{{"byteLength", binary_.size()}}};
-        // Names in other encodings must not make the file unwritable.
+        // Names that are not UTF-8 must not make the file unwritable.
         return glb_container(
             {json_.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(binary_)});
     }
@@ -387,9 +389,9 @@ private:
     GlbAccessors out_;
     Json& json_ = out_.json;
     std::string& binary_ = out_.binary;
-    std::map<const Image*, std::size_t> images_; // looked up only, never walked
-    std::vector<char> skinned_;                  // by mesh: some node has a skin for it
-    std::map<std::pair<std::string, std::vector<float>>, int> shared_; // accessors, by content
+    std::map<const Image*, std::size_t> images_; // only for lookup, never iterated
+    std::vector<char> skinned_;                  // by mesh: a node has a skin for it
+    std::map<std::pair<std::string, std::vector<float>>, int> shared_; // accessors by content
     bool emissive_strength_ = false;
 };
 

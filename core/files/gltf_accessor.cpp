@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-// The component types of glTF 2.0, 3.6.2.2.
+// The component types of glTF 2.0, section 3.6.2.2.
 enum : std::size_t {
     signed_byte = 5120,
     unsigned_byte = 5121,
@@ -104,7 +104,7 @@ void GltfAccessors::each_in_view(const GltfEntry& place, const Layout& layout, c
     const std::size_t stride = view.size("byteStride", element), offset = place.size("byteOffset");
     if (stride < element)
         view.fail(fmt::format("'byteStride' is {}, but one element has {} bytes", stride, element));
-    // Written so that no product can overflow.
+    // This form cannot overflow.
     if (offset > bytes.size() || bytes.size() - offset < element ||
         layout.count - 1 > (bytes.size() - offset - element) / stride)
         place.fail(fmt::format("its {} elements of {} bytes reach past the end of its buffer view, "
@@ -146,7 +146,7 @@ GltfAccessors::Table GltfAccessors::floats(const GltfEntry& owner, const char* n
 {
     const GltfEntry entry = accessor(owner, name);
     const Layout from = layout(entry);
-    // A table is read into something of its size, which takes its place.
+    // A table is copied into another of its size, so that its memory counts twice.
     file_.account(entry, from.count, "elements", 2 * sizeof(float) * from.components);
     Table table{from.count, from.components, std::vector<float>(from.count * from.components, 0)};
     const bool fractions = entry.flag("normalized");

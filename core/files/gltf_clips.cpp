@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Keys of a rotation that say none: four zeros, as clip.cpp takes them.
+// Counts the keys of a rotation that are four zeros, which clip.cpp treats as no rotation.
 std::size_t turnless_keys(const Channel& channel)
 {
     if (channel.of != Channel::Of::rotation) return 0;
@@ -27,8 +27,8 @@ std::size_t turnless_keys(const Channel& channel)
     return out;
 }
 
-// The name, or the first free one with a number behind it. `given`: those that were, each with the
-// last number tried behind it, so that thousands of one name cost no more steps than that.
+// Returns the name, or the first free one with a number after it. `given` has the names in use,
+// each with the last number tried, so that thousands of equal names take linear time.
 std::string free_name(std::string name, std::size_t number, std::map<std::string, int>& given)
 {
     if (name.empty()) name = fmt::format("Clip {}", number);
@@ -57,7 +57,7 @@ public:
     {
     }
 
-    // A clip without channels has nothing to play.
+    // Reads a clip. One without channels has nothing to play.
     Clip read(const GltfEntry& animation, std::size_t number)
     {
         Clip clip;
@@ -110,7 +110,7 @@ private:
         return animation.item("samplers", "sampler", index);
     }
 
-    // False: of nothing that a node has.
+    // Sets the property that a channel moves; false if a node has no such property.
     bool set_property(Channel& out, std::string_view path) const
     {
         if (path == "translation" || path == "scale") {
@@ -210,7 +210,7 @@ private:
     GltfAccessors& accessors_;
     const std::vector<int>& node_of_;
     CountedNotices& notices_;
-    std::map<std::string, int> given_; // names
+    std::map<std::string, int> given_; // by name: the last number tried
 };
 
 } // namespace

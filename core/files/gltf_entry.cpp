@@ -50,16 +50,16 @@ std::optional<double> number_of(const EntryJson& value)
     return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
-// JSON has one kind of number: 3.0 is whole, too.
+// Returns the value if it is a whole number. JSON has one kind of number: 3.0 is whole, too.
 std::optional<std::size_t> whole_of(const EntryJson& value)
 {
-    constexpr double beyond = 9007199254740992.0; // where doubles begin to leave out whole numbers
+    constexpr double beyond = 9007199254740992.0; // 2^53: doubles above skip whole numbers
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= 0 && number < beyond) || number != std::floor(number)) return {};
     return static_cast<std::size_t>(number);
 }
 
-// Some programs write -1 in place of a missing index.
+// Returns an index; none for -1, which some programs write for a missing index.
 std::optional<int> index_of(const EntryJson& value)
 {
     if (value == -1) return -1;

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> supported_extensions{
     "KHR_mesh_quantization", "KHR_materials_emissive_strength", "KHR_texture_transform",
     "EXT_texture_webp"};
 
-// The largest memory for a file: 256 MB, plus 32 bytes for each of its bytes.
+// Returns the memory limit of a file: 256 MB, plus 32 bytes per byte of the file.
 std::size_t memory_for(std::size_t file_bytes)
 {
     return (std::size_t{1} << 28) + 32 * file_bytes;
@@ -41,7 +41,7 @@ GltfJson parsed_gltf(std::string_view text, const std::string& name)
         throw Rejected(fmt::format("{}: its JSON is damaged in line {}, near character {}", name,
                                    1 + std::ranges::count(before, '\n'),
                                    before.size() - (before.rfind('\n') + 1) + 1));
-    } catch (const GltfJson::exception&) { // a number out of range
+    } catch (const GltfJson::exception&) { // a number is out of range
         throw Rejected(name + ": its JSON has a number that is too large");
     }
 }
@@ -100,7 +100,7 @@ GltfFile::GltfFile(const FileText& file, bool binary, CountedNotices& notices)
     } catch (const Rejected& why) {
         throw Rejected(fmt::format("{}: {}", file.name, why.what()));
     }
-    // Some programs fill the chunk up with zeros.
+    // Some programs pad the chunk with zeros.
     const std::size_t end = parts.json.find_last_not_of('\0');
     json_ = std::make_unique<GltfJson>(parsed_gltf(parts.json.substr(0, end + 1), file.name));
     root_ = std::make_unique<GltfEntry>(*json_, file_.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which joints move a vertex, from the attributes of a primitive.
+// This file reads which joints move a vertex, from the attributes of a primitive.
 #include "core/files/gltf_mesh.h"
 
 #include <algorithm>
@@ -29,7 +29,8 @@ bool settle(Mesh::Influences& out, Shares& all)
     return true;
 }
 
-// Whether a vertex's shares are as far from a sum of 1 as no rounding to bytes brings them.
+// Says whether the weights of a vertex differ from a sum of 1 by more than rounding to bytes can
+// cause.
 bool is_off_one(const Shares& all)
 {
     constexpr double rounded = 0.02;

@@ -70,7 +70,7 @@ private:
         return strength ? strength->number("emissiveStrength", 1) : 1;
     }
 
-    // As a material uses it.
+    // Reads a texture with the settings of the material that uses it.
     Texture texture(const GltfEntry& material, const char* name)
     {
         const auto use = material.part(name);
@@ -111,7 +111,8 @@ private:
         return out;
     }
 
-    // A texture may have its picture in a format of an extension, and beside it in a plain one.
+    // Returns the index of the picture of a texture. A texture may have a picture in the format of
+    // an extension and, beside it, one in a core format.
     std::optional<std::size_t> picture_of(const GltfEntry& texture)
     {
         if (texture.index("source") >= 0) return texture.size("source");
@@ -150,7 +151,7 @@ private:
     const GltfFile& file_;
     CountedNotices& notices_;
     GltfPictures pictures_;
-    std::map<std::size_t, Texture> textures_; // by number
+    std::map<std::size_t, Texture> textures_; // by index
 };
 
 } // namespace

@@ -19,12 +19,12 @@ enum : std::size_t {
 };
 constexpr std::size_t max_targets = 1024;
 
-// What a vertex and a corner come to beside the values of their own attributes: normals, points,
-// faces, and what the repairs and the copies want meanwhile.
+// Memory of a vertex and a corner in addition to their own attributes: normals, points, faces, and
+// temporary data of repairs and copies.
 constexpr std::size_t vertex_bytes = 40, corner_bytes = 32, line_point_bytes = 24;
 
-// The accessors that the vertices of a primitive are made of, by name: of its attributes, then of
-// each target.
+// Sources are the accessors of the vertices of a primitive, by name: those of its attributes, then
+// those of each target.
 using Sources = std::vector<std::map<std::string, int>>;
 
 Sources sources_of(const GltfEntry& primitive)
@@ -84,8 +84,8 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
             accessors_.zeros(attributes, "POSITION"))
             primitive.fail("it is compressed by KHR_draco_mesh_compression, which Trivar does not "
                            "support; export it without");
-        // Primitives that differ in their material only share their vertices, but where a material
-        // moves texture coordinates.
+        // Primitives that differ only in their material share their vertices, unless a material
+        // transforms texture coordinates.
         if (mode < triangle_list) {
             const auto [known, fresh] = points_before.try_emplace(sources_of(primitive));
             if (fresh) known->second = add_line_points(points, primitive);
@@ -117,8 +117,7 @@ GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name,
     return out;
 }
 
-// Meshes of several primitives may have an attribute in some only: the others get what changes
-// nothing.
+// Appends an attribute. If only some primitives of a mesh have it, the others get a neutral value.
 template <class T>
 void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const char* name,
                         VertexRange added, T neutral, std::size_t least_components)
@@ -192,7 +191,7 @@ void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange ad
         for (std::size_t v = added.first; there && v < added.end(); ++v) {
             glm::vec2& uv = mesh.uvs[set][v];
             if (transforms[set] != UvTransform{}) uv = transforms[set](uv);
-            uv.y = 1 - uv.y; // glTF's v goes down
+            uv.y = 1 - uv.y; // v of glTF points down
         }
     }
     const std::vector<std::string> names = attributes.names();
@@ -212,7 +211,7 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange
     mesh.morph_targets.resize(std::max(mesh.morph_targets.size(), count));
     const auto add = [&](std::vector<glm::vec3>& values, const GltfEntry& target,
                          const char* name) {
-        // Differences that are all 0 want no memory.
+        // Differences that are all 0 are not stored.
         if (!target.has(name) || accessors_.zeros(target, name) != added.count)
             append(values, target, name, added, glm::vec3(0));
         else if (!values.empty())

@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// A node's numbers that lie beyond make sense to nobody, and their products overflow.
+// Throws Rejected for numbers so large that their products would overflow.
 void check_range(const GltfEntry& node, const char* name, const std::vector<double>& values)
 {
     for (const double value : values)
@@ -33,7 +33,7 @@ glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& value
     return out;
 }
 
-// Sets the transform of a node; false if its rotation is four zeros, which turns nothing.
+// Sets the transform of a node; false if its rotation is four zeros, which is no rotation.
 bool place(Node& to, const GltfEntry& from)
 {
     const std::vector<double> matrix = from.numbers("matrix", 16);
@@ -70,7 +70,7 @@ public:
 
     GltfNodes read()
     {
-        constexpr std::size_t node_bytes = 800; // with what posing it wants
+        constexpr std::size_t node_bytes = 800; // including the memory of posing
         file_.account(root_, root_.count("nodes") + root_.count("meshes"), "nodes and meshes",
                       node_bytes);
         GltfNodes out = that_show_something();
@@ -140,7 +140,7 @@ private:
         return out;
     }
 
-    // Depth first and without recursion, so that a parent comes before its children.
+    // Visits nodes depth first, without recursion, so that a parent comes before its children.
     GltfNodes below(const std::vector<int>& roots)
     {
         struct Visit {

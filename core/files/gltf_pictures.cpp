@@ -10,8 +10,8 @@
 namespace trivar {
 namespace {
 
-// The largest memory of all pictures of a file: half a gigabyte, which is 8 of 4096 x 4096
-// pixels, and more where their files have more than a byte to 16 pixels, which photographs have.
+// Returns the memory limit for all pictures of a file: half a gigabyte, which is 8 pictures of 4096
+// x 4096 pixels, and more if the file has more than a byte per 16 pixels, as for photographs.
 std::uintmax_t picture_bytes(std::uintmax_t file_bytes)
 {
     return (std::uintmax_t{1} << 29) + 64 * file_bytes;
@@ -64,7 +64,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
                          "{0} pictures are not in its folder, '{1}' for one", 1, excerpt(uri));
         return known->second;
     } catch (const Rejected& why) {
-        // It may begin with the file's name, which notices are given in any case.
+        // The message may begin with the name of the file, which notices have anyway.
         std::string_view sentence = why.what();
         const std::string file = file_.name() + ": ";
         if (sentence.starts_with(file)) sentence.remove_prefix(file.size());

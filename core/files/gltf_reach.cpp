@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks that finite numbers do not move a mesh beyond the largest allowed coordinates.
+// This file checks that finite numbers do not move a mesh beyond the largest allowed coordinates.
 #include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
-// The largest coordinate of a box's corners where a matrix takes them.
+// Returns the largest coordinate of the corners of a box after a transform.
 double furthest_corner(const Box& box, const glm::dmat4& matrix)
 {
     double out = 0;
@@ -33,7 +33,7 @@ double furthest_corner(const Box& box, const glm::dmat4& matrix)
     return out;
 }
 
-// How far out the meshes of a model are as they stand.
+// Reaches finds the largest coordinates of the meshes of a model in their places.
 class Reaches {
 public:
     explicit Reaches(const Model& model) : model_(model), stance_(stance_at(model, nullptr, 0)) {}
@@ -48,8 +48,8 @@ public:
     }
 
 private:
-    // Nodes that show one mesh with one skin and equal weights have one. Nothing: some vertex is
-    // nowhere.
+    // Returns the box of the mesh of a node; none if some vertex is not finite. Nodes with the same
+    // mesh, skin and weights share a box.
     const std::optional<Box>& box_of(const Node& node, int index)
     {
         const Key key{node.mesh, node.skin, node.morph_weights};

@@ -12,10 +12,11 @@
 namespace trivar {
 namespace {
 
-// Of all nodes, on which the same lines may hang: no more are drawn.
+// Largest number of line points shown by all nodes together; nodes may share their lines.
 constexpr std::size_t most_shown_points = 4 * most_curve_points;
 
-// Reads the meshes that nodes name, in the file's order, and gives the nodes their new numbers.
+// Reads the meshes that nodes name, in the order of the file, and gives the nodes their new
+// numbers.
 void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                       CountedNotices& notices, const Progress& progress)
 {
@@ -57,7 +58,7 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                 "{0} meshes belong to no node of the scene and were left out", unnamed);
 }
 
-// The reason for a file without meshes may be among the parts that were left out.
+// Throws Rejected if there are no meshes; the reason may be among the notices of omitted parts.
 void check_for_faces(const Model& model, const GltfFile& file, const std::vector<std::string>& said)
 {
     const auto has_faces = [](const Ref<Mesh>& mesh) { return mesh->face_count() > 0; };

@@ -11,7 +11,7 @@ namespace {
 
 struct ReadSkin {
     Skin skin;
-    bool whole = true; // with a matrix for each joint, and all of them in the model
+    bool whole = true; // every joint has a matrix and is in the model
 };
 
 ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::vector<int>& node_of,
@@ -23,7 +23,7 @@ ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::v
     if (joints.size() > max_joints)
         from.fail(
             fmt::format("it has {} joints, but may have at most {}", joints.size(), max_joints));
-    constexpr std::size_t joint_bytes = 200; // with its matrix, here and in a pose
+    constexpr std::size_t joint_bytes = 200; // with its matrix, in the file and in a pose
     accessors.file().account(from, joints.size(), "joints", joint_bytes);
     for (const int joint : joints) {
         const bool there = joint >= 0 && static_cast<std::size_t>(joint) < node_of.size() &&
@@ -67,7 +67,7 @@ void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<in
 {
     const GltfFile& file = accessors.file();
     std::vector<bool> whole;
-    std::map<int, std::size_t> last_joints; // by mesh: many nodes may show one
+    std::map<int, std::size_t> last_joints; // by mesh, which many nodes may show
     file.root().each("skins", "skin", [&](const GltfEntry& each) {
         ReadSkin read = read_skin(each, accessors, node_of, notices);
         model.skins.push_back(std::move(read.skin));

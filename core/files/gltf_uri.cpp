@@ -22,7 +22,7 @@ constexpr std::array<std::uint8_t, 256> base64_digits()
     return out;
 }
 
-// Six bits a digit. Line ends are passed over; '=' ends the text.
+// Decodes base64, six bits per digit. Line ends are skipped; '=' ends the text.
 std::optional<std::string> base64_bytes(std::string_view text)
 {
     static constexpr std::array<std::uint8_t, 256> digits = base64_digits();
@@ -42,7 +42,7 @@ std::optional<std::string> base64_bytes(std::string_view text)
         count -= 8;
         out += static_cast<char>(bits >> count & 0xff);
     }
-    if (count >= 6) return {}; // a digit that is left alone is no byte
+    if (count >= 6) return {}; // a single digit is no byte
     return out;
 }
 

@@ -33,7 +33,7 @@ std::string descriptor_path(const char* process, int descriptor)
 int unnamed_file(const std::string& folder)
 {
     const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    // It is named by its entry there.
+    // It can be linked to a name through this path.
     if (file < 0 || ::access(descriptor_path("self", file).c_str(), F_OK) == 0) return file;
     ::close(file);
     return -1;
@@ -91,7 +91,7 @@ void GrowingFile::settle()
 {
     if (std::exchange(settled_, true)) return;
     flush();
-    // Until now it was its owner's alone; it becomes an ordinary one.
+    // Until now only its owner could access the file; it gets the usual permissions.
     if (::fchmod(file_, 0644) != 0 || ::fsync(file_) != 0) fail(errno);
 }
 
@@ -124,7 +124,7 @@ void GrowingFile::finish()
     const std::string unnamed = descriptor_path("self", file_);
     const bool is_new = temporary_.empty() && ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD,
                                                        target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
-    if (!is_new) { // what is there is replaced at one stroke, which wants a name for a moment
+    if (!is_new) { // an existing file is replaced atomically, through a temporary name
         name_temporarily();
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
         temporary_.clear();

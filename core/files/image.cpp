@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30;
 
-// What decoding a picture apart may take. Four million pixels a second are slow; of memory it is
-// what pixels without rows are held in, a thing of files that are not small.
+// Returns the limits of decoding a picture in the helper process. Time is for a slow four million
+// pixels per second; memory is for the pixels, if they are not delivered in rows, which matters for
+// large files only.
 ApartLimits limits_of(const PictureHead& head, std::size_t file_bytes)
 {
     constexpr std::uint64_t least_memory = std::uint64_t{384} << 20, memory_a_byte = 64;
@@ -93,7 +94,8 @@ Image PictureReader::read_bytes(std::string_view bytes, const std::string& name)
     image.name = std::filesystem::path(name).filename().string();
     image.mime = picture_kind(bytes, name).mime;
     image.size_px = picture_size(bytes, name);
-    // Row after row: of a file that says much and has little, little is held.
+    // Rows are appended one by one, so that a short file with a large size in its header needs
+    // little memory.
     image.rgba.reserve(4 * static_cast<std::size_t>(image.size_px.x) *
                        static_cast<std::size_t>(image.size_px.y));
     decoded(bytes, name, {}, [&](std::span<const std::uint8_t> rows) {

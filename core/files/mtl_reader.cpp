@@ -95,7 +95,7 @@ private:
         for (int i = 0; i < 3; ++i) color[i] = read[i];
     }
 
-    // Returns the strength of a normal map.
+    // Sets a texture and returns the strength of a normal map.
     float set_texture(Texture& texture, const TextScan& scan)
     {
         const PictureLine line = picture_line(TextScan(scan).rest(), files_);
@@ -174,7 +174,7 @@ private:
     FolderFiles files_;
     Mtl mtl_;
     PictureReader pictures_;
-    double pixels_ = 0;                        // of all of them together
+    double pixels_ = 0;                        // of all pictures together
     std::map<std::string, Ref<Image>> images_; // by path
     std::string_view keyword_;
     std::string first_unreadable_;

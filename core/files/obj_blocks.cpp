@@ -50,12 +50,12 @@ private:
         if (keyword == "l") return read_line_element();
         if (keyword == "p") ++block_.points;
         if (keyword == "curv" || keyword == "curv2" || keyword == "surf") ++block_.free_forms;
-        // Everything else sets display attributes or belongs to free forms.
+        // All other keywords set display attributes or belong to free-form geometry.
     }
 
     void fail(std::string what) { block_.error = {line_, std::move(what)}; }
 
-    // Reads numbers one after another; how many were there.
+    // Reads up to `most` numbers and returns how many there were.
     template <class T> int numbers(T& to, int most)
     {
         for (int i = 0; i < most; ++i) {
@@ -71,7 +71,7 @@ private:
         glm::vec3 p;
         if (const int read = numbers(p, 3); read < 3)
             return fail(fmt::format("the {} of a vertex {}", "xyz"[read], not_a_number(scan_)));
-        // Three more numbers are a colour; a single one is a weight, which plain points ignore.
+        // Three more numbers are a colour; a single one is a weight, which is ignored for points.
         glm::vec3 color;
         const bool colored = numbers(color, 3) == 3;
         if (colored || !block_.colors.empty()) {
@@ -81,7 +81,7 @@ private:
         block_.v.push_back(p);
     }
 
-    // The element stays, so that those behind it keep their numbers, but no face gets it.
+    // Keeps an invalid element, so that later ones keep their numbers, but no face may use it.
     template <class T> void leave_out(T& element, const char* name)
     {
         element.x = std::numeric_limits<float>::quiet_NaN();
@@ -106,7 +106,7 @@ private:
         block_.vt.push_back(uv);
     }
 
-    // Reads an index as the file has it, from 1 or relative to the end; none if it is not a number.
+    // Reads an index as in the file, from 1 or relative to the end; none if it is not a number.
     std::optional<std::int32_t> index(std::size_t count)
     {
         const auto written = scan_.integer();
@@ -127,7 +127,7 @@ private:
                (*scan_.at == '-' || *scan_.at == '+' || (*scan_.at >= '0' && *scan_.at <= '9'));
     }
 
-    // v, v/vt, v//vn or v/vt/vn, to the next blank.
+    // Reads v, v/vt, v//vn or v/vt/vn up to the next blank.
     std::optional<ObjCorner> corner()
     {
         std::optional<std::int32_t> v = index(block_.v.size()), vt = ObjCorner::none, vn = vt;
@@ -157,7 +157,8 @@ private:
         block_.face_end.push_back(static_cast<std::uint32_t>(block_.corners.size()));
     }
 
-    // v or v/vt, whose vt a line has no use for. What is no vertex is as one that is not there.
+    // Reads a line of v or v/vt, whose vt is ignored. An invalid vertex is treated like a missing
+    // one.
     void read_line_element()
     {
         for (scan_.skip_blanks();; scan_.skip_blanks()) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t block_bytes = 1 << 20;
 
-// Stretches of whole lines, each about block_bytes long.
+// Splits the text into blocks of whole lines of about block_bytes each.
 std::vector<std::string_view> split(std::string_view text)
 {
     std::vector<std::string_view> parts;
@@ -80,7 +80,7 @@ void fill_attributes(Mesh& mesh, const ObjVertices& vertices, const std::vector<
     mesh.positions.resize(count);
     mesh.points.resize(count);
     if (any(&ObjCorner::vt)) mesh.uvs.emplace_back(count, glm::vec2(0));
-    // (0, 0, 0) says that the file gives no normal here.
+    // (0, 0, 0) means that the file gives no normal here.
     if (any(&ObjCorner::vn)) mesh.normals.assign(count, glm::vec3(0));
     if (!colors.empty()) mesh.colors.resize(count);
     std::uint32_t point = 0;
@@ -103,7 +103,7 @@ std::vector<glm::vec4> linear_colors(const std::vector<glm::vec3>& colors)
     return out;
 }
 
-// Statements and parts of faces that were left out.
+// ObjNotices counts the statements and parts of faces that were left out.
 class ObjNotices {
 public:
     ObjNotices(const std::vector<ObjBlock>& blocks, const std::vector<std::string_view>& parts,

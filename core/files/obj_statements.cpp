@@ -28,7 +28,7 @@ public:
     {
     }
 
-    // Libraries first: some files name them after their use.
+    // Reads the libraries first, because some files name them after their use.
     void read_libraries(const std::vector<ObjBlock>& blocks)
     {
         NameList missing, other_case;
@@ -67,7 +67,7 @@ public:
         go_on(faces, count(block.face_end), lines, count(block.line_end));
     }
 
-    // Returns the materials of the lines.
+    // Completes the mesh and returns the materials of the lines.
     std::vector<std::uint32_t> finish()
     {
         const auto unset = [](std::uint32_t i) { return i == none; };
@@ -78,7 +78,7 @@ public:
             plain_used = plain_used || std::ranges::any_of(*materials, unset);
             std::ranges::replace(*materials, none, plain);
         }
-        if (plain_used) // colours of vertices are its colours as they are
+        if (plain_used) // vertex colours are used unchanged
             model_.materials.push_back(mesh_.colors.empty() ? unpainted() : Material());
         auto& groups = mesh_.face_group;
         if (mesh_.group_names.empty()) {
@@ -103,12 +103,12 @@ public:
 private:
     static constexpr std::uint32_t none = ~0u;
 
-    // Which of a block's faces, or lines, are gone, and how far one is.
+    // A GapCursor walks over the faces, or lines, of a block and knows which ones were left out.
     struct GapCursor {
         const std::vector<std::uint32_t>& out;
         std::size_t gone = 0;
         std::uint32_t at = 0;
-        bool next_is_there() // and is passed
+        bool next_is_there() // advances by one
         {
             const bool there = gone == out.size() || out[gone] != at;
             if (!there) ++gone;
@@ -117,7 +117,7 @@ private:
         }
     };
 
-    // What stands before the next statement is as the statements before it say.
+    // Applies the current state to all elements before the next statement.
     void go_on(GapCursor& faces, std::uint32_t face_end, GapCursor& lines, std::uint32_t line_end)
     {
         while (faces.at < face_end) {
@@ -158,7 +158,8 @@ private:
         using Kind = ObjEvent::Kind;
         if (event.kind == Kind::material) material_ = material(std::string(event.text));
         if (event.kind == Kind::group || event.kind == Kind::object) {
-            // Listed when a face comes: an object's name is often followed by its groups' at once.
+            // A group is listed when it gets a face: the name of an object is often followed at
+            // once by that of a group.
             group_name_ = event.text;
             group_named_ = true;
             group_ = none;
@@ -186,7 +187,8 @@ private:
         return at->second;
     }
 
-    // OpenSubdiv's tags: crease 2/1/0 A B SHARPNESS and corner 1/1/0 A SHARPNESS, v from 0.
+    // Reads the tags of OpenSubdiv: crease 2/1/0 A B SHARPNESS and corner 1/1/0 A SHARPNESS,
+    // vertices from 0.
     void add_tag(std::string_view text)
     {
         TextScan scan(text);

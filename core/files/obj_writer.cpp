@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// A name that a line of the format can carry.
+// Makes a name that a line of the format can hold.
 std::string plain_name(std::string name, const std::string& otherwise)
 {
     for (char& c : name)
@@ -48,7 +48,7 @@ private:
 
     void write_mesh(const Mesh& mesh)
     {
-        // One v a point, so that seams are closed when it is read again.
+        // One v is written per point, so that seams are closed when the file is read again.
         std::vector<std::uint32_t> v_of_point(mesh.vertex_count() ? point_count(mesh) : 0, none);
         std::vector<std::uint32_t> v_of(mesh.vertex_count());
         std::uint32_t v_count = 0;
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    // The last point of a closed line is its first one.
+    // Writes the curves. The last point of a closed line is its first one.
     void write_curves(const Curves& curves)
     {
         const std::vector<glm::vec3>& points = curves.points->positions;
@@ -136,7 +136,7 @@ private:
             }
             material_names_.push_back(name);
             const glm::vec4& kd = m.base_color;
-            // Ns is for readers that know no Pr; see the reader for its relation.
+            // Ns is for readers that do not know Pr; mtl_reader.cpp has the formula.
             const double r4 = std::pow(std::max(m.roughness, 0.05f), 4);
             files_.mtl +=
                 fmt::format("newmtl {}\nKd {} {} {}\nd {}\nKe {} {} {}\nNs {}\nPr {}\n"
@@ -169,7 +169,7 @@ private:
     ObjFiles files_;
     fmt::memory_buffer out_;
     std::vector<std::string> material_names_;
-    std::map<const Image*, std::string> image_names_; // looked up only, never walked
+    std::map<const Image*, std::string> image_names_; // only for lookup, never iterated
     std::size_t v_base_ = 0, vt_base_ = 0, vn_base_ = 0;
 };
 

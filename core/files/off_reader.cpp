@@ -27,9 +27,9 @@ public:
         const std::size_t vertices = count("number of vertices");
         const bool one_line = !at_line_end();
         const std::size_t faces = count("number of faces");
-        // Nobody needs it, and some leave it out.
+        // The number of edges is not needed, and some files omit it.
         if (!one_line || !at_line_end()) count("number of edges");
-        // A number and a blank are two bytes, so this many cannot be there.
+        // A number and a blank take two bytes, so more elements than this cannot be in the file.
         if (vertices * 6 + faces * 2 > file_.bytes.size() + 2)
             fail(fmt::format(
                 "{} vertices and {} faces are declared, which is more than {} bytes can hold",
@@ -43,9 +43,9 @@ public:
         const std::string first = fmt::format("line {}", first_left_out_);
         if (left_out_ > 0 && mesh_.face_count() == 0)
             throw Rejected(file_.name + ": " + no_whole_face(first, vertices));
-        // Seams and vertices written twice look alike here, and both are closed.
+        // Seams and duplicate vertices look alike in this format; both are closed.
         mesh_.points = points_by_position(mesh_.positions);
-        // Colours of vertices are its colours as they are.
+        // Vertex colours are used unchanged.
         std::vector<Material> materials{mesh_.colors.empty() ? unpainted() : Material()};
         Model model = single_mesh_model("", std::move(mesh_), std::move(materials));
         if (left_out_ > 0)
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // Three or four numbers to the end of the line, of 0 to 1 or of 0 to 255.
+    // Reads three or four numbers to the end of the line, from 0 to 1 or from 0 to 255.
     glm::vec4 color(std::size_t vertex)
     {
         glm::vec4 result(vector<glm::vec3>(vertex), 1);
@@ -153,7 +153,7 @@ private:
         return result;
     }
 
-    // To the next word, over line ends and comments.
+    // Skips to the next word, over line ends and comments.
     void skip()
     {
         for (;;) {
@@ -180,7 +180,7 @@ private:
     PlainText plain_;
     TextScan scan_;
     Mesh mesh_;
-    std::size_t left_out_ = 0, first_left_out_ = 0; // faces, and a line
+    std::size_t left_out_ = 0, first_left_out_ = 0; // faces, and the line of the first
     bool normals_ = false, colors_ = false, uvs_ = false, face_colors_ = false;
 };
 

@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-// A '\r' that no '\n' follows, from `at` on.
+// Finds a '\r' that is not followed by '\n', from `at` on.
 std::size_t lone_return(std::string_view text, std::size_t at)
 {
     while ((at = text.find('\r', at)) != text.npos && text.substr(at + 1, 1) == "\n") at += 2;
     return at;
 }
 
-// The first two characters with a zero byte each, before it or behind.
+// Says whether the first two characters have a zero byte each, before or after: UTF-16.
 bool two_bytes_each(std::string_view bytes)
 {
     if (bytes.size() < 4) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Formats of one mesh and no materials: PLY, STL, OFF.
+// This file writes the formats of one mesh without materials: PLY, STL, OFF.
 #include "core/files/color.h"
 #include "core/files/flattened.h"
 #include "core/files/formats.h"

@@ -26,8 +26,8 @@ std::optional<PlyType> type_named(std::string_view name)
     return at == types.end() ? std::nullopt : std::optional(at->second);
 }
 
-// The lines of a header. The data behind it may be binary, so the first line says whether '\r'
-// alone ends a line, as old Macs and some programs of today have it.
+// HeaderLines splits a header into lines. The data after it may be binary, so the first line
+// decides whether '\r' alone ends a line, as on old Macs and in some present programs.
 class HeaderLines {
 public:
     explicit HeaderLines(std::string_view text) : rest_(text)

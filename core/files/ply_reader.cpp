@@ -21,7 +21,7 @@
 namespace trivar {
 namespace {
 
-// A corner's vertex where the file has a number below 0: no vertex is called so.
+// The vertex of a corner whose number is below 0; no vertex has this number.
 constexpr std::uint32_t no_vertex = ~0u;
 
 bool is_corners(const PlyProperty& property)
@@ -64,14 +64,14 @@ public:
         if (!corner_uvs_.empty()) corner_uvs_.resize(mesh_.corners.size(), glm::vec2(0));
         const Curves curves = lines_.curves(mesh_.positions, mesh_.colors);
         leave_out_faces(curves.line_count() > 0);
-        // Those that only edges use are no damage to be told of.
+        // Vertices that only edges use are not reported as damage.
         if (curves.line_count() > 0 && corner_uvs_.empty())
             mesh_ = without_loose_vertices(std::move(mesh_));
         if (!corner_uvs_.empty()) mesh_ = with_corner_uvs(mesh_, corner_uvs_);
-        // The format has no other way to say a seam than two vertices at one place.
+        // The format marks a seam only by two vertices at one place.
         mesh_.points = points_by_position(mesh_.positions);
         say_what_was_left_out();
-        // Colours of vertices are its colours as they are.
+        // Vertex colours are used unchanged.
         std::vector<Material> materials{mesh_.colors.empty() ? unpainted() : Material()};
         Model model = single_mesh_model("", std::move(mesh_), std::move(materials));
         model.notices = std::move(notices_);
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    // The destination of a vertex property: x y z, normal, colour, u v.
+    // Returns the destination of a vertex property: x y z, normal, colour, u v.
     static std::optional<std::size_t> slot(const std::string& name)
     {
         static const std::pair<std::string_view, std::size_t> slots[] = {
@@ -140,7 +140,8 @@ private:
         }
     }
 
-    // A value that is not a number or does not fit a float becomes 0 if the mesh does not need it.
+    // Reads a number. NaN and values that do not fit a float become 0 if the mesh does not need
+    // them.
     double finite_value(const PlyProperty& property, bool needed)
     {
         const double value = values_.value(property.type);
@@ -152,7 +153,7 @@ private:
         return 0;
     }
 
-    // Whole numbers are display values, as scanners write them; fractions are linear light.
+    // Converts a colour: integers are sRGB, as scanners write them; fractions are linear.
     static glm::vec4 color(const double* v, const double* scale)
     {
         glm::vec4 rgba(v[6] * scale[6], v[7] * scale[7], v[8] * scale[8],
@@ -203,7 +204,7 @@ private:
         return static_cast<std::uint32_t>(index);
     }
 
-    // MeshLab's "wedges": u and v for each corner of the face.
+    // Reads the "wedges" of MeshLab: u and v for each corner of the face.
     std::vector<float> read_corner_uvs(const PlyProperty& property)
     {
         std::vector<float> uvs(values_.list_length(property));
@@ -211,7 +212,7 @@ private:
         return uvs;
     }
 
-    // Of the last face. Corners that have none get 0, 0.
+    // Adds the coordinates of the corners of the last face; missing ones are 0, 0.
     void add_corner_uvs(const std::vector<float>& uvs)
     {
         const std::size_t first = mesh_.face_begin[mesh_.face_count() - 1];
@@ -224,8 +225,9 @@ private:
             corner_uvs_[first + i / 2] = {uvs[i], uvs[i + 1]};
     }
 
-    // Three vertices in a row are a triangle, every second one turned round; below 0 another strip
-    // begins. A vertex twice in a row is how a strip turns, and is no triangle.
+    // Reads triangle strips: three consecutive vertices are a triangle, every second one reversed;
+    // a number below 0 begins another strip. A repeated vertex turns the strip and gives no
+    // triangle.
     void read_strips(const PlyElement& element)
     {
         check_corners(element);
@@ -250,7 +252,7 @@ private:
         }
     }
 
-    // Between the vertices vertex1 and vertex2, which may come later.
+    // Reads edges between vertex1 and vertex2, which may be defined later.
     void read_edges(const PlyElement& element)
     {
         std::size_t vertices = 0;
@@ -273,7 +275,7 @@ private:
         }
     }
 
-    // Those that name a vertex that is not there.
+    // Leaves out the faces that name a missing vertex.
     void leave_out_faces(bool has_lines)
     {
         const auto there = [&](std::uint32_t v) { return v < mesh_.vertex_count(); };

@@ -92,7 +92,8 @@ void PlyValues::skip(const PlyProperty& property)
     for (std::size_t i = 0; i < count; ++i) value(property.type);
 }
 
-// Each value takes at least its size, or in text a character and a blank.
+// Throws Rejected if the file is too short: each value takes at least its size, or in text a
+// character and a blank.
 void PlyValues::check_count(const PlyElement& element) const
 {
     std::size_t least = 0;

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// The checksum uses the polynomial of ISO 3309, as in annex D of PNG.
+// Table of the checksum: the polynomial of ISO 3309, as in annex D of PNG.
 constexpr std::array<std::uint32_t, 256> crc_of_bytes = [] {
     std::array<std::uint32_t, 256> out{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {

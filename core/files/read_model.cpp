@@ -33,7 +33,7 @@ Model read_format(const FileText& file, const std::string& extension, const Prog
         fmt::format("{}: models are read from .obj, .ply, .stl, .off, .gltf and .glb", file.name));
 }
 
-// Unit length everywhere: what the file gives as zero or as no number comes from the faces.
+// Makes all normals unit; those that are zero or not finite are computed from the faces.
 void complete_normals(Mesh& mesh)
 {
     const std::vector<glm::vec3> smooth = smooth_normals(mesh);
@@ -143,7 +143,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
                                         : ": it has no faces and no lines"));
     for (const std::string& sentence : sentences(repairs))
         model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
-    if (model.materials.empty()) { // colours of vertices are its colours as they are
+    if (model.materials.empty()) { // vertex colours are used unchanged
         const bool colored = std::ranges::any_of(
             model.meshes, [](const Ref<Mesh>& mesh) { return !mesh->colors.empty(); });
         model.materials.push_back(colored ? Material() : unpainted());

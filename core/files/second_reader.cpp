@@ -11,18 +11,18 @@
 namespace trivar {
 namespace {
 
-// What somebody else's reader finds in the bytes: a file that was written wrong must not pass
-// because it is read wrong in the same way.
+// Reads the bytes with an independent reader, so that a wrongly written file does not pass because
+// it is read wrongly in the same way.
 tinygltf::Model read_by_tinygltf(const std::string& bytes)
 {
     if (bytes.size() > std::numeric_limits<unsigned>::max())
         throw Rejected("a GLB file has at most 4 GB");
-    glb_views(bytes); // its chunks lie in it, and its JSON is not nested too deep for a parser
+    glb_views(bytes); // throws for bad chunks and for JSON too deep for a parser
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);
-    // It names no other file.
+    // It must not open other files.
     loader.SetFsCallbacks(
         {[](const std::string&, void*) { return false; },
          [](const std::string& path, void*) { return path; },
@@ -54,7 +54,8 @@ public:
         return list[static_cast<std::size_t>(index)];
     }
 
-    // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
+    // Reads an accessor whose elements have the size of `Value`. A limit on all copied bytes keeps
+    // a file from using one accessor many times.
     template <class Value> std::vector<Value> values(int index)
     {
         const tinygltf::Accessor& accessor = at(model.accessors, index);
@@ -133,7 +134,7 @@ try {
     return out;
 } catch (const Rejected&) {
     throw;
-} catch (const std::exception&) { // where a value has another type than it expects
+} catch (const std::exception&) { // a value has an unexpected type
     throw Rejected("it is refused by tinygltf");
 }
 

@@ -19,7 +19,8 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
     std::vector<glm::vec3> corners(std::size_t{3} * count);
     for (std::size_t t = 0; t < count; ++t) {
         float values[9];
-        // The stored normal comes first; it follows from the corners and is often wrong.
+        // The stored normal comes first. It is skipped: it follows from the corners and is often
+        // wrong.
         std::memcpy(values, file.bytes.data() + header_bytes + t * triangle_bytes + 12,
                     sizeof values);
         for (std::size_t c = 0; c < 3; ++c) {
@@ -34,7 +35,7 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
     return corners;
 }
 
-// Keywords are written in small letters or in capitals.
+// Compares a keyword, which may be in small letters or in capitals.
 bool is_keyword(std::string_view word, std::string_view keyword)
 {
     const auto same = [](char a, char b) {
@@ -43,7 +44,8 @@ bool is_keyword(std::string_view word, std::string_view keyword)
     return std::ranges::equal(word, keyword, same);
 }
 
-// Binary files may begin with "solid" too, but the size behind a long header has a byte that is 0.
+// Says whether the file is text. Binary files may begin with "solid" too, but the size after
+// their header has a byte 0.
 bool is_text(std::string_view bytes)
 {
     TextScan scan(without_mark(bytes));

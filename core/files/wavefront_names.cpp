@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-constexpr int most_words = 16; // of a name behind an option that is not known
+constexpr int most_words = 16; // of a name after an unknown option
 
 std::string_view without_quotes(std::string_view name)
 {
@@ -17,12 +17,12 @@ std::string_view without_quotes(std::string_view name)
     return quoted ? name.substr(1, name.size() - 2) : name;
 }
 
-// "a b.mtl c.mtl" to "a b.mtl" and "c.mtl".
+// Splits "a b.mtl c.mtl" into "a b.mtl" and "c.mtl".
 std::vector<std::string_view> split_behind_mtl(std::string_view words)
 {
     std::vector<std::string_view> names;
     TextScan scan(words);
-    std::string_view name = scan.rest(); // to the end of the line, until its own end is found
+    std::string_view name = scan.rest(); // to the end of the line, until its end is found
     for (auto word = scan.word(); !word.empty(); word = scan.word()) {
         if (!word.ends_with(".mtl") && !word.ends_with(".MTL")) continue;
         names.push_back(name.substr(0, static_cast<std::size_t>(scan.at - name.data())));
@@ -32,12 +32,12 @@ std::vector<std::string_view> split_behind_mtl(std::string_view words)
     return names;
 }
 
-// The options of a picture.
+// PictureOptions parses the options of a picture.
 class PictureOptions {
 public:
     PictureOptions(TextScan& scan, PictureLine& line) : scan_(scan), line_(line) {}
 
-    // To the name, or to an option that is not known, which is returned.
+    // Reads up to the name, or up to an unknown option, which is returned.
     std::string_view read()
     {
         for (;;) {
@@ -61,18 +61,19 @@ private:
         } else if (option == "-clamp") {
             line_.clamped = on();
         } else if (option == "-cc" || option == "-blendu" || option == "-blendv") {
-            on(); // colour correction and blurring beyond the picture's edges
+            on(); // colour correction, blurring beyond edges
         } else if (option == "-boost" || option == "-texres") {
-            number(); // sharpness and size of what is sampled
+            number(); // sharpness, size of the texture
         } else if (option == "-imfchan" || option == "-type" || option == "-colorspace") {
-            scan_.word(); // a grey picture's channel, a reflection's kind, the colours' space
+            scan_.word(); // channel of a gray picture, kind of a reflection, colour space
         } else {
             return false;
         }
         return true;
     }
 
-    // Options with numbers are left out; with their default numbers they change nothing.
+    // Reads up to `most` numbers of an option and notes it as left out, unless they are its default
+    // numbers, which have no effect.
     bool changes(std::string_view option, int most, const std::array<double, 3>& usual)
     {
         bool same = true;
@@ -82,7 +83,7 @@ private:
         return true;
     }
 
-    // The next word, where all of it is a number.
+    // Returns the next word if all of it is a number.
     std::optional<double> number()
     {
         TextScan ahead = scan_, word(ahead.word());
@@ -140,7 +141,8 @@ PictureLine picture_line(std::string_view words, FolderFiles& files)
     line.name = without_quotes(scan.rest());
     line.file = files.find(line.name);
     if (line.file || unknown.empty()) return line;
-    // It may have any number of words: the first rest of the line that is a file is the name.
+    // An unknown option may have any number of words: the first rest of the line that is a file is
+    // the name.
     line.left_out.emplace_back(unknown);
     for (int i = 0; i < most_words && !line.file; ++i) {
         scan.word();

@@ -7,7 +7,7 @@
 namespace trivar {
 namespace {
 
-// Whether a triangle of the face, cut as a writer cuts it, has three different positions.
+// Says whether a triangle of the face, triangulated as writers do, has three different positions.
 bool has_a_triangle(const Mesh& mesh, std::size_t face, const glm::dmat4& matrix)
 {
     Mesh alone;
@@ -42,7 +42,7 @@ bool holds_curves(const std::string& path)
 void check_writable(const Model& model, const std::string& path)
 {
     if (holds_curves(path) && line_count(model) > 0) return;
-    // GLB keeps the places of nodes beside the meshes, the others have meshes where they stand.
+    // A GLB stores nodes separately from meshes; the other formats store transformed meshes.
     const bool in_place = extension_of(path) != ".glb";
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const int mesh = model.nodes[n].mesh;

@@ -42,7 +42,7 @@ void check_finite(const Model& model, const std::string& path)
                                        path, printable(m.name)));
 }
 
-// Files that the OBJ names are written first, so that it never names a missing file.
+// Writes the files that the OBJ names before it, so that it never names a missing file.
 void write_obj_files(const Model& model, const std::string& path, const SourceFiles& sources)
 {
     const std::filesystem::path target(path);

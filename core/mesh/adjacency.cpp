@@ -57,7 +57,7 @@ void Adjacency::take_rounds(std::size_t points)
 
 void Adjacency::take_edges()
 {
-    // The sides of an edge stand where those of its smaller end are.
+    // The sides of an edge are stored with the smaller of its two points.
     const std::size_t points = point_count();
     std::vector<std::uint32_t> begin(points + 1, 0);
     const auto low = [&](std::uint32_t c) { return std::min(points_[c], points_[next(c)]); };
@@ -66,7 +66,7 @@ void Adjacency::take_edges()
     sides_.resize(points_.size());
     std::vector<std::size_t> first_edge((points + points_together - 1) / points_together + 1, 0);
     parallel_blocks(points, points_together, [&](std::size_t first, std::size_t last) {
-        std::vector<std::uint64_t> round; // the other end of a side and its corner
+        std::vector<std::uint64_t> round; // the other end of a side, and its corner
         std::size_t edges = 0;
         for (auto p = static_cast<std::uint32_t>(first); p < last; ++p) {
             round.clear();

@@ -31,7 +31,7 @@ std::vector<double> value_at(const Channel& channel, double time_s)
 {
     const bool cubic = channel.interpolation == Channel::Interpolation::cubic;
     const bool turns = channel.of == Channel::Of::rotation;
-    // The part of a key: of a cubic one 0 the tangent in, 1 the value, 2 the tangent out.
+    // Returns a part of a key; for a cubic one 0 is the in-tangent, 1 the value, 2 the out-tangent.
     const auto part = [&](std::size_t key, std::size_t which) {
         const std::size_t n = channel.components;
         const std::size_t at = (cubic ? 3 * key + which : key) * n;

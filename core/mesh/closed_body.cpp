@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// By point, a point of its piece that stands for all of it.
+// Returns for each point a point that represents its piece.
 std::vector<std::uint32_t> pieces(const Adjacency& adjacency)
 {
     std::vector<std::uint32_t> parent(adjacency.point_count());
@@ -30,7 +30,7 @@ bool is_closed_body(const Mesh& mesh)
     const Adjacency adjacency(mesh);
     if (!adjacency.is_closed()) return false;
     const std::vector<std::uint32_t> piece = pieces(adjacency);
-    std::vector<double> volume(piece.size(), 0); // six times, by what stands for a piece
+    std::vector<double> volume(piece.size(), 0); // six times, by representative
     const glm::dvec3 origin(mesh.positions[mesh.corners.front()]);
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Of a matrix that moves places: squares of its cofactors keep to double precision.
+// Largest entry of a matrix for positions: squares of its cofactors stay within double precision.
 constexpr double most_factor = 1e30;
 
 template <class T> bool all_finite(const std::vector<T>& values)
@@ -32,7 +32,8 @@ bool all_finite(const std::vector<Mesh::MorphTarget>& targets)
     });
 }
 
-// What a pose multiplies and adds up keeps to single precision as long as no number is beyond this.
+// Says whether the products and sums of a pose stay within single precision: no number is too
+// large.
 bool small_enough(const Pose& pose)
 {
     const auto small = [](float value) { return std::abs(value) <= static_cast<float>(1e18); };
@@ -74,7 +75,7 @@ std::optional<Box> Extent::posed(const Pose* pose) const
         const Box rough = posed_bounds(box_, morphs ? *targets_ : std::vector<Box>(), *pose);
         if (within_reach(rough)) return rough;
     }
-    const Mesh exact = trivar::posed(*mesh_, *pose); // a joint may be far out that moves nothing
+    const Mesh exact = trivar::posed(*mesh_, *pose); // a distant joint may have no weight
     const Box box = bounding_box(exact);
     return all_finite(exact) && within_reach(box) ? std::optional(box) : std::nullopt;
 }

@@ -12,7 +12,7 @@ glm::dvec3 origin(const Stance& stance, int node)
     return glm::dvec3(stance.to_model[static_cast<std::size_t>(node)][3]);
 }
 
-// The offset that is added to a foot.
+// Returns the offset that is added to a foot.
 glm::dvec3 shift_at(const Gait& gait, const Foot& foot, double time_s)
 {
     const double t = (time_s - gait.begin_s) / gait.period_s - foot.begin;

@@ -13,13 +13,13 @@ namespace trivar {
 namespace {
 
 constexpr std::size_t poses = 96;
-constexpr double near_ground = 0.05;   // of the model's height: near the ground
-constexpr double foot_size = 0.25;     // of the box's diagonal, from its lowest vertex
-constexpr std::size_t followed = 4096; // vertices: more say no more
+constexpr double near_ground = 0.05; // relative to the height of the model
+constexpr double foot_size = 0.25;   // relative to the diagonal of the box, from the lowest vertex
+constexpr std::size_t followed = 4096; // vertices; more do not help
 constexpr std::size_t most_points = 32;
 constexpr std::size_t most_feet = 64;
 
-// A vertex that comes near the ground, through the period.
+// A Track follows a vertex that comes near the ground, through the period.
 struct Track {
     ModelVertex vertex;
     std::vector<glm::dvec3> at;
@@ -28,7 +28,7 @@ struct Track {
 struct Ground {
     glm::dvec3 up;
     double level = 0, near = 0; // heights
-    glm::dvec3 velocity{0};     // of what stands on it, a period
+    glm::dvec3 velocity{0};     // of the ground relative to the model, per period
     double height(const glm::dvec3& p) const { return glm::dot(p, up); }
     glm::dvec3 along(const glm::dvec3& p) const { return p - height(p) * up; }
 };
@@ -63,7 +63,7 @@ template <class T> const T& cyclic(const std::vector<T>& values, std::size_t i)
     return values[i % values.size()];
 }
 
-// A period's way at the speed of that moment.
+// Returns the velocity at a moment, as the distance per period.
 glm::dvec3 velocity(const std::vector<glm::dvec3>& at, std::size_t i)
 {
     return (cyclic(at, i + 1) - cyclic(at, i + at.size() - 1)) * (at.size() / 2.0);
@@ -76,7 +76,7 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-// Finds the velocity that most of the low vertices have.
+// Finds the velocity of most of the low vertices.
 glm::dvec3 ground_velocity(const std::vector<Track>& tracks, const Ground& ground)
 {
     std::array<std::vector<double>, 3> seen;
@@ -94,7 +94,7 @@ glm::dvec3 ground_velocity(const std::vector<Track>& tracks, const Ground& groun
     return ground.along(out);
 }
 
-// Whether two vertices are of one rigid thing, or nearly, and near each other.
+// Says whether two vertices move rigidly together, or nearly, and are near each other.
 bool together(const Track& a, const Track& b, double size, double stride)
 {
     double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -106,16 +106,16 @@ bool together(const Track& a, const Track& b, double size, double stride)
     return least < size && most - least < stride / 4;
 }
 
-// The path of a foot: its lowest height in each pose, and how far what touches the ground there, or
-// would if it were lower, goes along it to the next. While a sole rolls that is its heel first, and
-// its toes at last.
+// A Path is the way of a foot: its lowest height in each pose, and the step to the next pose of the
+// vertices that touch the ground, or would if the foot were lower. While a sole rolls these are
+// first its heel and last its toes.
 struct Path {
     std::vector<double> height;
     std::vector<glm::dvec3> step;
 };
 Path path_of(const std::vector<const Track*>& tracks, const Ground& ground)
 {
-    constexpr double thick = 1.0 / 25; // of what is near the ground
+    constexpr double thick = 1.0 / 25; // relative to the height that counts as near the ground
     Path out{std::vector<double>(poses, std::numeric_limits<double>::infinity()),
              std::vector<glm::dvec3>(poses, glm::dvec3(0))};
     for (std::size_t i = 0; i < poses; ++i)
@@ -138,27 +138,27 @@ Path path_of(const std::vector<const Track*>& tracks, const Ground& ground)
     return out;
 }
 
-// Poses from `begin` on, perhaps past the last one.
+// A Run is a range of poses, which may continue past the last one.
 struct Run {
     std::size_t begin = 0, count = 0;
 };
 
-// The longest run in which the foot is near the ground and goes with it, but for short whiles in
-// which it stays near.
+// Finds the longest run in which the foot is near the ground and moves with it; short interruptions
+// count, if the foot stays near.
 Run stance_of(const Path& path, const Ground& ground)
 {
-    constexpr double dips = 0.2; // of the time: toes may dip below the ground as they push off
+    constexpr double dips = 0.2; // of the period: toes dip below the ground as they push off
     std::vector<double> heights = path.height;
     const auto level = heights.begin() + static_cast<std::ptrdiff_t>(dips * poses);
     std::nth_element(heights.begin(), level, heights.end());
     const double speed = glm::length(ground.velocity);
-    constexpr double along = 0.4; // of the ground's speed
+    constexpr double along = 0.4; // relative to the speed of the ground
     constexpr std::size_t short_while = poses / 8;
     const auto low = [&](std::size_t i) {
         return path.height[i % poses] < std::max(*level, ground.level) + 0.75 * ground.near;
     };
     const auto near = [&](std::size_t i) { return low(i) && low(i + 1); };
-    const auto goes = [&](std::size_t i) { // from there to the next pose
+    const auto goes = [&](std::size_t i) { // from this pose to the next
         return near(i) &&
                glm::dot(path.step[i % poses], ground.velocity) * poses > along * speed * speed;
     };
@@ -172,7 +172,7 @@ Run stance_of(const Path& path, const Ground& ground)
     return best;
 }
 
-// Whether one of two nodes hangs on the other.
+// Says whether one of two nodes is an ancestor of the other.
 bool of_one_limb(const Model& model, int a, int b)
 {
     const auto below = [&](int lower, int upper) {
@@ -226,7 +226,7 @@ std::vector<const Track*> sole_of(const std::vector<const Track*>& tracks, const
     return out;
 }
 
-// Without the ends in which the foot is lifted already: more than it rises in the middle.
+// Removes the ends of a run in which the foot is lifted more than it rises in the middle.
 Run without_lifted_ends(Run run, const Path& path, const Ground& ground)
 {
     std::vector<double> heights, off;
@@ -234,7 +234,7 @@ Run without_lifted_ends(Run run, const Path& path, const Ground& ground)
         heights.push_back(std::max(cyclic(path.height, run.begin + i), ground.level));
     const double level = median(heights);
     for (double& height : heights) off.push_back(height = std::abs(height - level));
-    constexpr double flat = 1.0 / 50; // of what is near the ground: a thousandth of the height
+    constexpr double flat = 1.0 / 50; // of the height that counts as near the ground
     const double most = std::max(flat * ground.near, 2 * median(std::move(off)));
     while (run.count > 0 && heights[run.count - 1] > most) --run.count;
     std::size_t first = 0;
@@ -242,11 +242,11 @@ Run without_lifted_ends(Run run, const Path& path, const Ground& ground)
     return {(run.begin + first) % poses, run.count - first};
 }
 
-// A foot in a gait that is not settled yet: as it goes through its stance.
+// A SeenFoot is a foot as the clip has it, before it is locked: its path and its stance.
 struct SeenFoot {
     Path path;
     Run stance;
-    glm::dvec3 velocity{0}; // in the stance, mostly
+    glm::dvec3 velocity{0}; // median over the stance
 };
 
 std::optional<SeenFoot> seen_foot(const Cluster& cluster, const Ground& ground)
@@ -267,7 +267,8 @@ std::optional<SeenFoot> seen_foot(const Cluster& cluster, const Ground& ground)
     return out;
 }
 
-// Nodes from below the first fork to another foot down to the foot's own.
+// Lists the leg of each foot: from the node below the last fork to another foot down to the node of
+// the foot.
 void find_legs(const Model& model, std::vector<Foot>& feet)
 {
     std::vector<std::set<std::size_t>> below(model.nodes.size()); // feet
@@ -282,13 +283,14 @@ void find_legs(const Model& model, std::vector<Foot>& feet)
     }
 }
 
-// In the stance what touches the ground goes with it, by as little as that takes. In the air what
-// was added fades from one stance to the next, setting out and arriving as fast as it went there.
-// The whole foot is lifted off what it would sink into, and in the air soon clear of it.
+// Computes the shift of a foot. In the stance the part that touches the ground moves with it, by
+// the least shift. In the air the shift fades from one stance to the next, with the velocities of
+// both ends. The foot is lifted so that it does not sink into the ground, and in the air soon well
+// above it.
 void settle(Foot& foot, const SeenFoot& seen, const Gait& gait, const Ground& ground)
 {
     constexpr double soon = poses / 16.0; // steps
-    constexpr double clear = 1.0 / 4;     // of what is near the ground
+    constexpr double clear = 1.0 / 4;     // of the height that counts as near the ground
     const std::size_t steps = seen.stance.count - 1;
     foot.begin = static_cast<double>(seen.stance.begin) / poses;
     foot.end = foot.begin + static_cast<double>(steps) / poses;
@@ -318,8 +320,8 @@ void settle(Foot& foot, const SeenFoot& seen, const Gait& gait, const Ground& gr
     }
 }
 
-// That of an axis of the model, where it is one but for what a hand or a rolling sole is off: so
-// models are built, and so they lie along a stroke.
+// Returns the direction of a way, snapped to an axis of the model if it is nearly along one: models
+// are built along axes, and lie along a stroke by them.
 glm::dvec3 direction_of(const glm::dvec3& way, const glm::dvec3& up)
 {
     constexpr double off_deg = 3, level = 1e-9;
@@ -363,7 +365,7 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up, double 
     ground.level = low.ground;
     const std::vector<Track> tracks = tracks_of(model, all, low.vertices);
     ground.velocity = ground_velocity(tracks, ground);
-    constexpr double least_stride = 1e-3; // of the box's diagonal: less is trembling
+    constexpr double least_stride = 1e-3; // relative to the diagonal of the box; less is noise
     if (glm::length(ground.velocity) < least_stride * size) return gait;
 
     std::vector<SeenFoot> seen;

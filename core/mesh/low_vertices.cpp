@@ -16,7 +16,7 @@ const Mesh& mesh_on(const Model& model, int node)
                 .meshes[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh)];
 }
 
-// The lowest height of every vertex of the mesh on a node.
+// Finds the lowest height of every vertex of the mesh on a node.
 std::vector<double> lowest_heights(const Model& model, int node, const std::vector<Stance>& all,
                                    const glm::dvec3& up)
 {

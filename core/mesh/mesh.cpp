@@ -41,7 +41,7 @@ void check_indices(const std::vector<std::uint32_t>& indices, std::size_t expect
                                        index, limit));
 }
 
-// The first vertex at each vertex's position, by sorting.
+// Finds the first vertex at the position of each vertex, by sorting.
 std::vector<std::uint32_t> first_by_sorting(const std::vector<glm::vec3>& positions)
 {
     std::vector<std::uint32_t> order(positions.size()), first(positions.size());
@@ -59,8 +59,8 @@ std::vector<std::uint32_t> first_by_sorting(const std::vector<glm::vec3>& positi
     return first;
 }
 
-// The same by a hash with open addressing, or nothing where it takes too many probes: positions
-// may have been chosen to collide.
+// Finds the same by a hash with open addressing; none if it takes too many probes, because
+// positions may have been chosen to collide.
 std::vector<std::uint32_t> first_by_hash(const std::vector<glm::vec3>& positions)
 {
     const std::uint32_t none = ~0u;
@@ -92,9 +92,8 @@ template <class T> void keep(std::vector<T>& values, const std::vector<std::uint
     values.resize(kept.size());
 }
 
-// Numbers the points of the vertices that are kept from 0 in the order of first appearance: a
-// number beyond them would be none, and the mesh be another than one made without the vertices that
-// go.
+// Numbers the points of the kept vertices from 0 in the order of first appearance, so that the mesh
+// is the same as one made without the removed vertices.
 void renumber_points(Mesh& mesh, const std::vector<std::uint32_t>& kept)
 {
     const std::uint32_t none = ~0u;
@@ -204,7 +203,7 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& matrix)
     Mesh result = mesh;
     const glm::dmat3 linear(matrix);
     const double determinant = glm::determinant(linear);
-    // Cofactors rather than the inverse: they exist for a flattening matrix too.
+    // Cofactors are used instead of the inverse because they exist for a singular matrix too.
     const glm::dmat3 cofactors =
         glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                    glm::cross(linear[0], linear[1])) *

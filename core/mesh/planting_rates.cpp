@@ -30,7 +30,7 @@ Rates inverse_of(const Rates& x, double least)
 
 } // namespace
 
-// At any moment, from what it is at the middle one.
+// Bounds the share of the point at any moment, from its value at the middle one.
 Rates PlantingRates::share(int node, const Rates& point) const
 {
     const int which = bone_of_node_[index_of(node)];
@@ -53,7 +53,7 @@ Rates PlantingRates::at(int node, const Rates& point) const
     return product(product(share(node, point), inverse_share_), displacement_);
 }
 
-// Whether something is known of them.
+// Adds the bones of a leg; false if no bound is known.
 bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance& middle,
                               const std::vector<LocalRates>& local)
 {
@@ -65,7 +65,7 @@ bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance
     for (int n = model.nodes[index_of(foot.leg.front())].parent; n >= 0;
          n = model.nodes[index_of(n)].parent)
         rigid = rigid && local[index_of(n)].rigid;
-    double reach = 0, whole = 0; // at most
+    double reach = 0, whole = 0; // bounds
     for (std::size_t i = 0; i + 1 < foot.leg.size(); ++i) {
         const int joint = foot.leg[i], next = foot.leg[i + 1];
         Bone bone;
@@ -90,7 +90,7 @@ bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance
         bone.above = {length.most + length.first * half_s_, length.first, length.second};
         bone.direction = {1, 0, 0};
         if (way.most == 0 && way.first == 0 && way.second == 0) continue;
-        constexpr double clearly = 1e-6; // and so at all times more than no_length
+        constexpr double clearly = 1e-6; // so that it is above no_length at all times
         const double least = way.most - way.first * half_s_;
         if (!(least > clearly * std::max(reach, whole))) return false;
         bone.direction = direction_of(way, least);
@@ -102,7 +102,7 @@ bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance
     return true;
 }
 
-// Whether something is known of it.
+// Adds the sole of a foot; false if no bound is known.
 bool PlantingRates::add_sole(const Model& model, const Clip& clip, const Foot& foot,
                              const Stance& middle, double middle_s)
 {

@@ -9,7 +9,7 @@ namespace trivar {
 namespace kernel {
 using namespace glm;
 
-// The formulas of core/kernel as C++. The shaders include the same text.
+// A PoseKernel evaluates the formulas of core/kernel in C++; the shaders include the same text.
 struct PoseKernel {
     const Mesh& mesh;
     const Pose& pose;
@@ -182,7 +182,7 @@ Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& p
         morphed.hi += glm::max(a, b);
     }
     if (pose.joints.empty()) return morphed;
-    Box out; // a mean of what the joints make of a point is in the box of all that
+    Box out; // a skinned point is a mean of points moved by joints, so it is in their box
     for (const glm::mat4& joint : pose.joints)
         for (const glm::dvec3& corner : morphed.corners())
             out.add(glm::dvec3(glm::dmat4(joint) * glm::dvec4(corner, 1)));

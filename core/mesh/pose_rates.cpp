@@ -23,7 +23,7 @@ std::vector<double> part_of_key(const Channel& c, std::size_t key, std::size_t w
 {
     const std::size_t n = c.components;
     const bool cubic = c.interpolation == Channel::Interpolation::cubic;
-    const std::size_t at = (cubic ? 3 * key + which : key) * n; // 0 tangent in, 1 value, 2 out
+    const std::size_t at = (cubic ? 3 * key + which : key) * n; // 0 in-tangent, 1 value, 2 out
     return {c.values.begin() + static_cast<std::ptrdiff_t>(at),
             c.values.begin() + static_cast<std::ptrdiff_t>(at + n)};
 }
@@ -32,7 +32,7 @@ struct Jet {
     std::vector<double> value, first, second;
 };
 
-// A cubic between two keys, not normalised, and its derivatives.
+// Evaluates a cubic between two keys, not normalised, and its derivatives.
 Jet cubic_at(const Channel& c, std::size_t key, double time_s)
 {
     const std::vector<double> p0 = part_of_key(c, key, 1), m0 = part_of_key(c, key, 2),
@@ -51,8 +51,8 @@ Jet cubic_at(const Channel& c, std::size_t key, double time_s)
     return out;
 }
 
-// A cubic's second derivative is linear, so it is largest at an end; the middle and that bound the
-// others.
+// Bounds the rates of a cubic: its second derivative is linear, so that it is largest at an end;
+// this and the middle bound the others.
 Rates cubic_rates(const Channel& c, std::size_t key, double from_s, double to_s,
                   const auto& size_of)
 {
@@ -107,12 +107,12 @@ ChannelRates rates_of(const Channel& c, double from_s, double to_s)
     return {{std::max(size_of(a), size_of(b)), gone / span, 0}};
 }
 
-double norm_of(const glm::dmat3& m) // no less than its operator norm
+double norm_of(const glm::dmat3& m) // at least its operator norm
 {
     return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
 }
 
-// A rotation times a number has that norm; others are bounded by all of their entries.
+// Bounds the operator norm: tight for a rotation times a number, by all entries for others.
 double tight_norm_of(const glm::dmat3& m)
 {
     const glm::dmat3 square = glm::transpose(m) * m;
@@ -121,7 +121,7 @@ double tight_norm_of(const glm::dmat3& m)
     return std::min(norm_of(m), std::sqrt(scale + norm_of(rest)));
 }
 
-// It turns, mirrors and scales alike in all directions, but for what single precision makes of it.
+// Says whether a matrix is a rotation or reflection with uniform scale, up to single precision.
 bool keeps_angles(const glm::dmat3& m)
 {
     constexpr double rounding = 1e-6;
@@ -156,7 +156,7 @@ std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Cli
 {
     struct Moving {
         ChannelRates translation, rotation, scale;
-        bool moved = false, even = false; // scaled alike in all directions
+        bool moved = false, even = false; // even: uniform scale
     };
     const auto alike = [](double x, double y, double z) { return x == y && y == z; };
     std::vector<Moving> moving(model.nodes.size());

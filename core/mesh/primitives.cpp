@@ -24,7 +24,8 @@ void check_count(int value, int least, int most, const char* what)
         throw Rejected(fmt::format("{} must be {} to {}, not {}", what, least, most, value));
 }
 
-// i of n on the unit circle; the quarter points exact, i and n + i the same bits.
+// Returns point i of n on the unit circle; quarter points are exact, and i and n + i have the same
+// bits.
 glm::dvec2 on_circle(int i, int n)
 {
     i %= n;
@@ -39,13 +40,13 @@ glm::dvec2 on_circle(int i, int n)
     return {std::cos(angle), std::sin(angle)};
 }
 
-// From -size / 2 to size / 2, the same bits mirrored.
+// Returns value i of n from -size / 2 to size / 2, with mirrored bits.
 double centred(double size, int i, int n)
 {
     return size * (2 * i - n) / (2.0 * n);
 }
 
-// The disk that closes a cylinder: rings, so that it bends with the rest.
+// Adds the disk that closes a cylinder, in rings, so that it bends with the rest.
 void append_cap(Mesh& mesh, double radius, double z, bool top, int segments)
 {
     const int rings = std::max(1, segments / 8);
@@ -83,7 +84,7 @@ Mesh box_mesh(glm::dvec3 size, glm::ivec3 segments)
     Mesh mesh;
     for (int axis = 0; axis < 3; ++axis)
         for (const int sign : {1, -1}) {
-            // The horizontal and the vertical axis of the side as seen from outside.
+            // These are the horizontal and the vertical axis of the side, seen from outside.
             const int a = axis == 2 ? 0 : (axis + (axis == 0 ? 1 : 2)) % 3, b = axis == 2 ? 1 : 2;
             const double mirror = (axis == 1 ? -1 : 1) * sign;
             append_grid(mesh, {segments[a], segments[b]}, [&](int i, int j) {
@@ -109,9 +110,10 @@ Mesh sphere_mesh(double radius, int segments, int rings)
     Mesh mesh;
     append_grid(mesh, {segments, rings}, [&](int i, int j) {
         const bool pole = j == 0 || j == rings;
-        // The triangle at a pole keeps its left corner at the south, its right one at the north.
+        // The triangle at a pole keeps its left corner at the south pole, its right one at the
+        // north pole.
         const double middle = j == 0 ? 0.5 : j == rings ? -0.5 : 0;
-        // From the south pole on, a half circle of a full one of 2 rings steps.
+        // The meridian is half of a circle of 2 rings steps, from the south pole on.
         const glm::dvec2 meridian = on_circle(j, 2 * rings);
         const glm::dvec2 around = on_circle(i, segments);
         const glm::dvec3 n(pole ? glm::dvec2(0) : around * meridian.y, -meridian.x);
@@ -169,7 +171,7 @@ Mesh moebius_mesh(double radius, double width, glm::ivec2 segments)
     check_count(segments.y, 1, 2000, "segments of the Moebius band");
     Mesh mesh;
     append_grid(mesh, segments, [&](int i, int j) {
-        // The band comes back turned over: the last column is the first one upside down.
+        // The band closes with a half turn: the last column is the first one upside down.
         const bool back = i == segments.x;
         const glm::dvec2 c = on_circle(i, segments.x),
                          half = on_circle(back ? 0 : i, 2 * segments.x);

@@ -11,16 +11,16 @@
 namespace trivar {
 namespace {
 
-// Two faces that share an edge no third face has.
+// Neighbours are two faces that share an edge with no third face.
 struct Neighbours {
     std::uint32_t a, b;
-    bool against; // both run along it in the same direction
+    bool against; // both have the edge in the same direction
 };
 
 std::vector<Neighbours> neighbours(const Mesh& mesh)
 {
     struct Edge {
-        std::uint32_t other, face; // the larger point, and who uses it
+        std::uint32_t other, face; // the larger point, and the face
         bool upward;
     };
     // Every edge is filed under its smaller point.
@@ -61,7 +61,7 @@ std::vector<Neighbours> neighbours(const Mesh& mesh)
     return result;
 }
 
-// Which faces to turn: in each component that can be consistent, the smaller of the two parties.
+// Chooses the faces to turn: in each component that can be consistent, the smaller of its two sets.
 std::vector<bool> faces_to_turn(std::size_t faces, const std::vector<Neighbours>& pairs)
 {
     struct Link {
@@ -105,7 +105,7 @@ std::vector<bool> faces_to_turn(std::size_t faces, const std::vector<Neighbours>
     return turn;
 }
 
-// Whether there are three different points among corners of which no two neighbours are at one.
+// Says whether corners, of which no two neighbours are at one point, have three different points.
 bool has_three_points(const Mesh& mesh, const std::uint32_t* begin, const std::uint32_t* end)
 {
     if (end - begin < 3) return false;
@@ -114,7 +114,7 @@ bool has_three_points(const Mesh& mesh, const std::uint32_t* begin, const std::u
                        [&](std::uint32_t v) { return mesh.point(v) != a && mesh.point(v) != b; });
 }
 
-// Drops repeated corners and then faces with fewer than three; returns how many of each.
+// Removes repeated corners, then faces with fewer than three; returns the number of each.
 std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
 {
     std::vector<std::uint32_t> corners, face_begin{0};

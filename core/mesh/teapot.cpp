@@ -15,9 +15,9 @@ constexpr double newell_height = 3.15;
 
 using Weights = std::array<double, 4>;
 
-// Bernstein polynomials of degree 3 at i / n. Written in i / n and (n - i) / n, so that i and
-// n - i give the same numbers mirrored: neighbours that run along a common side in opposite
-// directions then meet bit for bit.
+// Computes the Bernstein polynomials of degree 3 at i / n. They are functions of i / n and (n - i)
+// / n, so that i and n - i give the same numbers mirrored: neighbours with opposite directions
+// along a common side then meet bit for bit.
 Weights bernstein(int i, int n)
 {
     const double t = double(i) / n, s = double(n - i) / n;
@@ -30,7 +30,7 @@ Weights bernstein_derivative(int i, int n)
     return {-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
 }
 
-// Summed from both ends: symmetric for the same reason.
+// Adds up from both ends, so that the sum is symmetric for the same reason.
 glm::dvec3 sum(const Weights& w, const std::array<glm::dvec3, 4>& p)
 {
     return (w[0] * p[0] + w[3] * p[3]) + (w[1] * p[1] + w[2] * p[2]);
@@ -55,8 +55,8 @@ GridVertex patch_vertex(std::size_t patch, int i, int j, int n)
     GridVertex vertex{patch_sum(patch, row, column), {}, {double(i) / n, double(j) / n}};
     const glm::dvec3 along = patch_sum(patch, d_row, column);
     glm::dvec3 across = patch_sum(patch, row, d_column);
-    // At the lid's top and the bottom's centre a whole row is one point: near it `across` grows
-    // with the mixed derivative.
+    // At the top of the lid and the centre of the bottom a whole row is one point: near it `across`
+    // grows with the mixed derivative.
     if (glm::length(across) < 1e-9) across = patch_sum(patch, d_row, d_column);
     vertex.normal = glm::normalize(glm::cross(along, across));
     return vertex;

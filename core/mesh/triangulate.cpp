@@ -14,11 +14,11 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Ears are cut from a ring of corners 0 .. n - 1, counter-clockwise in the plane. Only reflex
-// corners can lie in an ear, and cutting one changes only its two neighbours: O(n) ear tests of
-// O(reflex corners). Where a polygon crosses itself and has no ear left, a corner is cut anyway.
-// A corner beside one that was cut waits till all others had their turn: of a round polygon every
-// second one goes in each round, and no triangle is a sliver that most of its corners share.
+// An EarCutter cuts ears from a ring of corners 0 .. n - 1, counter-clockwise in the plane. Only
+// reflex corners can lie in an ear, and cutting one changes only its two neighbours: O(n) ear tests
+// of O(reflex corners). If a polygon crosses itself and has no ear left, a corner is cut anyway.
+// The neighbour of a cut corner waits until all others had their turn: of a round polygon each
+// round cuts every second corner, and no fan of slivers at one corner results.
 class EarCutter {
 public:
     explicit EarCutter(std::vector<glm::dvec2> polygon)
@@ -46,7 +46,7 @@ public:
         for (std::size_t i = 0; i < p_.size(); ++i)
             if (ear(i)) ears.push_back({i, 0});
         std::size_t left = p_.size(), somewhere = 0;
-        bool look_again = true; // a corner that is no longer reflex may have made ears anywhere
+        bool look_again = true; // a corner that stops being reflex may make ears anywhere
         while (left > 3) {
             std::size_t i;
             if (!ears.empty()) {
@@ -99,7 +99,7 @@ private:
     std::vector<bool> alive_;
 };
 
-// The corners without the axis that the normal is longest along, counter-clockwise.
+// Projects the corners along the axis in which the normal is longest, counter-clockwise.
 std::vector<glm::dvec2> flattened(const Mesh& mesh, std::size_t face, const glm::dvec3& normal)
 {
     const glm::dvec3 size = glm::abs(normal);

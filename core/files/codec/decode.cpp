@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Spreads gray, gray-alpha, RGB or more channels to RGBA.
+// Converts gray, gray-alpha, RGB or more channels to RGBA.
 template <class T>
 std::vector<T> to_rgba(const std::vector<T>& pixels, std::size_t channels, T full)
 {
@@ -33,14 +33,14 @@ std::vector<std::uint8_t> display_bytes(const std::vector<float>& linear)
 {
     std::vector<std::uint8_t> bytes(linear.size());
     for (std::size_t i = 0; i < linear.size(); ++i) {
-        float value = linear[i] > 0 ? std::min(linear[i], 1.0f) : 0.0f; // NaN is 0
+        float value = linear[i] > 0 ? std::min(linear[i], 1.0f) : 0.0f; // NaN becomes 0
         if (i % 4 != 3) value = srgb_from_linear(value);
         bytes[i] = static_cast<std::uint8_t>(std::lround(value * 255));
     }
     return bytes;
 }
 
-// Some rows at a time, so that beside the picture itself only these are held.
+// Number of rows per step: only these are in memory besides the picture itself.
 constexpr int scanlines_at_a_time = 64;
 
 template <class T>
@@ -76,13 +76,13 @@ try {
     OIIO::Filesystem::IOMemReader memory(task.bytes.data(), task.bytes.size());
     const auto input = OIIO::ImageInput::create(task.format, false);
     OIIO::ImageSpec hints, spec;
-    hints.attribute("oiio:UnassociatedAlpha", 1); // glTF's alpha is not multiplied in
+    hints.attribute("oiio:UnassociatedAlpha", 1); // the alpha of glTF is not premultiplied
     if (!input || !input->supports("ioproxy")) return {};
     OIIO::Filesystem::IOProxy* proxy = &memory;
     hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     input->set_ioproxy(proxy);
     if (!input->open("picture", spec, hints)) {
-        input->geterror(); // or it is kept for nobody
+        input->geterror(); // clears the message
         return {};
     }
     if (glm::ivec2(spec.width, spec.height) != task.size_px || spec.depth > 1 || spec.nchannels < 1)
@@ -96,7 +96,7 @@ try {
                         : read_rows(*input, std::uint8_t{255}, OIIO::TypeDesc::UINT8, take);
     if (!decoded.whole) input->geterror();
     return decoded;
-} catch (const std::exception&) { // the library's, or there is no memory for what it wants
+} catch (const std::exception&) { // of the library, or out of memory
     return {};
 }
 

@@ -26,7 +26,7 @@ template <class Channel> std::string encoded(const EncodeTask& task, std::span<c
     OIIO::ImageSpec spec(task.size_px.x, task.size_px.y, output->supports("alpha") ? 4 : 3, type);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("CompressionQuality", 95);
-    spec.attribute("DateTime", ""); // else some formats are given the present time
+    spec.attribute("DateTime", ""); // else some formats store the current time
     for (const auto& [tag, words] : task.tags) spec.attribute(tag, words);
     bool written = false;
     if (task.extension == ".exr" || task.extension == ".hdr") {
@@ -65,7 +65,7 @@ bool writes_pictures(const std::string& extension)
 void keep_to_one_thread()
 {
     OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1); // in OpenEXR none beside the one that asks
+    OIIO::attribute("exr_threads", -1); // OpenEXR starts no threads of its own
 }
 
 } // namespace

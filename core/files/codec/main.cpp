@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// trivar-picture decodes pictures for Trivar, which starts it (core/files/pictures/apart.h): orders
-// come in by its standard input, pixels go out by its standard output. It has bounds of memory and
-// of time, and may fail in any way.
+// trivar-picture decodes pictures for Trivar, which starts it (core/files/pictures/apart.h): it
+// reads orders from its standard input and writes pixels to its standard output. Its memory and
+// time are limited, and it may fail in any way.
 #include "core/base/rejected.h"
 #include "core/files/pictures/door.h"
 #include "core/files/pictures/wire.h"
@@ -22,7 +22,7 @@ namespace trivar {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool has_bound_of_memory = false; // a sanitizer reserves far more than there is
+constexpr bool has_bound_of_memory = false; // a sanitizer reserves far more than the bound
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 constexpr bool has_bound_of_memory = false;
@@ -55,7 +55,7 @@ rlim_t used_s()
     return static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
 }
 
-// Nothing: the line has ended, and so does this program.
+// Reads exactly `count` bytes; false at the end of the input, at which this program exits.
 bool read_all(void* to, std::size_t count)
 {
     auto* at = static_cast<char*>(to);
@@ -114,7 +114,7 @@ void serve(const Codec& codec)
         std::string words(order.word_bytes, '\0'), file(order.file_bytes, '\0');
         if (!read_all(words.data(), words.size()) || !read_all(file.data(), file.size())) return;
         if (has_bound_of_memory) bound(RLIMIT_AS, at_start + file.size() + order.memory_bytes);
-        bound(RLIMIT_CPU, used_s() + order.cpu_s + 1); // of whole seconds, the first has begun
+        bound(RLIMIT_CPU, used_s() + order.cpu_s + 1); // rounded up to whole seconds
         decode(codec, order, words, file);
     }
 }
@@ -126,7 +126,7 @@ int main()
 {
     using namespace trivar;
     bound(RLIMIT_CORE, 0);
-    mallopt(M_ARENA_MAX, 1); // a second one would be taken for a picture's
+    mallopt(M_ARENA_MAX, 1); // another arena would count as memory of a picture
     std::set_new_handler([] { ::_exit(no_memory_status); });
     try {
         const Codec& codec = picture_codec();
@@ -136,5 +136,5 @@ int main()
         std::cerr << "trivar-picture: " << error.what() << "\n";
         return 1;
     }
-    ::_exit(0); // there is nothing to tidy up
+    ::_exit(0); // no clean-up is needed
 }

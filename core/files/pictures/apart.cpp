@@ -22,13 +22,13 @@
 namespace trivar {
 namespace {
 
-// Its libraries may come from a slow disk.
+// Time for starting the helper: its libraries may come from a slow disk.
 constexpr int start_ms = 60000;
-// What neither takes nor says a byte for so long has fallen asleep; what works is stopped by the
-// system after its share of the processor's time, which others may stretch.
+// Time without any byte read or written, after which the helper counts as hung. A busy helper is
+// stopped by the system when it has used its processor time, which other programs may stretch.
 constexpr int silent_ms_a_cpu_s = 3000;
 
-struct HelperEnd { // the helper did, or it fell silent
+struct HelperEnd { // the helper exited, or it is hung
     bool silent = false;
 };
 
@@ -50,9 +50,9 @@ pid_t started(const std::string& program, int line)
     posix_spawn_file_actions_init(&actions);
     for (const int end : {STDIN_FILENO, STDOUT_FILENO})
         posix_spawn_file_actions_adddup2(&actions, line, end);
-    // What its libraries say of a damaged picture is for nobody.
+    // Messages of its libraries about damaged pictures are discarded.
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    // In a group of its own, Ctrl C does not reach it: it ends when its line does.
+    // In its own process group the helper does not get Ctrl C: it exits at the end of its input.
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
@@ -92,7 +92,7 @@ ApartDecoder::ApartDecoder()
         throw;
     }
     try {
-        received(sizeof(PictureAnswer), start_ms); // it is ready
+        received(sizeof(PictureAnswer), start_ms); // the helper is ready
     } catch (const HelperEnd&) {
         end();
         throw Rejected(
@@ -110,7 +110,7 @@ int ApartDecoder::end()
     int status = 0;
     if (id_ < 0) return status;
     ::close(std::exchange(line_, -1));
-    ::kill(id_, SIGKILL); // one that has ended by itself keeps its status
+    ::kill(id_, SIGKILL); // no effect on the status of one that has exited
     while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
     id_ = -1;
     return status;
@@ -182,7 +182,7 @@ try {
                                        static_cast<std::uint64_t>(order.height_px);
     while (true) {
         const auto answer = message_of<PictureAnswer>(received(sizeof(PictureAnswer), wait_ms));
-        if (answer.bytes > most) throw HelperEnd{}; // it went mad
+        if (answer.bytes > most) throw HelperEnd{}; // the helper is corrupted
         const std::string bytes = received(answer.bytes, wait_ms);
         if (answer.what == PictureAnswer::What::rows) {
             take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
@@ -199,7 +199,7 @@ try {
     }
 } catch (const HelperEnd& ended) {
     fail(ended.silent, limits);
-} catch (...) { // of who takes the rows: there may be more of them on the line
+} catch (...) { // of `take`: more rows may follow, so the helper is stopped
     end();
     throw;
 }

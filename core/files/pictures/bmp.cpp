@@ -7,7 +7,8 @@
 #include <array>
 #include <fmt/format.h>
 
-// Microsoft, Bitmap Storage: a head of 14 bytes, then one that begins with its own length.
+// BMP (Microsoft, Bitmap Storage): a file header of 14 bytes, then one that begins with its own
+// length.
 namespace trivar {
 
 PictureHead bmp_head(const ByteView& file, Look look)
@@ -19,7 +20,7 @@ PictureHead bmp_head(const ByteView& file, Look look)
     const bool small = length == 12;
     const std::int64_t wide = small ? file.little(18, 2) : file.little(18, 4);
     std::int64_t high = small ? file.little(20, 2) : file.little(22, 4);
-    if (!small && high > 0x7fffffff) high = (std::int64_t{1} << 32) - high; // from the top
+    if (!small && high > 0x7fffffff) high = (std::int64_t{1} << 32) - high; // negative: top-down
     const std::uint32_t bits = small ? file.little(24, 2) : file.little(28, 2);
     const std::uint32_t packing = small ? 0 : file.little(30, 4);
     if (bits != 32 && std::ranges::find(depths, bits) == depths.end())

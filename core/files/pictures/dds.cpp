@@ -7,12 +7,13 @@
 #include <array>
 #include <fmt/format.h>
 
-// Microsoft, Programming Guide for DDS: four bytes, a head of 124, for some a second of 20.
+// DDS (Microsoft, Programming Guide for DDS): four bytes, a header of 124 and, in some files,
+// another of 20.
 namespace trivar {
 namespace {
 
-// Bytes of a block of 4 x 4 pixels, by the name of the packing, or by its number in the second
-// head.
+// A Packing gives the bytes per block of 4 x 4 pixels, by the name of the compression or by its
+// number in the second header.
 struct Packing {
     std::string_view name;
     std::uint32_t block_bytes;
@@ -36,7 +37,8 @@ std::uint32_t block_bytes(const ByteView& file)
     throw Rejected("has an unknown compression; use DXT1, DXT3, DXT5, BC4, BC5, BC6H or BC7");
 }
 
-// A decoder shifts by a channel's mask till its first bit, which must be there.
+// Throws Rejected if a channel has an empty mask, because a decoder shifts by it up to its first
+// bit.
 void check_masks(const ByteView& file, std::uint32_t flags)
 {
     constexpr std::uint32_t with_alpha = 1, alpha_only = 2, colors = 0x40, gray = 0x20000;

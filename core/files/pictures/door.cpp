@@ -17,7 +17,7 @@ const Codec& picture_codec()
         throw Rejected(fmt::format("cannot be read or written: {}, a part of Trivar, is neither "
                                    "beside the program nor in lib/trivar; install Trivar again",
                                    file));
-    // The system opens it once and counts; it is never closed.
+    // The system loads the library once and counts its uses; it is never closed.
     void* const opened = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* const codec = opened ? ::dlsym(opened, "trivar_codec") : nullptr;
     if (!codec)

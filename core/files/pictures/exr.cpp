@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-// OpenEXR File Layout: a magic number, a version with flags, attributes with a name, a type, a
-// length and a value each up to an empty name, then where each piece of the pixels begins.
+// OpenEXR (File Layout): a magic number, a version with flags, attributes up to an empty name, each
+// with a name, a type, a length and a value, then the offset of each chunk of pixels.
 namespace trivar {
 namespace {
 
@@ -27,10 +27,10 @@ struct ExrPart {
     std::optional<ExrWindow> data, display;
     std::uint32_t channels = 0, bytes_a_channel = 2, packing = 0;
     std::uint32_t tile_width = 0, tile_height = 0, tile_levels = 0, tile_rounding = 0;
-    std::optional<std::uint32_t> pieces; // as it says itself
+    std::optional<std::uint32_t> pieces; // according to the header
 };
 
-// Up to its null byte; of names there are few long ones.
+// Returns the name up to its null byte.
 std::string_view exr_name(const ByteView& file, std::uint64_t at)
 {
     constexpr std::uint64_t longest = 255;
@@ -38,7 +38,7 @@ std::string_view exr_name(const ByteView& file, std::uint64_t at)
     const std::string_view text = file.bytes.substr(at, longest + 1);
     const std::size_t end = text.find('\0');
     if (end == std::string_view::npos) {
-        file.part(at, longest + 1); // else it is cut off
+        file.part(at, longest + 1); // Throws Rejected if the file ends here.
         throw Rejected("is damaged: a name in its header has no end");
     }
     return text.substr(0, end);
@@ -83,7 +83,7 @@ void read_attribute(std::string_view name, const ByteView& value, ExrPart& part)
     }
 }
 
-// Where the attributes end.
+// Reads the attributes of a part and returns where they end.
 std::uint64_t read_part(const ByteView& file, std::uint64_t at, ExrPart& part)
 {
     while (true) {
@@ -99,10 +99,10 @@ std::uint64_t read_part(const ByteView& file, std::uint64_t at, ExrPart& part)
     }
 }
 
-// Rows that are packed together: by the number of the way in which they are.
+// Number of rows that are compressed together, by the number of the compression.
 constexpr std::array<std::uint32_t, 10> rows_a_piece{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
 
-// Tiles over a side at each of its levels: the whole, and what halving makes of it.
+// Returns the number of tiles along a side for each level: the full size and its halvings.
 std::vector<std::uint64_t> tiles_of_levels(std::uint64_t side, std::uint32_t tile, int levels,
                                            bool up)
 {
@@ -168,7 +168,7 @@ PictureHead exr_head(const ByteView& file, Look look)
                            static_cast<int>(part.channels),
                            static_cast<int>(part.bytes_a_channel)};
     if (look == Look::head_only) return head;
-    // The display's window is where it is shown: it may be elsewhere, not of a size beyond all.
+    // The display window may be at another place, but must not be extremely large.
     constexpr std::int64_t far = 1 << 20;
     for (const ExrWindow& window : {*part.data, *part.display})
         if (window.wide() < 1 || window.high() < 1 || std::abs(std::int64_t{window.left}) > far ||
@@ -177,7 +177,7 @@ PictureHead exr_head(const ByteView& file, Look look)
     if (part.packing >= rows_a_piece.size()) throw Rejected("has an unknown compression; use ZIP");
     if (several) {
         if (!part.pieces) throw Rejected("is damaged: its header does not count its chunks");
-        for (std::uint32_t parts = 1; file.byte(at) != 0; ++parts) { // the others are left alone
+        for (std::uint32_t parts = 1; file.byte(at) != 0; ++parts) { // other parts are not read
             ExrPart other;
             at = read_part(file, at, other);
         }

@@ -3,11 +3,11 @@
 
 #include "core/base/rejected.h"
 
-// CompuServe, GIF89a Specification, 17 to 26.
+// GIF (CompuServe, GIF89a Specification, sections 17 to 26).
 namespace trivar {
 namespace {
 
-// Behind blocks of at most 255 bytes with their lengths, an empty one at their end.
+// Skips blocks of at most 255 bytes, each with its length, up to an empty one.
 std::uint64_t behind_blocks(const ByteView& file, std::uint64_t at)
 {
     while (const std::uint32_t length = file.byte(at)) at += 1 + length;

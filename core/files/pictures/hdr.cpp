@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// G. Ward, Radiance: lines of text up to an empty one, a line with the size, pixels.
+// Radiance HDR (G. Ward): lines of text up to an empty one, a line with the size, pixels.
 namespace trivar {
 namespace {
 
@@ -24,7 +24,8 @@ HdrLine line_at(const ByteView& file, std::uint64_t at)
     return {file.part(at, end), at + end + 1};
 }
 
-// -Y 480 +X 640: 480 rows of 640 from the top, from the left; the signs tell other corners.
+// Parses the size: -Y 480 +X 640 is 480 rows of 640, from the top left; other signs are other
+// corners.
 glm::ivec2 size_of(std::string_view line)
 {
     const auto refuse = [] {
@@ -55,7 +56,8 @@ PictureHead hdr_head(const ByteView& file, Look look)
     line = line_at(file, line.next);
     const PictureHead head{size_of(line.text), 3, 4};
     if (look == Look::head_only) return head;
-    // A row of the packed form has 4 bytes and four channels, of which two bytes say up to 127.
+    // In the compressed form a row has 4 bytes and four channels, in which two bytes can stand for
+    // 127 values.
     const auto wide = static_cast<std::uint64_t>(head.size_px.x);
     const auto high = static_cast<std::uint64_t>(head.size_px.y);
     const bool packed = wide >= 8 && wide < 32768 && file.big(line.next, 2) == 0x0202;

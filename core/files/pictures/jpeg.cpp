@@ -6,22 +6,23 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-// ITU-T T.81, annex B: segments that begin with a marker, ff and another byte.
+// JPEG (ITU-T T.81, annex B): segments that begin with a marker, ff and another byte.
 namespace trivar {
 namespace {
 
 enum : std::uint32_t { start_of_scan = 0xda, end_of_image = 0xd9 };
 
-// A scan goes over all pixels, and few bytes make one: a thousand keep a decoder for hours. Usual
-// are ten of ten pixels a byte.
+// Limits of the pixels of all scans together. A scan covers all pixels but may have few bytes: a
+// thousand scans keep a decoder busy for hours. Usual are ten scans of ten pixels per byte.
 constexpr std::uint64_t scanned_a_byte = 8192, scanned_anyway = 100 << 20;
 
-bool stands_alone(std::uint32_t marker) // without a length
+bool stands_alone(std::uint32_t marker) // has no length
 {
     return marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
 }
 
-// Of the frames those that decoders in use know: baseline, extended, progressive; also arithmetic.
+// Says whether a marker begins a frame that common decoders support: baseline, extended,
+// progressive, also with arithmetic coding.
 bool begins_frame(std::uint32_t marker)
 {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
@@ -42,7 +43,7 @@ PictureHead jpeg_frame(const ByteView& file, std::uint64_t at, std::uint32_t mar
         if (across < 1 || across > 4 || down < 1 || down > 4)
             throw Rejected("is damaged: its channels have wrong sizes");
     }
-    // What is not baseline keeps coefficients of two bytes till its end.
+    // Decoders of other than baseline files hold all coefficients, of two bytes each, to the end.
     return {{file.big(at + 5, 2), file.big(at + 3, 2)},
             static_cast<int>(channels),
             marker == 0xc0 || marker == 0xc1 ? 1 : 2};
@@ -55,11 +56,11 @@ PictureHead jpeg_head(const ByteView& file, Look look)
     PictureHead head;
     std::uint64_t frames = 0, scans = 0;
     for (std::uint64_t at = 2;;) {
-        // Between segments and in scans: up to the next marker. Decoders pass over what is between.
+        // Skips to the next marker, between segments and in scans, as decoders do.
         const auto is_marker = [&] {
             return file.byte(at) == 0xff && file.byte(at + 1) != 0 && file.byte(at + 1) != 0xff;
         };
-        // Pixels may all be there where only the end is not: the decoder finds out.
+        // If only the end is missing, all pixels may be there; the decoder finds out.
         const auto may_end = [&] { return scans == 1 && at + 1 >= file.size(); };
         while (!may_end() && !is_marker()) ++at;
         if (may_end()) break;

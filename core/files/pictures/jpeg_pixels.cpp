@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <csetjmp>
-#include <cstdio> // jpeglib.h wants it before itself
+#include <cstdio> // needed by jpeglib.h
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -14,7 +14,7 @@ namespace trivar {
 namespace {
 
 struct JpegErrors {
-    jpeg_error_mgr manager{}; // the first, as the library wants it
+    jpeg_error_mgr manager{}; // must be the first member
     std::jmp_buf out{};
     bool damaged = false, ended = false;
 };
@@ -24,8 +24,8 @@ void leave_jpeg(j_common_ptr jpeg)
     std::longjmp(reinterpret_cast<JpegErrors*>(jpeg->err)->out, 1);
 }
 
-// Data that is wrong or missing is shown as something gray or coloured. Nobody should take that for
-// the picture; what else is said is of no weight.
+// Notes that data is wrong or missing: the decoder fills such places with gray or other colours,
+// which must not pass for the picture. Other messages are ignored.
 void note_jpeg(j_common_ptr jpeg, int level)
 {
     auto& errors = *reinterpret_cast<JpegErrors*>(jpeg->err);
@@ -36,7 +36,8 @@ void note_jpeg(j_common_ptr jpeg, int level)
                      code == JWRN_MUST_RESYNC;
 }
 
-// Inks, from none, 255, to all, 0, as all programs write them since the first that did.
+// Converts inks to RGB. An ink is inverted, from 255, none, to 0, full, as all programs write it
+// since the first one that did.
 void rgba_from_inks(const std::vector<std::uint8_t>& inks, std::vector<std::uint8_t>& rgba)
 {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -47,10 +48,10 @@ void rgba_from_inks(const std::vector<std::uint8_t>& inks, std::vector<std::uint
 }
 
 struct JpegRows {
-    std::vector<std::uint8_t> read, rgba; // one of each, four channels
+    std::vector<std::uint8_t> read, rgba; // one row each, four channels
 };
 
-// No object is made between setjmp and what may jump.
+// Decodes the rows. No object with a destructor is made between setjmp and code that may jump.
 bool read_jpeg_rows(jpeg_decompress_struct& jpeg, JpegErrors& errors, const DecodeTask& task,
                     JpegRows& rows, const TakeRows& take)
 {
@@ -91,7 +92,7 @@ DecodeResult jpeg_pixels(const DecodeTask& task, const TakeRows& take)
     DecodeResult decoded;
     try {
         decoded = {read_jpeg_rows(jpeg, errors, task, rows, take), 8, {}};
-    } catch (...) { // of who takes the rows
+    } catch (...) { // of `take`
         jpeg_destroy_decompress(&jpeg);
         throw;
     }

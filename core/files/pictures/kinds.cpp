@@ -15,10 +15,10 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr int max_side_px = 16384;
-// Few kinds pack more pixels of four bytes in one. One colour may take no bytes at all: 4096 x 4096
-// pixels may always be.
+// Limits of the pixels by the size of the file. Few formats pack more pixels of four bytes into
+// one; a single colour may take almost no bytes, so that 4096 x 4096 pixels are always allowed.
 constexpr std::uint64_t pixels_a_byte = 1024, pixels_anyway = 1 << 24;
-// OpenEXR files of films have tens, for the shares of light and masks.
+// OpenEXR files of films have tens of channels, for light passes and masks.
 constexpr int max_channels = 64;
 
 constexpr PictureKind kind_png{"PNG", "png", "image/png", png_head, png_pixels};

@@ -8,11 +8,11 @@
 #include <array>
 #include <fmt/format.h>
 
-// PNG specification (W3C), 11.2.2: the first chunk is IHDR.
+// PNG (W3C specification, 11.2.2): the first chunk is IHDR.
 namespace trivar {
 namespace {
 
-// Channels by the type of colour; 0: there is no such type.
+// Number of channels by colour type; 0: not a valid type.
 constexpr std::array<int, 7> png_channels{1, 0, 3, 3, 2, 0, 4};
 
 } // namespace

@@ -25,10 +25,10 @@ void take_png_bytes(png_structp png, png_bytep to, std::size_t count)
     left.remove_prefix(count);
 }
 
-// Whatever its pixels are, they become RGBA with 8 bits a channel.
+// Asks the library to convert all pixels to RGBA with 8 bits per channel.
 void ask_for_rgba(png_structp png, png_infop info)
 {
-    png_set_expand(png); // tables, fewer bits, one colour that is clear
+    png_set_expand(png); // palettes, fewer bits, one transparent colour
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
     png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
@@ -36,12 +36,12 @@ void ask_for_rgba(png_structp png, png_infop info)
     png_read_update_info(png, info);
 }
 
-// No object is made between setjmp and what may jump.
+// Decodes the rows. No object with a destructor is made between setjmp and code that may jump.
 bool read_rows(png_structp png, png_infop info, const DecodeTask& task,
                std::vector<std::uint8_t>& rows, const TakeRows& take)
 {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    // Of what is neither size, table, clearness nor pixels nothing is used: profiles, dates, words.
+    // Chunks other than size, palette, transparency and pixels are not used: profiles, dates, text.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
     ask_for_rgba(png, info);
@@ -82,7 +82,7 @@ DecodeResult png_pixels(const DecodeTask& task, const TakeRows& take)
     DecodeResult decoded;
     try {
         decoded.whole = read_rows(png, info, task, rows, take);
-    } catch (...) { // of who takes the rows
+    } catch (...) { // of `take`
         png_destroy_read_struct(&png, &info, nullptr);
         throw;
     }

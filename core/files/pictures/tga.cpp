@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
-// Truevision, TGA File Format Specification 2.0.
+// TGA (Truevision, TGA File Format Specification 2.0).
 namespace trivar {
 namespace {
 
-constexpr std::uint64_t head_bytes = 18, foot_bytes = 26; // it may have no foot
+constexpr std::uint64_t head_bytes = 18, foot_bytes = 26; // the footer is optional
 
-// What the foot names lies in the file: dates and names of its maker, a small picture of it.
+// Throws Rejected if a block that the footer names is outside the file: dates and names of the
+// author, a thumbnail.
 void check_foot(const ByteView& file)
 {
     if (file.size() < head_bytes + foot_bytes ||

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-// Adobe, TIFF Revision 6.0: the file's first directory, entries of 12 bytes: tag, type, count,
-// values.
+// TIFF (Adobe, Revision 6.0): the first directory of the file has entries of 12 bytes: tag, type,
+// count, values.
 namespace trivar {
 namespace {
 
@@ -39,8 +39,8 @@ public:
         file.part(at_, 2 + 12 * std::uint64_t{count_} + 4);
     }
 
-    // The numbers of a tag; none where it is missing. Those of other types than the unsigned whole
-    // ones are not looked at.
+    // Returns the numbers of a tag; empty if it is missing. Types other than unsigned integers are
+    // ignored.
     std::vector<std::uint32_t> all(std::uint32_t tag) const
     {
         for (std::uint64_t entry = at_ + 2; entry < at_ + 2 + 12 * std::uint64_t{count_};
@@ -76,7 +76,7 @@ private:
     std::uint32_t at_ = 0, count_ = 0;
 };
 
-// Strips over the whole width, or tiles.
+// TiffPieces are strips over the whole width, or tiles.
 struct TiffPieces {
     std::uint64_t wide, high;
     std::vector<std::uint32_t> begin, bytes;
@@ -95,7 +95,7 @@ TiffPieces tiff_pieces(const TiffDirectory& directory, const glm::ivec2& size)
 void check_pieces(const ByteView& file, const TiffDirectory& directory, const PictureHead& head)
 {
     const TiffPieces pieces = tiff_pieces(directory, head.size_px);
-    // Decoders hold a piece as a whole. Usual are rows of 8 kB, and tiles of 64 to 1024.
+    // Decoders hold a whole piece. Usual are strips of 8 kB, and tiles of 64 to 1024 pixels.
     constexpr std::uint64_t most = 1 << 14;
     if (pieces.wide == 0 || pieces.high == 0 || pieces.wide > most || pieces.high > most)
         throw Rejected("is damaged: its strips or tiles have a wrong size");
@@ -125,7 +125,7 @@ PictureHead tiff_head(const ByteView& file, Look look)
         static_cast<int>(std::min(directory.one(tag_channels, 1), 1000u)),
         static_cast<int>(deepest + 7) / 8};
     if (look == Look::head_only) return head;
-    // None, the three of fax machines, LZW, JPEG, Deflate twice, PackBits.
+    // Uncompressed, three of fax machines, LZW, JPEG, both Deflates, PackBits.
     constexpr std::array<std::uint32_t, 9> packings{1, 2, 3, 4, 5, 7, 8, 32773, 32946};
     const std::uint32_t packing = directory.one(tag_packing, 1);
     if (std::ranges::find(packings, packing) == packings.end())

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-// Google, WebP Container Specification; RFC 6386, 9.1 (VP8); WebP Lossless Bitstream, 3.
+// WebP (Google, WebP Container Specification; RFC 6386, 9.1 (VP8); WebP Lossless Bitstream, 3).
 namespace trivar {
 namespace {
 
@@ -25,7 +25,7 @@ PictureHead webp_frame(const ByteView& chunk, std::string_view name)
 
 PictureHead webp_head(const ByteView& file, Look look)
 {
-    constexpr std::uint64_t begin = 12, around = 8; // RIFF, length, WEBP; a chunk's name and length
+    constexpr std::uint64_t begin = 12, around = 8; // RIFF, length, WEBP; chunk name and length
     if (look == Look::whole) file.part(around, file.little(4, 4));
     const bool has_canvas = file.part(begin, 4) == "VP8X";
     const auto side = [&](std::uint64_t at) { return static_cast<int>(file.little(at, 3)) + 1; };
@@ -34,7 +34,7 @@ PictureHead webp_head(const ByteView& file, Look look)
     for (std::uint64_t at = begin;;) {
         const std::string_view name = file.part(at, 4);
         const std::uint64_t length = file.little(at + 4, 4);
-        if (name == "ANMF") { // it moves: the first of its frames is shown
+        if (name == "ANMF") { // animated: its first frame is shown
             const glm::ivec2 end(2 * file.little(at + 8, 3) + side(at + 14),
                                  2 * file.little(at + 11, 3) + side(at + 17));
             if (end.x > canvas.size_px.x || end.y > canvas.size_px.y)
@@ -43,7 +43,7 @@ PictureHead webp_head(const ByteView& file, Look look)
             return canvas;
         }
         if (name == "VP8 " || name == "VP8L") {
-            const std::uint64_t known = look == Look::whole ? length : 10; // what has its head
+            const std::uint64_t known = look == Look::whole ? length : 10; // enough for its header
             const PictureHead head = webp_frame({file.part(at + around, std::min(length, known)),
                                                  "is damaged: its frame ends early"},
                                                 name);
