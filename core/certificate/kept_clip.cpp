@@ -15,7 +15,8 @@ namespace {
 using Values = std::vector<double>;
 constexpr float for_ever = std::numeric_limits<float>::infinity();
 
-// From one moment of the film to another, in which the channel goes by one formula.
+// A Span is the time from one moment of the film to another, in which one formula gives the values
+// of the channel.
 struct Span {
     double from_s, to_s;
     Values a, b, slope_a, slope_b; // at both ends; slopes by seconds of the film, of cubics
@@ -36,7 +37,7 @@ double distance(const Values& a, const Values& b)
     return out;
 }
 
-// A cubic between two keys of a channel, without making rotations unit.
+// A CubicPiece is the cubic between two keys of a channel; rotations are not normalised.
 class CubicPiece {
 public:
     CubicPiece(const Channel& channel, std::size_t key) : channel_(channel), key_(key) {}
@@ -99,7 +100,7 @@ public:
     std::vector<Span> all;
 
 private:
-    // Those of a piece: cut where the channel has keys.
+    // Adds the spans of a piece, which is cut at the keys of the channel.
     void add(const PlayedTime::Piece& piece)
     {
         const double lo = std::min(piece.clip_from_s, piece.clip_to_s),
@@ -159,7 +160,7 @@ private:
     const PlayedTime& time_;
 };
 
-// The keys of a channel, each later than the one before.
+// KeysInOrder adds keys to a channel, each later than the one before.
 class KeysInOrder {
 public:
     explicit KeysInOrder(Channel& to) : to_(to) {}

@@ -39,7 +39,7 @@ Round round_at(const Track& track, double frame)
     return out;
 }
 
-// The control points of the curve from one of its frames to another.
+// Returns the control points of the curve from one of its frames to another.
 std::array<glm::dvec2, 4> piece(const TweenCurve& curve, double from, double to)
 {
     const auto at = [&](double a, double b, double c) { // its blossom
@@ -59,7 +59,7 @@ std::array<glm::dvec2, 4> piece(const TweenCurve& curve, double from, double to)
     return {at(s, s, s), at(s, s, t), at(s, t, t), at(t, t, t)};
 }
 
-// Of the track between two of its frames with no key between them.
+// Returns the control points of the track between two of its frames, with no key between them.
 std::array<glm::dvec2, 4> control_points(const Track& track, double from, double to)
 {
     const auto next = std::ranges::upper_bound(track.keys, (from + to) / 2, {}, &Key::frame);
@@ -78,7 +78,7 @@ std::array<glm::dvec2, 4> control_points(const Track& track, double from, double
                  from, to);
 }
 
-// How much a lattice's derivatives change, at most, when control points go so far.
+// Bounds the change of the derivatives of a lattice if its control points move by at most `by`.
 glm::dvec3 steeper_by(const std::array<Knots, 3>& axes, double by)
 {
     glm::dvec3 out(0);
@@ -95,10 +95,10 @@ glm::dvec3 steeper_by(const std::array<Knots, 3>& axes, double by)
     return out;
 }
 
-// Whether the coefficients of det J keep their sign from one volume to the other: then what is
-// between is proven good at once, and the guard lets it be. On the even way each is a cubic, no
-// further below its chord than 1/8 of its second derivative; `turn` is of that way, `steeper` of
-// what goes beside it.
+// Says whether the coefficients of det J keep their sign from one volume to the other, so that all
+// volumes between are proven good and the guard allows them. On the even way each coefficient is a
+// cubic, at most 1/8 of its second derivative below its chord; `turn` bounds that way, `steeper`
+// the deviation from it.
 bool stays_good(const ShapedVolume& from, const ShapedVolume& to, const glm::dvec3& slopes,
                 const glm::dvec3& turn, const glm::dvec3& steeper)
 {

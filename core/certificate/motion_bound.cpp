@@ -14,7 +14,7 @@ namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
-// Whether something is where it is at all times, and why not.
+// Says why something may move; empty if it is still at all times.
 std::string why_not_still(const Document& document, Id id, bool itself, std::set<Id>& seen)
 {
     if (!seen.insert(id).second) return {};

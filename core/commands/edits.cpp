@@ -100,7 +100,7 @@ Transform decomposed(const glm::dmat4& matrix)
     result.translation = glm::dvec3(matrix[3]);
     result.scale = {glm::length(x), glm::length(y), glm::length(z)};
     if (glm::dot(glm::cross(x, y), z) < 0) result.scale.x = -result.scale.x;
-    // Rz Ry Rx as in Transform::matrix, from the orthonormalised columns.
+    // Solves Rz Ry Rx as in Transform::matrix for the angles, from the orthonormalised columns.
     const glm::dvec3 r0 = x / result.scale.x;
     const glm::dvec3 r1 =
         glm::normalize(y / result.scale.y - r0 * glm::dot(r0, y) / result.scale.y);

@@ -136,7 +136,7 @@ struct ToldCommand {
     std::vector<FieldText> fields;
 };
 
-// Every command in the order of the variant.
+// Lists every command, in the order of the variant.
 std::vector<ToldCommand> told_commands()
 {
     return []<std::size_t... I>(std::index_sequence<I...>)

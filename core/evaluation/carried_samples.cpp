@@ -74,7 +74,7 @@ void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<
             fmt::format("its hosts have moved {:.3g} m apart; it spans the gap", widest));
 }
 
-// What lay on a host, or a part of one, that is not there now goes with the rest.
+// Adds a notice if a host, or a part of one, is missing: what lay on it moves with the rest.
 void tell_missing(Carriage& carriage, const StrokeHosts& stroke)
 {
     for (std::size_t i = 0; i < stroke.feet.size(); ++i)

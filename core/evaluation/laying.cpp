@@ -34,7 +34,7 @@ std::optional<Band> band_of(const Document& document, const PlacementStep& step)
     return band_round(base.source, step.round->level, to_world(document, step.onto.front()));
 }
 
-// Where the plane of the step cuts the body, in the shape that this has now.
+// Places round the body where the plane of the step cuts it, in the present shape of the body.
 Placement round_where_cut(const Document& document, const PlacementStep& step,
                           const std::vector<Support>& supports, const Box& box, Timings& timings)
 {

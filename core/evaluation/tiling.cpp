@@ -10,14 +10,15 @@
 namespace trivar {
 namespace {
 
-// The most vertices of all tiles together, of about 60 bytes each, and the most corners of faces.
+// Largest number of vertices of all tiles together, of about 60 bytes each, and of corners of
+// faces.
 constexpr std::size_t most_vertices = 16'000'000, most_corners = 6 * most_vertices;
 // Tiles of which a border cuts off more than this share of their size are left out.
 constexpr double most_cut = 0.2;
 // Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
 constexpr double below_limit = 0.98;
 
-// The parts of the base, by the members of a procession.
+// Groups the parts of the base by the members of a procession.
 std::map<int, std::vector<Part>> by_member(const EvaluatedObject& base)
 {
     std::map<int, std::vector<Part>> out;
@@ -136,7 +137,7 @@ void tell(Stage& stage, const TileLayout& layout, const Told& told)
             most_tiles));
 }
 
-// The stage without what stood alone.
+// Returns the stage without its parts and curves.
 Stage cleared(const Stage& before)
 {
     Stage stage = before;
@@ -161,7 +162,7 @@ glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, cons
     for (const Shape::NodeMesh& each : base.shape->meshes) {
         if (each.slot != part.key.mesh) continue;
         const glm::dmat3 turned(object.transform.matrix());
-        // What a volume bends was turned inside out before, where its node mirrors it.
+        // A part in a volume was turned inside out before, if its node mirrors it.
         if (part.bent && object.stroke && glm::determinant(turned * glm::dmat3(each.to_model)) < 0)
             return glm::dmat4(glm::inverse(turned));
         return each.to_model;

@@ -49,7 +49,7 @@ std::vector<double> greville(const Knots& knots)
     return out;
 }
 
-// row returns one row of nodes, middle the mean of the two middle columns.
+// row() returns one row of nodes, middle() the mean of the two middle columns.
 template <class T> std::vector<T> row(const RayGrid& grid, const std::vector<T>& values, int i)
 {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, 0));

@@ -115,8 +115,8 @@ void intersect(RTCScene scene, Query& query, RTCRayHit& ray)
     rtcIntersect1(scene, &query.context, &ray);
 }
 
-// Where a ray meets the plane of a triangle, and by how much it passes outside the triangle: the
-// most negative barycentric coordinate, or 0. A plane seen edge-on is not met.
+// A PlaneHit is where a ray meets the plane of a triangle, and how far that is outside the
+// triangle: the most negative barycentric coordinate, or 0. A plane seen edge-on is not met.
 struct PlaneHit {
     double distance = 0;
     double outside = 0;
@@ -274,16 +274,17 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-// The hit of a ray on what Embree found nearest; u and v are its barycentric coordinates there.
+// Finds the hit of a ray on the triangle that Embree found nearest, where u and v are its
+// barycentric coordinates.
 Hit RayScene::State::resolve(const Ray& ray, double from, double to, bool skip_back_faces,
                              Candidate best, float u, float v) const
 {
     const float nearest = best.distance;
     PlaneHit plane = meet(ray, corners(best.entry, best.triangle));
 
-    // Near an edge, or where objects touch, several triangles compete, and which of them Embree
-    // names depends on single precision and on the order in which its tree was built. So all of
-    // them are asked for, and the choice is made in double.
+    // Near an edge, or where objects touch, several triangles compete, and which one Embree returns
+    // depends on single precision and on the order in which its tree was built. So all of them are
+    // collected and the choice is made in double.
     const float nearest_edge = std::min({u, v, 1 - u - v});
     const double slack = 1e-5 * (std::abs(double{nearest}) + glm::length(ray.origin));
     if (nearest_edge < 0.01f || plane.outside < 0 ||
@@ -311,7 +312,7 @@ Hit RayScene::State::resolve(const Ray& ray, double from, double to, bool skip_b
     }
 
     Hit hit;
-    // Far outside the triangle the plane says nothing; Embree's own distance is the better one.
+    // Far outside the triangle its plane is no guide, and the distance of Embree is better.
     hit.distance = plane.outside > -1e-3 ? plane.distance : double{nearest};
     hit.p_world = ray.origin + hit.distance * ray.direction;
     const Entry& e = entries[best.entry];

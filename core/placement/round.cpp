@@ -88,7 +88,7 @@ struct Sizes {
     Rise rise;
 };
 
-// How far over the surface.
+// Returns the height over the surface.
 double up_at(const Sizes& sizes, glm::dvec3 uvw)
 {
     const double share = uvw.x - std::floor(uvw.x);
@@ -102,7 +102,7 @@ double across_at(const Sizes& sizes, glm::dvec2 uv)
     return (uv.y - 0.5) * sizes.width * sizes.width_factor.at(uv.x - std::floor(uv.x));
 }
 
-// A place of the surface, and its unit normal there.
+// A Standing is a place of the surface and its unit normal there.
 struct Standing {
     glm::dvec3 p, normal;
 };
@@ -174,7 +174,8 @@ std::array<Knots, 3> axes_of(const PlacementParameters& p, Closure closure)
             Knots::uniform(p.orders.y, p.grid.y), Knots::uniform(p.orders.z, p.grid.z)};
 }
 
-// The volume over a contact surface, and what is said of it. Lengths are of the world.
+// Makes the placement of a volume over a contact surface, with its report. Lengths are in the
+// world.
 Placement standing_on(const Surface<glm::dvec3>& contact, Trivariate<glm::dvec3> volume,
                       const Sizes& sizes, const std::array<Knots, 3>& axes,
                       const PlacementReport& measures, const PlacementParameters& p)
@@ -207,7 +208,7 @@ Standing on_contact(const Surface<glm::dvec3>& contact, glm::dvec2 uv)
     return {jet.value, glm::normalize(glm::cross(jet.u, jet.v))};
 }
 
-// The control points of the contact surface, and over each of them others along the normal.
+// Adds to the control points of the contact surface others along the normals above them.
 Trivariate<glm::dvec3> raised(const Surface<glm::dvec3>& contact, const Sizes& sizes,
                               const std::array<Knots, 3>& axes)
 {
@@ -223,14 +224,14 @@ Trivariate<glm::dvec3> raised(const Surface<glm::dvec3>& contact, const Sizes& s
     return out;
 }
 
-// With the places of the section as control points, so that it is nowhere hollow where the section
-// is not, and so far in front of them that nothing of the body stands out by more than the
-// tolerance; `left` is what still does.
+// Makes the surface with the places of the section as control points, so that it is concave only
+// where the section is, moved outward until the body protrudes by no more than the tolerance;
+// `left` is the part that still protrudes.
 Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
                                 const std::array<Knots, 2>& axes, double tolerance, double& left)
 {
     constexpr int looks = 4;  // per node along each axis
-    constexpr int rounds = 8; // of lifting: each leaves a fraction
+    constexpr int rounds = 8; // of lifting: each leaves a fraction of the rest
     const std::vector<double> us = greville_sites(axes[0]), vs = greville_sites(axes[1]);
     const auto places_of = [&](const std::vector<double>& along,
                                const std::vector<double>& across) {
@@ -313,7 +314,7 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     Placement out = standing_on(interpolate(std::array{axes[0], axes[1]}, places),
                                 interpolated(ground, sizes, axes), sizes, axes, measures, p);
     out.embedding.to_uvw = model_to_uvw(frame, p);
-    if (band.twisted()) // the model stands on the middle
+    if (band.twisted()) // the model stands on the middle of the strip
         out.embedding.to_uvw = glm::translate(glm::dmat4(1), {0, 0, sizes.ground}) *
                                glm::scale(glm::dmat4(1), {1, 1, 1 - sizes.ground}) *
                                out.embedding.to_uvw;

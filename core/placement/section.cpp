@@ -19,7 +19,7 @@ double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Counter-clockwise, without points on its edges. Andrew 1979.
+// Returns the convex hull, counter-clockwise, without points on its edges. Andrew 1979.
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points)
 {
     std::ranges::sort(points, [](const glm::dvec2& a, const glm::dvec2& b) {
@@ -41,7 +41,7 @@ std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points)
     return hull;
 }
 
-// Its area and the middle of that.
+// Returns the area of the hull and its centroid.
 std::pair<double, glm::dvec2> area_of(const std::vector<glm::dvec2>& hull)
 {
     double sum = 0;
@@ -63,7 +63,7 @@ double Section::Cut::radius(double angle) const
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i] - middle, b = hull[(i + 1) % hull.size()] - middle;
         const double right_of = glm::dot(a, left), left_of = glm::dot(b, left);
-        if (right_of <= 0 && left_of > 0) { // counter-clockwise it is crossed here alone
+        if (right_of <= 0 && left_of > 0) { // the only such crossing, counter-clockwise
             const double share = right_of / (right_of - left_of);
             return glm::dot(a + (b - a) * share, way);
         }
@@ -100,7 +100,7 @@ void Section::widen(double reach)
     for (int i = -planes_to_a_side; i <= planes_to_a_side; ++i)
         heights.push_back(reach * i / planes_to_a_side);
     std::vector<Cut> cuts = cuts_at(heights);
-    // Only those that hang together with the way.
+    // Only cuts connected with that of the way are kept.
     const auto own = std::ranges::find(cuts, 0.0, &Cut::height);
     const double pitch = 1.5 * reach / planes_to_a_side;
     auto first = own, last = own + 1;
@@ -110,7 +110,7 @@ void Section::widen(double reach)
     cuts_ = std::vector<Cut>(first, last);
 }
 
-// Without those that cut nothing.
+// Returns the cuts at the given heights, without empty ones.
 std::vector<Section::Cut> Section::cuts_at(const std::vector<double>& heights) const
 {
     std::vector<std::vector<glm::dvec2>> met(heights.size());
@@ -128,7 +128,7 @@ std::vector<Section::Cut> Section::cuts_at(const std::vector<double>& heights) c
                 glm::dvec3 a = places[mesh.corners[c]];
                 glm::dvec3 b = places[mesh.corners[last ? mesh.face_begin[f] : c + 1]];
                 if (a.z > b.z) std::swap(a, b);
-                // Planes at or over the lower end and below the upper one.
+                // These are the planes at or above the lower end and below the upper one.
                 auto at = std::ranges::lower_bound(heights, a.z);
                 for (; at != heights.end() && *at < b.z; ++at)
                     met[static_cast<std::size_t>(at - heights.begin())].push_back(

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Length of the axis that a node stands for: half way to its neighbours.
+// Returns the length of the axis for which each node stands: half way to its neighbours.
 std::vector<double> dual_lengths(const std::vector<double>& x)
 {
     std::vector<double> out(x.size());
@@ -21,7 +21,8 @@ std::vector<double> dual_lengths(const std::vector<double>& x)
     return out;
 }
 
-// Rows of A and b while they are summed up: a node is coupled to those one and two steps away.
+// An Assembly holds the rows of A and b while they are summed up; a node is coupled to those one
+// and two steps away.
 class Assembly {
 public:
     explicit Assembly(const SpringSheet& sheet)
@@ -32,10 +33,11 @@ public:
     {
     }
 
-    // Adds weight / 2 s^2.
+    // Adds the energy weight / 2 s^2.
     void pull(std::size_t node, double weight) { diagonal_[node] += weight; }
 
-    // Adds weight / 2 |sum_m c_m P_m|^2 over nodes a step of `stride` apart along one axis.
+    // Adds the energy weight / 2 |sum_m c_m P_m|^2 over nodes a step of `stride` apart along one
+    // axis.
     template <std::size_t N>
     void add(double weight, int first, int stride, int axis, const std::array<double, N>& c)
     {
@@ -83,14 +85,14 @@ private:
         return static_cast<std::size_t>(first) + static_cast<std::size_t>(stride) * step;
     }
     const SpringSheet& sheet_;
-    // To the nodes 2 and 1 before, 1 and 2 after, along the rows' axis and along the columns'.
+    // by node: to the nodes 2 and 1 before, 1 and 2 after, along the rows, then along the columns
     std::vector<std::array<double, 8>> coupling_;
     std::vector<double> diagonal_, right_;
 };
 
 std::vector<char> dilated(const std::vector<char>& nodes, int rows, int columns, int steps)
 {
-    // A square neighbourhood is one along the rows' axis of one along the columns'.
+    // A square neighbourhood is built along the rows first, then along the columns.
     const auto along = [steps](const std::vector<char>& in, int count, int lines, int step,
                                int line_step) {
         std::vector<char> out(in.size(), 0);
@@ -115,7 +117,7 @@ ObstacleProblem spring_problem(const SpringSheet& sheet)
     const std::vector<double> along = dual_lengths(sheet.along);
     const std::vector<double> across = dual_lengths(sheet.across);
     const auto bend = [](const std::vector<double>& x, std::size_t i) {
-        // Twice the distance from the straight line between the neighbours.
+        // The second difference is twice the distance from the line between the neighbours.
         const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
         return std::array{-2 * right / (left + right), 2.0, -2 * left / (left + right)};
     };
@@ -173,7 +175,8 @@ std::vector<int> red_black(int rows, int columns)
 
 double over_relaxation(int rows, int columns)
 {
-    // [Young 1954] for a square; a free rim makes the grid act twice as large.
+    // The relaxation factor is that of a square grid [Young 1954]; a free rim acts like a grid of
+    // twice the size.
     const int n = std::max(rows, columns);
     return 2 / (1 + std::sin(std::acos(-1.0) / n));
 }
@@ -195,7 +198,7 @@ std::vector<char> rough_nodes(const SpringSheet& sheet, const std::vector<double
             for (std::size_t q = 0; q < 4; ++q) {
                 const auto [ai, aj] = around[q];
                 const auto [bi, bj] = around[(q + 1) % 4];
-                const int di = ai + bi, dj = aj + bj; // the face's far corner
+                const int di = ai + bi, dj = aj + bj; // the far corner of the face
                 if (i + di < 0 || j + dj < 0 || i + di >= sheet.rows || j + dj >= sheet.columns)
                     continue;
                 const glm::dvec3 n = glm::cross(p[sheet.index(i + ai, j + aj)] - p[k],
@@ -212,7 +215,7 @@ std::vector<char> rough_nodes(const SpringSheet& sheet, const std::vector<double
 
 RestShape rest_shape(const SpringSheet& sheet, std::vector<double> s, const RestOptions& options)
 {
-    // While loose nodes are still being added a rough idea of their shape does.
+    // While loose nodes are still being added, an approximate shape suffices.
     constexpr int growing_sweeps = 20;
     ObstacleProblem problem = spring_problem(sheet);
     RestShape out;

@@ -9,13 +9,13 @@
 namespace trivar {
 namespace {
 
-// The inner rim keeps a tenth of the bend's radius, so that rulings stay apart.
+// The inner rim keeps a tenth of the radius of the bend, so that rulings do not meet.
 constexpr double share_of_turn = 0.9;
-// The rim may approach the middle by half a pixel a pixel: a steeper notch would show.
+// The rim may approach the middle by at most half a pixel per pixel: a steeper notch would show.
 constexpr double steepest_rim = 0.5;
 
-// The largest profile below `limit` that changes by at most steepest_rim a pixel of the curve;
-// round a closed one twice, for what limits it on one side of the seam does so on the other.
+// Returns the largest profile below `limit` that changes by at most steepest_rim per pixel of the
+// curve. A closed curve is passed twice, because a limit on one side of the seam acts on the other.
 std::vector<double> lower_envelope(std::vector<double> limit, const std::vector<double>& step_px,
                                    bool closed)
 {
@@ -54,7 +54,7 @@ Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_widt
     glm::dvec2 before{0};
     CurveJet<glm::dvec2> jet;
     for (std::size_t i = 0; i < n; ++i) {
-        // A corner turns within less than a step, so the curve is looked at between them, too.
+        // A corner turns within less than a step, so that the curve is also examined between steps.
         for (const double between : {-0.5, -0.25, 0.25, 0.5, 0.0}) {
             const double a = (static_cast<double>(i) + between) / static_cast<double>(n - 1);
             jet = evaluate(center, std::clamp(a, 0.0, 1.0), 2);

@@ -17,11 +17,11 @@ double cross(glm::dvec2 a, glm::dvec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-// Barycentric coordinates of q in a triangle with the right angle of its parameters at a: the
-// shares of b and c. None outside, or for a triangle without area.
+// Returns the barycentric coordinates of q in a triangle with the right angle of its parameters at
+// a: the shares of b and c. None outside, or for a triangle without area.
 std::optional<glm::dvec2> shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 q)
 {
-    constexpr double slack = 1e-6; // a pixel on the line between two triangles is in both
+    constexpr double slack = 1e-6; // a pixel on a common edge is in both triangles
     const glm::dvec2 ab = b - a, ac = c - a, aq = q - a;
     const double area = cross(ab, ac), of_b = cross(aq, ac), of_c = cross(ab, aq);
     const double least = area < 0 ? -std::max({of_b, of_c, area - of_b - of_c})
@@ -30,8 +30,8 @@ std::optional<glm::dvec2> shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::
     return glm::dvec2(of_b, of_c) / area;
 }
 
-// The bend at each of the points of a grid on the surface. From second differences, along the
-// normal first, for points unevenly spread on a slope are no bend.
+// Computes the bend of a grid of points on the surface from second differences: their part along
+// the normal, because points unevenly spaced on a slope are no bend.
 std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
                                     const std::vector<glm::dvec2>& points_px, glm::ivec2 steps,
                                     double quad_px, const View& view)
@@ -43,7 +43,7 @@ std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
         static_cast<std::size_t>(steps.x) + 1, 16, [&](std::size_t from, std::size_t to) {
             for (std::size_t i = from; i < to; ++i)
                 for (std::size_t j = 0; j < columns; ++j) {
-                    // At the rim the bend of the next points inside has to do.
+                    // At the rim the bend of the next inner points is used.
                     const std::size_t ii =
                         std::clamp<std::size_t>(i, 1, static_cast<std::size_t>(steps.x) - 1);
                     const std::size_t k = ii * columns + std::clamp<std::size_t>(j, 1, columns - 2);
@@ -76,7 +76,8 @@ std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
 
 } // namespace
 
-// A quad in the picture: where in the parameters, its middle, and the areas of its halves.
+// A SeenQuad is a quad in the picture: its place in the parameters, its middle, and the areas of
+// its halves.
 struct StripIndex::SeenQuad {
     glm::ivec2 at{0};
     glm::dvec2 middle_px{0};
@@ -125,7 +126,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                 2;
         }
     const double count = static_cast<double>(steps.x) * steps.y;
-    // In a strip that is seen edge-on quads have no area but still a size.
+    // If a strip is seen edge-on, its quads have no area but still a size.
     const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
     quad_px_ = std::max(std::sqrt(area / count), 0.01 * glm::length(size) / std::sqrt(count));
     buckets_ =
@@ -150,7 +151,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                 r.to = glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
             }
     });
-    // Two passes: count the quads of each bucket, then write them behind one another.
+    // The first pass counts the quads of each bucket, the second one writes them.
     const auto each = [&](const auto& visit) {
         for (std::size_t k = 0; k < touched.size(); ++k)
             for (int y = touched[k].from.y; y <= touched[k].to.y; ++y)
@@ -182,8 +183,9 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     });
 }
 
-// Few quads of similar size, neighbours in the parameters, all seen from the same side, cannot lie
-// over one another.
+// Returns the quad of a bucket nearest to its middle if no quads there can overlap: they are few,
+// of similar size, neighbours in the parameters and seen from the same side. -1 if they may
+// overlap.
 int StripIndex::plain_quad(std::size_t bucket, const std::vector<SeenQuad>& quads) const
 {
     constexpr int widest = 6;           // along each axis of the parameters
@@ -211,7 +213,7 @@ int StripIndex::plain_quad(std::size_t bucket, const std::vector<SeenQuad>& quad
     return few && alike ? out : -1;
 }
 
-// The parameters at a pixel as the affine map of the quad's middle has them.
+// Returns the parameters at a pixel by the affine map at the middle of the quad.
 glm::dvec2 StripIndex::along_quad(int first_corner, glm::dvec2 p_px) const
 {
     const glm::dvec2* corner = corners_px_.data() + first_corner;
@@ -234,7 +236,7 @@ StripIndex::Surroundings::Surroundings(const StripIndex& strip, double px)
     const glm::ivec2 reach = glm::ivec2(px * strip.buckets_per_px_) + 1;
     std::vector<char> near(near_.size() - 1, 0), wide(near.size(), 0);
     const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
-    // A rectangle round each bucket: first along x, then along y.
+    // The rectangle round each bucket is marked along x first, then along y.
     for (int y = 0; y < size.y; ++y)
         for (int x = 0, until = -1; x < size.x + reach.x; ++x) {
             if (x < size.x && strip.begin_[at(x, y)] < strip.begin_[at(x, y) + 1])
@@ -258,11 +260,11 @@ bool StripIndex::Surroundings::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) con
                         glm::clamp(hi_px, strip_.lo_, strip_.hi_));
 }
 
-// A rim is curved and the quads along it have straight sides: they reach a bit further, so that
-// nothing which the strip covers is missed. Who asks finds the true rim in the parameters.
+// Widens the quads along the rim, which is curved while their sides are straight, so that no part
+// of the strip is missed. The caller finds the true rim in the parameters.
 void StripIndex::widen_rim()
 {
-    constexpr double share = 0.15; // of a quad
+    constexpr double share = 0.15; // relative to a quad
     const auto rows = static_cast<std::size_t>(steps_.x) + 1;
     const auto columns = static_cast<std::size_t>(steps_.y) + 1;
     const auto widen = [&](std::size_t rim, std::size_t inside) {
@@ -287,7 +289,7 @@ std::size_t StripIndex::bucket(glm::dvec2 p_px) const
 
 StripIndex::Bend StripIndex::bend(glm::dvec2 lo, glm::dvec2 hi) const
 {
-    constexpr int few = 4; // quads along an axis: more are not looked at one by one
+    constexpr int few = 4; // quads along an axis: more are not examined one by one
     const glm::ivec2 last = steps_ - 1;
     const glm::ivec2 from = glm::clamp(glm::ivec2(lo * glm::dvec2(steps_)), glm::ivec2(0), last);
     const glm::ivec2 to = glm::clamp(glm::ivec2(hi * glm::dvec2(steps_)), glm::ivec2(0), last);
@@ -309,7 +311,7 @@ bool StripIndex::may_cover(glm::dvec2 p_px) const
 void StripIndex::mark_changed(const std::vector<char>& corners)
 {
     const int columns = steps_.y + 1;
-    // The bend reaches one corner further.
+    // A bend changes one corner further.
     const auto near_change = [&](int i, int j) {
         for (int a = std::max(i - 1, 0); a <= std::min(i + 2, steps_.x); ++a)
             for (int b = std::max(j - 1, 0); b <= std::min(j + 2, steps_.y); ++b)
@@ -330,13 +332,13 @@ void StripIndex::mark_changed(const std::vector<char>& corners)
         changed_[b + 1] = changed_[b] + any;
         if (!any) continue;
         const auto x = static_cast<int>(b) % buckets_.x, y = static_cast<int>(b) / buckets_.x;
-        // A bucket more: none is missed for rounding.
+        // One more bucket is included because of rounding.
         changed_lo_ = glm::min(changed_lo_, lo_ + glm::dvec2(x - 1, y - 1) / buckets_per_px_);
         changed_hi_ = glm::max(changed_hi_, lo_ + glm::dvec2(x + 2, y + 2) / buckets_per_px_);
     }
 }
 
-// `before` counts something in the buckets before each: is there any in the rectangle?
+// Says whether any is in the rectangle, where `before` counts them in the buckets before each one.
 bool StripIndex::meets(const std::vector<int>& before, glm::dvec2 lo_px, glm::dvec2 hi_px) const
 {
     if (!glm::all(glm::lessThanEqual(lo_px, hi_)) || !glm::all(glm::greaterThanEqual(hi_px, lo_)))
@@ -358,7 +360,7 @@ std::optional<glm::dvec2> StripIndex::in_quad(int first_corner, glm::dvec2 p_px)
 {
     const glm::dvec2* corner = corners_px_.data() + first_corner;
     const glm::dvec2* next = corner + steps_.y + 1;
-    // Most quads of a bucket are told apart by their boxes.
+    // Most quads of a bucket are excluded by their boxes.
     const glm::dvec2 lo = glm::min(glm::min(corner[0], corner[1]), glm::min(next[0], next[1]));
     const glm::dvec2 hi = glm::max(glm::max(corner[0], corner[1]), glm::max(next[0], next[1]));
     if (p_px.x < lo.x || p_px.y < lo.y || p_px.x > hi.x || p_px.y > hi.y) return {};

@@ -8,11 +8,11 @@
 namespace trivar {
 namespace {
 
-// Sizes of pieces in quads of the index. Wider ones tell nothing of what is between their corners.
+// Sizes of pieces in quads of the index. Wider ones say nothing about points between their corners.
 constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
-constexpr double finest = 1.0 / 11; // nothing below is told apart
-// How far in cells the surface is continued beyond its rim to find where that cuts an edge, how
-// much of the edge before the cut is left out, and how often the cut is corrected.
+constexpr double finest = 1.0 / 11; // smaller pieces are not distinguished
+// Numbers of cells by which the surface is continued beyond its rim to find where the rim cuts an
+// edge, the share of the edge before the cut that is left out, and the number of corrections.
 constexpr double beyond_rim = 1.5, rim_share = 0.01;
 constexpr int rim_steps = 4;
 
@@ -69,11 +69,12 @@ public:
     }
 
 private:
-    // How far the surface may sag behind the triangle between its corners. How long that is on the
-    // surface the corners' parameters tell, or, where one is beside the strip, the picture.
+    // Bounds how far the surface may sag behind the triangle between its corners. The length on the
+    // surface comes from the parameters of the corners or, if one is outside the strip, from the
+    // picture.
     double sag(const Corner& a, const Corner& b, const Corner& c, double longest) const
     {
-        // Twice what a parabola would: the surface is none.
+        // This is twice the sag of a parabola, because the surface is not one.
         constexpr double share = 2 / 8.0;
         glm::dvec2 lo(1), hi(0);
         for (const Corner* corner : {&a, &b, &c}) {
@@ -119,7 +120,8 @@ private:
         triangle(middle, b, apex, halvings, out);
     }
 
-    // At a share of the edge in the picture; equal steps there are not equal steps in space.
+    // Returns the corner at a share of the edge in the picture; equal steps there are not equal in
+    // space.
     Corner corner_between(const Corner& a, const Corner& b, double t, Judgement& out) const
     {
         const double za = a.depth_world, zb = b.depth_world;
@@ -128,8 +130,8 @@ private:
                       {glm::mix(a.p_px, b.p_px, t), za + s * (zb - za)}, out);
     }
 
-    // The gap where the rim of the strip cuts the edge, if it does. The parameters at both ends
-    // tell where, for the surface goes on a little beyond its rim.
+    // Returns the gap where the rim of the strip cuts the edge, if it does. The parameters at both
+    // ends tell where, because the surface continues a little beyond its rim.
     double rim(const Corner& a, const Corner& b, Judgement& out) const
     {
         if (a.covered == b.covered) return 1e300;
@@ -145,7 +147,7 @@ private:
                 if (to < 0) cut = std::min(cut, from / (from - to));
             }
             if (cut == 1) {
-                // The strip goes on here, beside the part of it that is looked at.
+                // The strip continues here, beside the examined part.
                 cover(tried, g, out);
                 return tried.gap;
             }
@@ -162,7 +164,8 @@ private:
     const JudgeOptions& options_;
 };
 
-// What the blocks found, one after the other: the same for any number of threads.
+// Combines the judgements of the blocks in order, so that they are the same for any number of
+// threads.
 template <class Body>
 void in_blocks(std::size_t count, std::size_t block, Judgement& to, const Body& body)
 {
@@ -193,7 +196,7 @@ Judgement StripJudge::judge(const StripIndex& strip)
 {
     const Look look(surface_, view_, strip, options_);
     Judgement out;
-    // What the strip has just left counts as changed, too.
+    // Places that the strip has just left count as changed, too.
     const glm::dvec2 around(strip.quad_px());
     in_blocks(corners_.size(), 512, out, [&](std::size_t i, Judgement& to) {
         ScenePoint& c = corners_[i];

@@ -17,7 +17,7 @@ struct Cell {
     int rays; // along each axis
 };
 
-// The cosine between the surface and the line of sight.
+// Returns the cosine between the surface and the line of sight.
 double facing(const SurfaceTable& s, glm::dvec2 uv, const View& view)
 {
     const SurfaceTable::Jet jet = s.jet(uv);
@@ -26,7 +26,7 @@ double facing(const SurfaceTable& s, glm::dvec2 uv, const View& view)
     return length > 0 ? glm::dot(n, view.toward_eye(jet.value)) / length : 0;
 }
 
-// Where so many rays go through a cell along an axis. Of cells at the rim the rim belongs to it.
+// Returns the places of rays through a cell along an axis, with the rim for a cell at the rim.
 std::vector<double> along(int cell, int cells, int rays, double shift)
 {
     std::vector<double> out;
@@ -72,7 +72,7 @@ SeenBehind seen_behind(const SurfaceTable& s, const StripCut& cut, const std::ve
     const std::vector<char> edge_on = look.where_steep > 1
                                           ? steep_corners(s, cut, marked, view, steep)
                                           : std::vector<char>(marked.size(), 0);
-    // Blocks of cells with about as many rays each.
+    // Cells are grouped in blocks of about equal numbers of rays.
     std::vector<Cell> cells;
     std::vector<std::size_t> blocks{0};
     std::size_t rays = 0;

@@ -11,7 +11,7 @@ namespace {
 
 using Polynomial = std::array<double, max_order>; // of x, 0 at the span's begin and 1 at its end
 
-// The recursion of Cox and de Boor, carried out on polynomials instead of on values.
+// Computes the basis polynomials of a span by the recursion of Cox and de Boor on polynomials.
 std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t, int order, int s)
 {
     const auto knot = [&](int i) { return t[static_cast<std::size_t>(i)]; };
@@ -20,7 +20,7 @@ std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t,
     row[0][0] = 1;
     for (int k = 2; k <= order; ++k) {
         std::array<Polynomial, max_order> next{};
-        // Adds p times the line that is `at_begin` at 0 and rises by `rise` to 1.
+        // Adds p times the line from `at_begin` at 0 that rises by `rise` to 1.
         const auto add = [&](Polynomial& to, const Polynomial& p, double at_begin, double rise) {
             for (std::size_t c = 0; c < max_order; ++c)
                 to[c] += at_begin * p[c] + (c > 0 ? rise * p[c - 1] : 0.0);
@@ -59,12 +59,12 @@ AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.
     spans_a_unit_ = static_cast<double>(spans_.size()) / (breaks_.back() - breaks_.front());
 }
 
-// The order, where it is known while compiling, or 0.
+// known_order is the order if it is known at compile time, or 0.
 template <std::size_t known_order> AxisTable::Row AxisTable::row(double t) const
 {
     const std::size_t order = known_order > 0 ? known_order : static_cast<std::size_t>(order_);
     const std::size_t last = spans_.size() - 1;
-    // Right at once where the knots are uniform; elsewhere a start for the search.
+    // This is exact for uniform knots; for others it is a start for the search.
     const double guess = std::max(0.0, (t - breaks_.front()) * spans_a_unit_);
     std::size_t k = guess < static_cast<double>(last) ? static_cast<std::size_t>(guess) : last;
     while (k > 0 && t < breaks_[k]) --k;
@@ -103,7 +103,7 @@ SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
             creased_ = creased_ || trivar::creased(knots, i);
 }
 
-// The orders, where they are known while compiling, or 0.
+// known_rows and known_columns are the orders if they are known at compile time, or 0.
 template <std::size_t known_rows, std::size_t known_columns>
 SurfaceTable::Jet SurfaceTable::jet_of(glm::dvec2 uv) const
 {
@@ -131,7 +131,8 @@ SurfaceTable::Jet SurfaceTable::jet_of(glm::dvec2 uv) const
 SurfaceTable::Jet SurfaceTable::jet(glm::dvec2 uv) const
 {
     const int rows = surface_.axes[0].order(), columns = surface_.axes[1].order();
-    // The usual orders with loops the compiler can unroll: half of a lift is spent here.
+    // The usual orders have loops that the compiler can unroll: half of the time of a lift is spent
+    // here.
     if (rows == 3 && columns == 3) return jet_of<3, 3>(uv);
     if (rows == 4 && columns == 4) return jet_of<4, 4>(uv);
     return jet_of<0, 0>(uv);

@@ -18,10 +18,10 @@ double modulo(double x, double period)
     return x - period * std::floor(x / period);
 }
 
-// Whether the strip's ends lie on each other, as far as the strip is wide.
+// Says whether the ends of the strip coincide over its whole width.
 bool ends_meet(const Surface<glm::dvec3>& contact)
 {
-    constexpr double near_enough = 0.02; // of the width
+    constexpr double near_enough = 0.02; // relative to the width
     const auto at = [&](double u, double v) { return evaluate(contact, {u, v}).value; };
     const double width = glm::distance(at(0, 0), at(0, 1));
     for (const double v : {0.0, 0.5, 1.0})
@@ -79,7 +79,8 @@ glm::dvec2 MiddleLine::slopes(double from, double to) const
     return out;
 }
 
-// A way that is too short for the speed is covered at a lower one, in the time of the easing.
+// Makes the run over a way; one too short for the speed is covered at a lower speed, in the time of
+// the easing.
 Journey::Run Journey::run_over(double way, double speed, double in, double out)
 {
     if (!(way > 0)) return {};
@@ -102,7 +103,8 @@ double Journey::Run::covered(double t) const
     return speed * (t - in / 2);
 }
 
-// The speed rises evenly, stays, and falls evenly, so it is least at one of the two times.
+// Bounds the speed between two times. It rises evenly, stays, and falls evenly, so that it is least
+// at one of them.
 glm::dvec2 Journey::Run::speeds(double from_s, double to_s) const
 {
     const double end = seconds();
@@ -115,7 +117,7 @@ glm::dvec2 Journey::Run::speeds(double from_s, double to_s) const
     return {std::min(at(from_s), at(to_s)), stays ? speed : std::max(at(from_s), at(to_s))};
 }
 
-// The run as far as its time lasts, at the end of which it slows down.
+// Returns the run within its time limit, at the end of which it slows down.
 Journey::Run Journey::limited(const Run& run) const
 {
     const double time = travel_.duration;
@@ -126,7 +128,7 @@ Journey::Run Journey::limited(const Run& run) const
         out *= time / both;
     }
     const double speed = std::abs(travel_.speed), way = speed * (time - (in + out) / 2);
-    // Where slowing down takes it as far as the end, it gets there as if there were no limit.
+    // If slowing down would take it to the end, it arrives as if there were no limit.
     return way < run.way ? Run{way, speed, in, out} : run;
 }
 
@@ -140,7 +142,7 @@ Journey::Journey(const Travel& travel, const PlacementParameters& parameters,
       least_(line_.length_at(parameters.fill / 2)),
       most_(line_.length_at(1 - parameters.fill / 2))
 {
-    constexpr double least_room = 1e-6; // of the length: less is rounding
+    constexpr double least_room = 1e-6; // relative to the length: less is rounding
     direction_ = (travel.speed < 0) != looks_back(parameters) ? -1 : 1;
     rounds_ = travel.ends == Ends::loop && line_.closed();
     has_room_ =
@@ -225,12 +227,12 @@ Journey::Place Journey::at(double seconds, int follower) const
     return out;
 }
 
-// Lengths a second, with their sign.
+// Bounds the signed speed, in lengths per second.
 glm::dvec2 Journey::speeds_of_first(double from_s, double to_s) const
 {
     if (!has_room_ || travel_.speed == 0) return glm::dvec2(0);
     const double fastest = std::max(run_.speed, back_.speed);
-    glm::dvec2 out(-fastest, fastest); // where it turns
+    glm::dvec2 out(-fastest, fastest); // it may turn
     if (travel_.ends != Ends::back_and_forth)
         out = run_.speeds(from_s, to_s);
     else if (travel_.duration > 0 && from_s >= travel_.duration)
@@ -244,13 +246,14 @@ glm::dvec2 Journey::speeds_of_first(double from_s, double to_s) const
                      to = (to_s - run_.seconds()) / leg;
         if (std::floor(from) != std::floor(to)) return out;
         out = back_.speeds((from - std::floor(from)) * leg, (to - std::floor(to)) * leg);
-        if (std::fmod(std::floor(from), 2) == 0) out = {-out.y, -out.x}; // it returns
+        if (std::fmod(std::floor(from), 2) == 0) out = {-out.y, -out.x}; // on its way back
     }
     return direction_ > 0 ? out : glm::dvec2(-out.y, -out.x);
 }
 
-// gone_u goes at speed times slope: a function whose derivative lies in an interval is off its
-// chord by a quarter of the interval's length times the time, at most.
+// Bounds how far gone_u is from an even motion. It changes by speed times slope; a function whose
+// derivative is in an interval is off its chord by at most a quarter of the length of the interval
+// times the time.
 double Journey::unevenness_u(double from_s, double to_s, int follower) const
 {
     const glm::dvec2 speed = speeds_of_first(from_s, to_s);

@@ -13,9 +13,9 @@ namespace {
 using Points = std::vector<glm::dvec3>;
 using Jets = std::vector<SurfaceJet<glm::dvec3>>;
 
-// The guard keeps the roof below 0.8 of the radius of a hollow: closer and det J is nearly zero.
+// The guard keeps the roof below 0.8 of the radius of a hollow: any closer, det J is nearly zero.
 constexpr double share_of_radius = 0.8;
-constexpr double told = 0.5; // of the height: what is lowered less is hardly seen
+constexpr double told = 0.5; // relative to the height: less lowering is hardly visible
 constexpr int most_smoothings = 40;
 
 glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise)
@@ -24,7 +24,8 @@ glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise)
     return length > 0 ? v / length : otherwise;
 }
 
-// The principal curvatures toward n, the larger one first; negative where the surface curves away.
+// Returns the principal curvatures toward n, the larger one first; negative where the surface
+// curves away.
 glm::dvec2 curvatures(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
 {
     const double E = glm::dot(s.u, s.u), F = glm::dot(s.u, s.v), G = glm::dot(s.v, s.v);
@@ -37,7 +38,7 @@ glm::dvec2 curvatures(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
     return {mean + apart, mean - apart};
 }
 
-// det J at the nodes, the smallest over three levels of the volume.
+// Returns det J at the nodes, the smallest over three levels of the volume.
 std::vector<double> smallest_det(const Jets& s, const Jets& e, const Levels& levels)
 {
     std::vector<double> out(s.size());
@@ -50,7 +51,7 @@ std::vector<double> smallest_det(const Jets& s, const Jets& e, const Levels& lev
     return out;
 }
 
-// Halfway to the mean of the neighbours.
+// Moves each point half way to the mean of its neighbours.
 Points smoothed(const Points& in, int rows, int columns)
 {
     Points out(in.size());
@@ -108,7 +109,7 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
         if (highest < told * wanted) ++lowered;
         rise[k] = std::min(wanted, highest) * d;
     }
-    // On a crease both sides count alike.
+    // On a crease both sides count equally.
     for (int axis = 0; offset > 0 && axis < 2; ++axis)
         for (int i = 1; i + 1 < contact.axes[static_cast<std::size_t>(axis)].count(); ++i) {
             if (!creased(contact.axes[static_cast<std::size_t>(axis)], i)) continue;
@@ -132,7 +133,8 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
     };
     Extrusion out{surface(rise), lowered, {}, {}};
     out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1), levels);
-    // Looked at after 1, 2, 4, 7, 11, ... smoothings: fitting costs more than smoothing.
+    // The volume is tested after 1, 2, 4, 7, 11, ... smoothings, because fitting costs more than
+    // smoothing.
     for (int i = 0; offset > 0 && i < most_smoothings && out.least_det() <= 0;) {
         for (const int until = i + i / 2 + 1; i < until; ++i) rise = smoothed(rise, rows, columns);
         out.rise = surface(rise);

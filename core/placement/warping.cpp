@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// x and y turned by an angle in radians, from x toward y.
+// Rotates x and y by an angle in radians, from x toward y.
 glm::dvec2 turned(const glm::dvec2& p, double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -50,7 +50,8 @@ bool was_a_box(const LaidVolume& volume)
 
 } // namespace
 
-// With a the axis, b the next one and c the third, t = 0..1 along a; toward turns b and c first.
+// Warps a point, where a is the axis, b the next one, c the third and t = 0..1 along a; toward
+// turns b and c first.
 glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp)
 {
     const int a = static_cast<int>(warp.axis), b = (a + 1) % 3, c = (a + 2) % 3;
@@ -94,7 +95,7 @@ WarpedVolume warped(const LaidVolume& volume, const Warp& warp)
         return {with_volume(volume, std::move(after)), 1, far};
     }
     constexpr int steps = 64;
-    int most = 0; // all of it at first, then by halving
+    int most = 0; // found by bisection, the whole motion first
     for (int step = steps; step > 0; step /= 2)
         if (most + step <= steps &&
             judge(at(static_cast<double>(most + step) / steps), volume.guard()).good())

@@ -14,7 +14,7 @@ glm::vec3 unit_or_up(const glm::dvec3& n)
     return length > 0 ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
 }
 
-// The values of each copy behind one another.
+// Repeats the values, one copy after another.
 template <class T> std::vector<T> repeated(const std::vector<T>& values, std::size_t times)
 {
     std::vector<T> out;
@@ -60,7 +60,7 @@ Ref<Mesh> bent_tiles(const Mesh& mesh, const glm::dmat4& to_model, const TileCel
     out.face_group = repeated(mesh.face_group, copies);
     out.group_names = mesh.group_names;
 
-    // In the tile: x and y fill the unit square, z is in sides.
+    // In the space of the tile x and y fill the unit square, and z is in lengths of a side.
     std::vector<glm::dvec3> at(count), normals(mesh.normals.size()), tangents(mesh.tangents.size());
     const glm::dmat3 linear(to_model), cofactor = glm::transpose(glm::inverse(linear));
     for (std::size_t v = 0; v < count; ++v) {

@@ -44,7 +44,7 @@ TilePatch patch_of(const TileBase& base, const BasePose& pose, const TileChart& 
         const double length = glm::length(n[k]);
         n[k] = length > 0 ? n[k] / length : glm::dvec3(0, 0, 1);
         if (chart.beyond[k] == glm::dvec3(0)) continue;
-        // The triangle takes the missing piece along as it is moved.
+        // The missing piece moves with the triangle.
         const glm::dvec3 &a = base.points()[t.x], &b = base.points()[t.y], &c = base.points()[t.z];
         const glm::dvec3 f = base.face_normal(at.triangle);
         const glm::dmat3 rest(b - a, c - a, f * glm::length(b - a));

@@ -7,10 +7,10 @@
 namespace trivar {
 namespace {
 
-// det = A + B z + C z^2 with A = (P_x x P_y) . N, B = (P_x x N_y + N_x x P_y) . N and
-// C = (N_x x N_y) . N, of degree 8 along both axes. If each Bernstein coefficient of A + B z + C
-// z^2 is positive for all z up to a height, so is the determinant: the least positive root of the
-// coefficients, which are quadratic in z, is that height.
+// This file bounds det = A + B z + C z^2 with A = (P_x x P_y) . N, B = (P_x x N_y + N_x x P_y) . N
+// and C = (N_x x N_y) . N, of degree 8 along both axes. If each Bernstein coefficient of A + B z +
+// C z^2 is positive for all z up to a height, so is the determinant: the limit is the least
+// positive root of the coefficients, which are quadratic in z.
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -24,8 +24,8 @@ constexpr auto binomials = [] {
     return table;
 }();
 
-// A polynomial with vectors as Bernstein coefficients, times their binomials: products are then
-// plain convolutions.
+// Vectors are the vector-valued Bernstein coefficients of a polynomial times their binomials, so
+// that products are plain convolutions.
 struct Vectors {
     std::size_t p, q; // degrees along x and y
     std::array<glm::dvec3, 36> c{};
@@ -90,7 +90,7 @@ Determinant determinant_of(const TilePatch& patch)
     return {dotted(a, n), dotted(b, n), dotted(c, n)};
 }
 
-// The least positive z with a + b z + c z^2 = 0; infinity where there is none, 0 where a <= 0.
+// Returns the least positive z with a + b z + c z^2 = 0; infinity if there is none, 0 if a <= 0.
 double least_root(double a, double b, double c)
 {
     if (!(a > 0)) return 0;
@@ -111,7 +111,7 @@ double least_root(const Determinant& d)
     return least;
 }
 
-// The coefficients over both halves of an axis, by de Casteljau.
+// Computes the coefficients over both halves of an axis, by de Casteljau's algorithm.
 std::array<Net, 2> halves(const Net& in, bool along_x)
 {
     std::array<Net, 2> out;
@@ -132,7 +132,7 @@ double limit_of(const Determinant& d, int depth)
 {
     const double limit = least_root(d);
     if (depth == 0 || limit == infinity) return limit;
-    // The corners' coefficients are values: halving lifts no limit above theirs.
+    // Coefficients at corners are values: subdivision raises no limit above theirs.
     double corner = infinity;
     for (const std::size_t i : {0, 8, 72, 80})
         corner = std::min(corner, least_root(d.a[i], d.b[i], d.c[i]));

@@ -19,7 +19,7 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
     return static_cast<std::uint32_t>(x ^ (x >> 31));
 }
 
-// What random numbers are for; a new purpose leaves the numbers of the others.
+// The purpose of a random number; a new purpose does not change the numbers of the others.
 enum Purpose : std::uint32_t { across, around, size, turn, heading, triangle, side };
 
 glm::dvec3 tangent(const glm::dvec3& v, const glm::dvec3& n)
@@ -36,17 +36,18 @@ glm::dvec3 rotated(const glm::dvec3& x, const glm::dvec3& n, double angle)
     return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x);
 }
 
-// The most tiles that are tried for all strokes together, so that no file keeps the editor busy.
+// Largest number of tiles that are tried for all strokes together, so that no file blocks the
+// editor.
 constexpr int most_tries = 20 * static_cast<int>(most_tiles);
 
-// A stroke's samples on the base as it is now; those that are on no surface are left out.
+// A Step is a sample of a stroke on the present base; samples that are on no surface are left out.
 struct Step {
     SurfacePlace at;
     glm::dvec3 p, n;
     double time_s, pressure;
 };
 
-// The direction of the stroke at one of its samples, in the plane of the normal there.
+// Returns the direction of the stroke at one of its samples, in the plane of the normal there.
 glm::dvec3 along(const std::vector<Step>& path, std::size_t i)
 {
     const glm::dvec3 from = path[i > 0 ? i - 1 : 0].p,
@@ -119,18 +120,18 @@ private:
         }
     }
 
-    // The next tile's random numbers; made whether or not it finds room, so that one tile that
-    // goes leaves all later ones as they are.
+    // Returns the random seed of the next tile. It is drawn whether or not the tile has room, so
+    // that a removed tile does not change later ones.
     std::uint32_t next_seed(const TileStroke& stroke)
     {
-        constexpr int reports = 1024; // tries from one report to the next
+        constexpr int reports = 1024; // tries per report
         if (++tries_ > most_tries) out_.too_many = true;
         if (tries_ % reports == 0)
             report(progress_, static_cast<double>(tries_) / most_tries, "tiles");
         return mixed(static_cast<std::uint32_t>(stroke.seed), made_++);
     }
 
-    // Lays a tile if it has room. `turned` is the stroke's direction there.
+    // Lays a tile if there is room. `turned` is the direction of the stroke there.
     bool lay(const TileStroke& stroke, int number, std::uint32_t seed, const SurfacePlace& at,
              const glm::dvec3& turned, double time_s, double pressure, bool avoiding)
     {
@@ -141,7 +142,7 @@ private:
         const double room = stroke.spacing * stroke.size;
         if (avoiding && near_.any(p, room, [&](int other, double distance) {
                 const auto o = static_cast<std::size_t>(other);
-                return !gone_[o] && distance < room && // of this side of the surface
+                return !gone_[o] && distance < room && // on this side of the surface
                        glm::dot(base_.normal(out_.tiles[o].at), n) > -0.2;
             }))
             return false;
@@ -164,7 +165,8 @@ private:
     void scatter(const TileStroke& stroke, int number, const std::vector<Step>& path)
     {
         made_ = 0;
-        // Twice as many tries as discs of the spacing's radius would fill the brush.
+        // The number of tries is twice the number of discs of the spacing's radius that fill the
+        // brush.
         const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
         const double radius = std::min(stroke.radius, base_.diagonal()), share = radius / room;
         const int tries = static_cast<int>(std::clamp(std::ceil(8 * share * share), 1.0, 4096.0));
@@ -183,7 +185,7 @@ private:
                 if (ray.left > 0) continue;
                 const SurfacePlace at = inside(ray.at);
                 const glm::dvec3 n = base_.normal(at);
-                // The direction of the stroke keeps its angle to the way.
+                // The direction of the stroke keeps its angle to the path.
                 const glm::dvec3 x = rotated(tangent(ray.direction, n), n, -angle);
                 lay(stroke, number, seed, at, x, path[i].time_s, path[i].pressure, true);
             }
@@ -213,7 +215,7 @@ private:
         }
     }
 
-    // Triangles that are joined over their sides with those of the path.
+    // Lists the triangles that are connected with those of the path over their sides.
     std::vector<std::uint32_t> joined(const std::vector<Step>& path) const
     {
         std::vector<char> seen(base_.triangle_count(), 0);
@@ -242,7 +244,7 @@ private:
         double area = 0;
         for (const std::uint32_t t : all) sums.push_back(area += base_.area(t));
         const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
-        // Random tries fill a surface slowly in the end: ten per place that a tile takes.
+        // Random tries fill a surface slowly in the end: ten tries per place of a tile.
         const double tries =
             std::min<double>(std::ceil(10 * area / (0.7 * room * room)), most_tries + 1);
         const glm::dvec3 ahead = along(path, 0);
@@ -261,7 +263,7 @@ private:
 
     void change(const TileStroke& stroke, const std::vector<Step>& path)
     {
-        // Per tile the nearest sample of the stroke on its side of the surface.
+        // For each tile this is the nearest sample of the stroke on its side of the surface.
         std::unordered_map<int, std::pair<double, std::size_t>> nearest;
         for (std::size_t i = 0; i < path.size(); ++i)
             near_.any(path[i].p, stroke.radius, [&](int tile, double distance) {

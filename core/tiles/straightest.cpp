@@ -37,7 +37,7 @@ SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const gl
         return ray;
     }
     glm::dvec3 p = base.position(start);
-    int came = -1; // the side through which it came into the triangle
+    int came = -1; // the side through which the path entered the triangle
     for (int crossed = 0; crossed < most_crossed; ++crossed) {
         const glm::uvec3& c = base.triangle(ray.at.triangle);
         const glm::dvec3& n = base.face_normal(ray.at.triangle);
@@ -63,7 +63,7 @@ SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const gl
         if (behind == TileBase::none) break;
         const glm::dvec3& next = base.face_normal(behind / 3);
         const glm::dvec3 turned = in_plane(turned_from_to(n, next, ray.direction), next);
-        if (turned == glm::dvec3(0)) break; // a triangle without area: there is no way over it
+        if (turned == glm::dvec3(0)) break; // a triangle without area cannot be crossed
         ray.direction = turned;
         ray.at.triangle = behind / 3;
         came = static_cast<int>(behind % 3);

@@ -131,7 +131,7 @@ std::vector<std::optional<SurfacePlace>> TileBase::locate(std::span<const Surfac
                                                           double reach) const
 {
     std::vector<Ray> rays;
-    for (const SurfacePoint& each : points) // from both sides toward the point, so that it is met
+    for (const SurfacePoint& each : points) // from both sides toward the point, so that it is hit
         for (const double side : {1.0, -1.0})
             rays.push_back({each.p + side * reach * each.normal, -side * each.normal});
     const std::vector<double> to(rays.size(), 2 * reach);

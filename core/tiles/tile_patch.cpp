@@ -17,7 +17,7 @@ constexpr CubicBasis cubic_basis(double t)
 
 using Rows = std::array<std::array<double, 4>, 4>;
 
-// Row i gives control point i from the values at the nodes. The outer ones are values themselves;
+// Row i gives control point i from the values at the nodes. The outer control points are values;
 // the inner ones solve two equations.
 constexpr Rows from_nodes()
 {
