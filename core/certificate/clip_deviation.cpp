@@ -122,7 +122,7 @@ std::vector<Mover> movers_of(const PartOnItsWay& way)
     return out;
 }
 
-// The morph targets that have weights on the way: the boxes of their differences.
+// Targets are the morph targets that have weights on the way, with the boxes of their differences.
 struct Targets {
     std::vector<Box> boxes;
     std::vector<float> from, to; // weights
@@ -162,9 +162,10 @@ public:
         if (gait) legs_ = legs_of_nodes(*way.model, *gait);
     }
 
-    // Beyond what the travel adds. At a time t of the film the clip's is no further than `uneven`
-    // from the even one, s: the pose is off the chord at its own time by what the loop below finds,
-    // and the chord goes on by `uneven` times its slope between that and s.
+    // Bounds the deviation of the clip beyond that of the travel. At time t of the film the clip is
+    // at most `uneven` from the even time s: the pose is off the chord at its own time by what the
+    // loop below finds, and the chord itself advances by `uneven` times its slope between that time
+    // and s.
     std::optional<glm::dvec3> over(const ClipTime& time) const
     {
         const double whole = time.to - time.from;

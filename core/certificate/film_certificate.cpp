@@ -18,7 +18,7 @@ namespace {
 using FilmJson = nlohmann::ordered_json;
 constexpr int film_certificate_version = 1;
 
-FilmJson film_number(double value) // JSON knows no infinity
+FilmJson film_number(double value) // JSON has no infinity
 {
     return std::isfinite(value) ? FilmJson(value) : FilmJson(nullptr);
 }

@@ -49,7 +49,7 @@ public:
         return std::abs(length(value(key_, 1)) - 1) < near_enough &&
                std::abs(length(value(key_ + 1, 1)) - 1) < near_enough;
     }
-    // Its value and its derivative at a time of the clip, or those of the rotation that it gives.
+    // Returns value and derivative at a time of the clip, or those of the rotation that they give.
     std::pair<Values, Values> at(double time_s, bool as_rotation) const
     {
         const double span = to() - from(), t = (time_s - from()) / span, t2 = t * t, t3 = t2 * t;
@@ -168,7 +168,7 @@ public:
     {
         const bool cubic = to_.interpolation == Channel::Interpolation::cubic;
         const std::size_t n = to_.components;
-        if (!to_.times_s.empty() && at_s <= to_.times_s.back()) // too soon to be told apart
+        if (!to_.times_s.empty() && at_s <= to_.times_s.back()) // equal in single precision
             to_.values.resize(to_.values.size() - (cubic ? 2 * n : n));
         else {
             to_.times_s.push_back(at_s);
@@ -200,7 +200,7 @@ PlayedTime played_time(const Document& document, Id id, const Clip& clip,
     const auto clip_at = [clip, per_second](double frame, const Playing& p) {
         return clip_time_s(clip, p, (frame - p.start_frame) / per_second);
     };
-    // Laps since the clip began, whichever way they go.
+    // Returns the laps since the clip began, in either direction.
     const auto laps_at = [&](double film_s) {
         return (playing.offset + playing.speed * std::max(0.0, film_s - start)) / length;
     };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::infinity();
 
-// A frame as the track counts it in one of its rounds, and back.
+// A Round maps a frame to the frames of one round of the track, and back.
 struct Round {
     double number = 0, first = 0, length = 0;
     bool back = false;
@@ -151,7 +151,7 @@ double off_chord(const Track& track, double from_frame, double to_frame, double 
             off[i] = std::abs(p[i].y - chord(round.in_film(p[i].x)));
             largest = std::max(largest, std::abs(p[i].y));
         }
-        // The inner two have three quarters of a cubic at most.
+        // The inner two add at most three quarters of a cubic.
         const double ends = std::max(off[0], off[3]), inner = std::max(off[1], off[2]);
         most = std::max(most, ends + 0.75 * std::max(0.0, inner - ends));
     }

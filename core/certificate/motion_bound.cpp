@@ -81,7 +81,7 @@ double MotionBound::operator()(const EvaluatedObject& from, const Part& a, doubl
     }
     m.from_s = from_frame / frames_per_second_;
     m.to_s = to_frame / frames_per_second_;
-    double laps = 0; // that the one is ahead of the other, though they are at the same place
+    double laps = 0; // that one is ahead of the other at the same place
     if (from.journey) {
         const Journey& journey = *from.journey;
         const double since = object_.travel.start_frame / frames_per_second_;

@@ -33,7 +33,7 @@ double sag_between_moments(const FilmStrip& strip)
                                              (place_of(*a, vertex) + place_of(*b, vertex)) / 2.0));
         }
     }
-    constexpr double of_half_the_way = 0.25; // it grows with the square of the way
+    constexpr double of_half_the_way = 0.25; // the sag grows with the square of the way
     return of_half_the_way * most;
 }
 

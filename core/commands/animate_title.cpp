@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// "Position Z" and, of several, what they have in common: "Position".
+// Names the changed numbers, as "Position Z"; several by their common part, as "Position".
 std::string numbers_in(const Animate& c)
 {
     std::set<std::string> names, rows;

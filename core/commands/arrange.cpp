@@ -195,7 +195,7 @@ Document applied(Document document, const Duplicate& command)
 {
     const std::set<Id> chosen = distinct(document, command.objects);
     const std::set<Id> all = with_contents(document, chosen);
-    // Copies take their ids in the order of the command, then what is in groups by id.
+    // Copies get their ids in the order of the command, then by id for contents of groups.
     std::vector<Id> order = command.objects;
     for (const Id id : all)
         if (!chosen.contains(id)) order.push_back(id);

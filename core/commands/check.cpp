@@ -9,7 +9,8 @@
 namespace trivar {
 namespace {
 
-// Far beyond any name or path, and any stroke of a hand; keeps hostile lines from multiplying.
+// Largest length of a text and a list, far beyond any name, path or stroke; it keeps hostile lines
+// from using much memory.
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t longest_list = 100000;
 

@@ -11,7 +11,8 @@
 namespace trivar {
 namespace {
 
-// Every object ever made has an id, undone ones not counted; far beyond what a person makes.
+// Largest id. Every object ever made has an id, except undone ones; this is far beyond what a
+// person makes.
 constexpr Id last_id = 100000;
 
 } // namespace
@@ -108,7 +109,7 @@ Transform decomposed(const glm::dmat4& matrix)
     const double sin_y = glm::clamp(-r0.z, -1.0, 1.0);
     if (std::abs(sin_y) < 1 - 1e-12)
         result.rotation_deg = {std::atan2(r1.z, r2.z), std::asin(sin_y), std::atan2(r0.y, r0.x)};
-    else // X and Z turn about the same axis: leave all to X
+    else // X and Z turn about the same axis: all of it is given to X
         result.rotation_deg = {std::copysign(1.0, sin_y) * std::atan2(r1.x, r1.y), std::asin(sin_y),
                                0};
     result.rotation_deg = glm::degrees(result.rotation_deg);

@@ -15,7 +15,7 @@ glm::dmat4 parent_to_world(const Document& document, Id parent)
     return parent == 0 ? glm::dmat4(1) : to_world(document, parent);
 }
 
-// Deeper trees have no use, and every look at an object walks up to its root.
+// Largest depth of a tree: every look at an object walks up to its root.
 constexpr int deepest = 64;
 
 int depth(const Document& document, Id id)
@@ -42,7 +42,7 @@ std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
     return result;
 }
 
-// Throws Rejected where one of those is that object, or holds it.
+// Throws Rejected if one of the members is that parent, or contains it.
 void check_no_ring(const Document& document, const std::vector<Id>& members, Id parent)
 {
     for (Id id = parent; id != 0; id = object(document, id).parent)

@@ -84,7 +84,7 @@ Command keyed(const Document& document, const Command& command, double frame, bo
         if (!std::ranges::equal(rest.shaping, was->second->shaping,
                                 [](const auto& a, const auto& b) { return *a == *b; }))
             return command;
-        rest.shaping = was->second->shaping; // of which only the pointers differ
+        rest.shaping = was->second->shaping; // whose elements only differ in their pointers
         if (rest != *was->second) return command;
     }
     if (!tracked || out.of.empty()) return command;

@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// The rule of each field, by its name as a parameter with # in place of numbers.
+// Rules has the rule of each field by its name as a parameter, with # in place of numbers.
 using Rules = std::map<std::string, Rule, std::less<>>;
 
 template <class T> void add_rules(Rules& rules, const std::string& name, const Rule& rule)

@@ -22,7 +22,7 @@
 namespace trivar {
 namespace {
 
-using CopiedIds = std::map<Id, Id>; // by the numbers where they were copied
+using CopiedIds = std::map<Id, Id>; // by the ids at the place where they were copied
 
 // Gives fields of one value to those of another that have the same name and type.
 void give_alike(const auto& from, auto& to)
@@ -105,7 +105,8 @@ Object object_of(const CopiedObject& copy, const CopiedIds& made)
     return out;
 }
 
-// The object that a copy knew: the copy of that, or that itself where the scene has it; 0: neither.
+// Finds the object that a copy refers to: the copy of it, or the object itself if the scene has it;
+// 0 if neither.
 Id here(const KnownObject& known, const Document& before, const CopiedIds& made)
 {
     if (const auto copy = made.find(known.object); copy != made.end()) return copy->second;
@@ -280,7 +281,7 @@ Paste copied(const Document& document, const std::vector<Id>& ids, const std::st
     const auto add = [&](auto&& self, Id group) -> void {
         for (const Id id : inside[group]) {
             paste.copies.push_back(copy_of(document, id, group != 0, folder));
-            self(self, id); // groups come before what is in them
+            self(self, id); // groups come before their contents
         }
     };
     add(add, 0);

@@ -40,7 +40,7 @@ void forget_shaping(Object& o)
     if (!std::holds_alternative<LatticeShape>(o.source)) o.shaping.clear();
 }
 
-// More than any stroke meets; each placement remembers its whole list.
+// Largest number of supports, more than any stroke meets; each placement stores its whole list.
 constexpr std::size_t most_supports = 4096;
 
 void check_count(const std::vector<Id>& supports)
@@ -120,7 +120,7 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
-// Throws Rejected where no plane is said, or the object has no surface that it could cut.
+// Throws Rejected if there is no plane, or the object has no surface to cut.
 void check_cut(const Document& document, const PlaceRound& command)
 {
     const glm::dvec3& normal = *command.normal;
@@ -132,7 +132,7 @@ void check_cut(const Document& document, const PlaceRound& command)
                                    named(document, command.around)));
 }
 
-// Throws Rejected where something carries it that it does not lie on.
+// Throws Rejected if an object carries it on which it does not lie.
 void check_attached(const Attachment& attachment, const PlacementStep& step)
 {
     check(attachment, step.sketch.samples.size());
@@ -160,7 +160,7 @@ Attachment attached_to_all(const Document& document, const PlacementStep& step)
     return out;
 }
 
-// " on Vase and Table", " on Vase and the ground": what it lies on after the step.
+// Names what it lies on after the step: " on Vase and Table", " on Vase and the ground".
 std::string words_of_support(const StepDocuments& step, Id id)
 {
     const Object* laid = step.is(id);

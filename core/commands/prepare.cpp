@@ -9,7 +9,8 @@
 namespace trivar {
 namespace {
 
-// Relative where the file lies in or near the scene's folder, so that both can move together.
+// Makes a path relative if the file is in or near the folder of the scene, so that both can be
+// moved together.
 std::string path_in_log(const std::string& path, const std::string& folder)
 {
     const std::filesystem::path named(path);
@@ -20,7 +21,7 @@ std::string path_in_log(const std::string& path, const std::string& folder)
     return relative.empty() || ups > near ? named.lexically_normal().string() : relative.string();
 }
 
-// The file as the log names it, with the hash of what it holds now.
+// Returns the file as the log names it, with the hash of its present content.
 ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progress& progress)
 {
     file.path = path_in_log(file.path, assets.folder());
@@ -33,8 +34,8 @@ ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progres
     return file;
 }
 
-// The digest of the font that was found, none where another one stands in; a font file is named
-// from the root, so that it is found wherever the scene is kept.
+// Stores the digest of the font that was found, or none if another one replaces it. A font file
+// gets an absolute path, so that it is found wherever the scene is kept.
 void prepare_font(TextShape& text, const AssetStore& assets)
 {
     if (is_font_path(text.font))
@@ -44,7 +45,7 @@ void prepare_font(TextShape& text, const AssetStore& assets)
     try {
         const FoundFont found = find_font(text.font);
         if (found.notices.empty()) text.font_digest = found.font.digest();
-    } catch (const Rejected&) { // said of the object
+    } catch (const Rejected&) { // reported for the object
     }
 }
 
@@ -67,7 +68,7 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
     } else if (auto* letters = std::get_if<SetText>(&command)) {
         prepare_font(letters->shape, assets);
     } else if (auto* paste = std::get_if<Paste>(&command)) {
-        for (CopiedObject& copy : paste->copies) // what is missing is told of each object
+        for (CopiedObject& copy : paste->copies) // a missing file is reported for each object
             if (copy.file) copy.file->path = path_in_log(copy.file->path, assets.folder());
     }
     return command;

@@ -26,8 +26,8 @@ using nlohmann::json;
     throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, printable(text)));
 }
 
-// What does not depend on a field's type is in plain functions: there are some 150 fields, and each
-// is a place where these are called.
+// These functions do not depend on the type of a field, because there are some 150 fields, and the
+// code of each calls them.
 
 std::string element(const std::string& name, std::size_t i)
 {
@@ -103,7 +103,7 @@ void check_numbers(const std::string& name, const json& from, std::size_t count)
         reject(name, fmt::format("a list of {} numbers", count), from);
 }
 
-// The fields of one object in braces, of which none may stay untaken.
+// A Fields reads the fields of one object in braces; a field that is not read is an error.
 class Fields {
 public:
     Fields(const json& object, std::string prefix, std::string_view also_known = "")
@@ -112,7 +112,7 @@ public:
           known_{also_known}
     {
     }
-    // Leaves the value as it is where the field is left out.
+    // Reads a field. A field that is left out leaves the value unchanged.
     void read(std::string_view name, bool required, void* value,
               void (*reader)(const std::string& name, const json& from, void* value))
     {

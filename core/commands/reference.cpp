@@ -59,8 +59,8 @@ std::string range(const Rule& rule)
     return rule.lo == 0 ? "0 or more" : rule.lo < 1e-6 ? "above 0" : shortest(rule.lo) + " or more";
 }
 
-// What is said of a field. The three texts are made of this, so that of the 150 fields' types only
-// one function is made.
+// A FieldText describes a field. All three texts are made from it, so that only one function is
+// compiled per type of field.
 struct FieldText {
     std::string_view name, help;
     Rule rule;

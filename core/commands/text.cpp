@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What a row has room for of a text, in quotes.
+// Quotes the part of a text for which a row has room.
 std::string size_words(const TextShape& s)
 {
     constexpr std::size_t most = 24; // bytes

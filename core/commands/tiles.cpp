@@ -19,7 +19,7 @@ const Tiling& tiling_of(const Document& document, Id id)
     return *layer.tiles;
 }
 
-// The index of a stroke by its number, which counts from 1.
+// Returns the index of a stroke by its number, which counts from 1.
 std::size_t index_of(const Document& document, Id id, int number)
 {
     const std::size_t count = tiling_of(document, id).strokes.size();

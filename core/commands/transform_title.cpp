@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// About one axis where only that number changed, else about whichever it is.
+// Describes a rotation: by its angle and axis if only one number changed, else by its angle alone.
 std::string turn_words(const glm::dvec3& before, const glm::dvec3& after)
 {
     int axes = 0, axis = 0;

@@ -18,7 +18,7 @@ void check_lattice(const Document& document, Id id)
                                    object(document, id).name));
 }
 
-// The warp that was that step; null: there is no such step, or it is another kind.
+// Returns the warp in a step; null if there is no such step, or it is of another kind.
 const Warp* warp_of(const Object& o, int step)
 {
     if (step < 1 || static_cast<std::size_t>(step) > o.shaping.size()) return nullptr;

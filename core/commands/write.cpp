@@ -21,7 +21,7 @@ std::string json_text(std::string_view text)
 
 std::string json_text(double value)
 {
-    // Readers take -0 for an integer, which has no sign.
+    // A reader takes -0 for an integer, which has no sign.
     return value == 0 && std::signbit(value) ? "-0.0" : shortest(value);
 }
 

@@ -25,7 +25,7 @@ void stand(Carriage& carriage, StrokeHosts& stroke, bool exact)
     }
 }
 
-// `others` are what it lies on without being attached to it.
+// Makes the carriage of a step; `others` are the objects that it lies on without being attached.
 Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
                      const std::vector<Ref<EvaluatedObject>>& others, const GroundPlane& ground)
 {
