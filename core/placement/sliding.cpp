@@ -216,8 +216,8 @@ glm::dmat4 grown_on(const Ground& ground, double factor)
     return about_place(ground.p, glm::dmat3(factor), ground.p);
 }
 
-Sketch carried(const Sketch& sketch, const glm::dmat4& by, const RayScene& before,
-               const RayScene& scene, const Ground& above)
+Sketch moved_stroke(const Sketch& sketch, const glm::dmat4& by, const RayScene& before,
+                    const RayScene& scene, const Ground& above)
 {
     Sketch out{carried(sketch.camera, by), sketch.samples};
     const double depth = glm::distance(sketch.camera.eye, sketch.camera.target);

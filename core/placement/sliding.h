@@ -40,7 +40,7 @@ glm::dmat4 grown_on(const Ground& ground, double factor);
 // something now stands between that camera and the place to which the stroke was moved, the same
 // stroke is seen from close above that place, in parallel. `before` is the scene on which it fell,
 // `scene` the one it falls on now; `above` says where it is after the motion.
-Sketch carried(const Sketch& sketch, const glm::dmat4& by, const RayScene& before,
-               const RayScene& scene, const Ground& above);
+Sketch moved_stroke(const Sketch& sketch, const glm::dmat4& by, const RayScene& before,
+                    const RayScene& scene, const Ground& above);
 
 } // namespace trivar

@@ -27,7 +27,7 @@ double scale_of(const glm::dmat4& to_world)
 EditPlacement with_stroke(const LaidStand& laid, const glm::dmat4& by, const Ground& above)
 {
     EditPlacement edit{laid.object, laid.step.parameters, {}, {}};
-    edit.sketch = carried(laid.step.sketch, by, *laid.scene, *laid.scene, above);
+    edit.sketch = moved_stroke(laid.step.sketch, by, *laid.scene, *laid.scene, above);
     edit.attach = laid.hosts;
     return edit;
 }

@@ -52,7 +52,7 @@ TEST(Sliding, OnLevelGroundTheLaidVolumeMovesAsAWhole)
     const glm::dmat4 shift = slid(middle, {{2.5, -1, 0}, {0, 0, 1}});
     for (const glm::dmat4& by : {shift, turned_on(middle, 77), turned_on(middle, -160),
                                  grown_on(middle, 1.7), grown_on(middle, 0.3)}) {
-        const Sketch after = carried(sketch, by, floor, floor, middle);
+        const Sketch after = moved_stroke(sketch, by, floor, floor, middle);
         EXPECT_EQ(after.samples, sketch.samples);
         EXPECT_LT(apart(before, by, placed(after, floor)), 1e-7);
     }
@@ -137,7 +137,7 @@ TEST(Sliding, AStrokeThatWouldBeHiddenIsSeenFromCloseAbove)
         stroke_over(from_the_side({0, -5, 2}), {{-0.8, 0, 0}, {0, 0.3, 0}, {0.8, 0, 0}});
     const Ground middle{{0, 0.2, 0}, {0, 0, 1}}, there{{3, 0.2, 0}, {0, 0, 1}};
     const glm::dmat4 by = slid(middle, there);
-    const Sketch after = carried(sketch, by, scene, scene, there);
+    const Sketch after = moved_stroke(sketch, by, scene, scene, there);
     EXPECT_FALSE(after.camera.perspective);
     ASSERT_EQ(after.samples.size(), sketch.samples.size());
     const Placement before = placed(sketch, scene), now = placed(after, scene);
