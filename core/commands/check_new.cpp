@@ -68,7 +68,7 @@ void check_fits(const CoarsenVolume& c, const Object& o, const LatticeShape& box
                                    count, order, order, "XYZ"[axis]));
 }
 
-template <class C> void check_step(const Document& document, const C& command)
+template <class C> void check_lattice_takes(const Document& document, const C& command)
 {
     const auto found = document.objects.find(command.object);
     if (found == document.objects.end()) return; // after() refuses it
@@ -78,12 +78,29 @@ template <class C> void check_step(const Document& document, const C& command)
 
 } // namespace
 
+void check_effect(const Document& document, const InsertKnots& command)
+{
+    check_lattice_takes(document, command);
+}
+
+void check_effect(const Document& document, const MovePoints& command)
+{
+    check_lattice_takes(document, command);
+}
+
+void check_effect(const Document& document, const CoarsenVolume& command)
+{
+    check_lattice_takes(document, command);
+}
+
 void check_new(const Document& document, const Command& command)
 {
     check(command);
-    if (const auto* insert = std::get_if<InsertKnots>(&command)) check_step(document, *insert);
-    if (const auto* move = std::get_if<MovePoints>(&command)) check_step(document, *move);
-    if (const auto* coarsen = std::get_if<CoarsenVolume>(&command)) check_step(document, *coarsen);
+    std::visit(
+        [&](const auto& c) {
+            if constexpr (requires { check_effect(document, c); }) check_effect(document, c);
+        },
+        static_cast<const AnyCommand&>(command));
 }
 
 } // namespace trivar

@@ -74,9 +74,9 @@ std::vector<Command> every_command();
 // look at a document.
 void check(const Command& command);
 
-// Throws Rejected for a command that would do nothing, as far as the document knows: a step that a
-// lattice cannot take. after() takes it, since older scenes hold such steps, which are passed over;
-// a command that is given anew is checked first.
+// Does check() and, for the kinds of commands that have one, check_effect(), which throws Rejected
+// for a command that would do nothing in this document. after() takes such a command, because older
+// scenes hold some; new commands are checked first.
 void check_new(const Document& document, const Command& command);
 
 // The document after the command; objects that the command does not touch keep their pointer. Pure:

@@ -48,6 +48,8 @@ struct MovePoints {
     }
 };
 Document applied(Document document, const MovePoints& command);
+// Throws Rejected if the object is a lattice that lacks one of the points; see check_new().
+void check_effect(const Document& document, const MovePoints& command);
 StepTitle title(const MovePoints& c, const StepDocuments& step);
 
 struct InsertKnots {
@@ -64,6 +66,8 @@ struct InsertKnots {
     }
 };
 Document applied(Document document, const InsertKnots& command);
+// Throws Rejected if the object is a lattice that would get too many points; see check_new().
+void check_effect(const Document& document, const InsertKnots& command);
 StepTitle title(const InsertKnots& c, const StepDocuments& step);
 
 struct CoarsenVolume {
@@ -80,6 +84,8 @@ struct CoarsenVolume {
     }
 };
 Document applied(Document document, const CoarsenVolume& command);
+// Throws Rejected if the object is a lattice that has no such point to remove; see check_new().
+void check_effect(const Document& document, const CoarsenVolume& command);
 StepTitle title(const CoarsenVolume& c, const StepDocuments& step);
 
 struct MendVolume {
