@@ -21,7 +21,7 @@ namespace {
 using CertificateJson = nlohmann::ordered_json;
 constexpr int certificate_version = 1;
 
-// JSON knows no infinity.
+// Returns null for infinity and NaN, which JSON cannot write.
 CertificateJson finite_or_null(double value)
 {
     return std::isfinite(value) ? CertificateJson(value) : CertificateJson(nullptr);
@@ -67,7 +67,7 @@ std::vector<std::string> not_certified(const Certificate& certificate)
                                       "off than {:.3g} m",
                                       name, part.not_certified, part.triangles, part.tolerance));
     }
-    for (const Certificate::NotLaid& object : certificate.not_laid)
+    for (const Certificate::UnlaidObject& object : certificate.not_laid)
         out.push_back(fmt::format("{} is not certified: it does not lie where it should: {}",
                                   printable(object.name), printable(object.why)));
     return out;
@@ -100,7 +100,7 @@ std::string to_json(const Certificate& c)
                          {"method", p.method},
                          {"rule", p.rule}});
     CertificateJson not_laid = CertificateJson::array();
-    for (const Certificate::NotLaid& n : c.not_laid)
+    for (const Certificate::UnlaidObject& n : c.not_laid)
         not_laid.push_back({{"object", n.object}, {"name", n.name}, {"why", n.why}});
     const CertificateJson all{{"version", certificate_version},
                               {"tolerance_m", c.tolerance},

@@ -26,11 +26,12 @@ struct Certificate {
         std::string method, rule;
     };
     std::vector<PartClaim> parts; // those that lie in a volume
-    struct NotLaid { // an object that should lie in a volume and does not; nothing is claimed of it
+    // An UnlaidObject should lie in a volume and does not; nothing is claimed of it.
+    struct UnlaidObject {
         Id object = 0;
         std::string name, why;
     };
-    std::vector<NotLaid> not_laid;
+    std::vector<UnlaidObject> not_laid;
 };
 
 std::string part_title(const Certificate::PartClaim& claim); // "Snake (part 1)"

@@ -12,7 +12,8 @@
 namespace trivar {
 namespace {
 
-// The same stroke, seen by a camera that went along or, where that would see it hidden, by another.
+// Says whether a stroke was moved as a whole: its camera moved with it, or was replaced by another
+// one because the stroke would be hidden from it.
 bool carried_whole(const Sketch& then, const Sketch& now)
 {
     const auto same = [](const StrokeSample& a, const StrokeSample& b) {
@@ -21,8 +22,9 @@ bool carried_whole(const Sketch& then, const Sketch& now)
     return then.camera != now.camera && std::ranges::equal(then.samples, now.samples, same);
 }
 
-// Where the samples met something, in the space of the stroke.
-struct Met {
+// SamplePlaces are the places where samples met the scene, then and now, in the space of the
+// stroke.
+struct SamplePlaces {
     std::vector<glm::dvec3> then, now;
     glm::dvec3 normal{0, 0, 1}; // mean of the faces there
 };
@@ -34,7 +36,7 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& places)
     return sum / static_cast<double>(places.size());
 }
 
-// The root mean square of the distances from the middle.
+// Returns the root mean square of the distances from the middle.
 double reach_of(const std::vector<glm::dvec3>& places)
 {
     const glm::dvec3 middle = middle_of(places);
@@ -61,7 +63,7 @@ const std::vector<AttachedSample>* samples_of(const PlacementStep& step)
     return all ? &step.attach->samples : nullptr;
 }
 
-// The motion that takes one camera to the other, each a rigid frame and a size.
+// Returns the motion from one camera to the other, each a rigid frame with a size.
 glm::dmat4 between(const Camera& then, const Camera& now)
 {
     const double factor = glm::distance(now.eye, now.target) / glm::distance(then.eye, then.target);
@@ -69,9 +71,9 @@ glm::dmat4 between(const Camera& then, const Camera& now)
     return glm::inverse(view_matrix(now)) * grown * view_matrix(then);
 }
 
-Met met_by_camera(const PlacementStep& before, const glm::dmat4& by)
+SamplePlaces met_by_camera(const PlacementStep& before, const glm::dmat4& by)
 {
-    Met met;
+    SamplePlaces met;
     if (const auto* samples = samples_of(before)) {
         glm::dvec3 sum(0);
         for (const AttachedSample& each : *samples) {
@@ -93,11 +95,12 @@ Met met_by_camera(const PlacementStep& before, const glm::dmat4& by)
     return met;
 }
 
-// With the motion between where both met something. Of a straight stroke only the faces there tell
-// how it lies about itself.
-std::pair<Met, glm::dmat4> met_by_samples(const PlacementStep& before, const PlacementStep& after)
+// Returns the places where both strokes met the scene, and the motion between them. A straight
+// stroke does not determine the rotation about itself, so the faces there are used, too.
+std::pair<SamplePlaces, glm::dmat4> met_by_samples(const PlacementStep& before,
+                                                   const PlacementStep& after)
 {
-    Met met;
+    SamplePlaces met;
     const auto *then = samples_of(before), *now = samples_of(after);
     std::vector<glm::dvec3> normals_then, normals_now;
     for (std::size_t i = 0; then && now && i < then->size(); ++i) {
@@ -119,8 +122,9 @@ std::pair<Met, glm::dmat4> met_by_samples(const PlacementStep& before, const Pla
     return {met, best_motion(from, to)};
 }
 
-// Degrees about the normal, right-handed; 0 where the middle goes further than the ends about it.
-double turn_deg(const Met& met, const glm::dmat4& by)
+// Returns the degrees about the normal, right-handed; 0 if the middle moves further than the ends
+// turn about it.
+double turn_deg(const SamplePlaces& met, const glm::dmat4& by)
 {
     if (met.then.empty()) return 0;
     const glm::dmat3 turn(by);
@@ -139,7 +143,7 @@ std::optional<StepTitle> stroke_title(const PlacementStep& before, const Placeme
                                       const std::string& name)
 {
     if (!carried_whole(before.sketch, after.sketch)) return {};
-    Met met;
+    SamplePlaces met;
     glm::dmat4 by(1);
     if (before.sketch.samples == after.sketch.samples) {
         by = between(before.sketch.camera, after.sketch.camera);

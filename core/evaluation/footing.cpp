@@ -106,7 +106,7 @@ std::optional<FootPlace> Footings::operator()(const AttachedSample& sample, std:
     if (!part->posed && !part->bent)
         return FootPlace{glm::dvec3(part->to_world * glm::dvec4(sample.rest, 1)), sample.normal};
     known_.resize(std::max(known_.size(), index + 1));
-    std::optional<Known>& known = known_[index];
+    std::optional<SampleFooting>& known = known_[index];
     if (!known || known->mesh != rest || known->rest != sample.rest) {
         const Ref<RayMesh> rays = input.ray_meshes(rest, input.timings);
         if (rays->triangles().empty()) return {};

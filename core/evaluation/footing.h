@@ -37,12 +37,14 @@ public:
                                         const StepInput& input);
 
 private:
-    struct Known {
+    // A SampleFooting is where on a mesh at rest a sample is; it holds for this mesh and place
+    // alone.
+    struct SampleFooting {
         glm::dvec3 rest{0};
         Ref<Mesh> mesh;
         Footing footing;
     };
-    std::vector<std::optional<Known>> known_; // by sample
+    std::vector<std::optional<SampleFooting>> known_; // by sample
 };
 
 } // namespace trivar

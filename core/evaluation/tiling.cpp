@@ -64,14 +64,15 @@ double side_in_world(const TilePatch& patch)
     return (glm::distance(at(0, 0.5), at(1, 0.5)) + glm::distance(at(0.5, 0), at(0.5, 1))) / 2;
 }
 
-struct Told {
+// TileCounts are the numbers of tiles that a notice is given of.
+struct TileCounts {
     int lowered = 0, folded = 0, at_borders = 0;
 };
 
-// The tiles that there is room for, each as high as it may be.
+// Chooses the tiles that have room, each as high as it may be.
 std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
                                const std::vector<TileChart>& charts, const BasePose& pose,
-                               const TileLook& look, const TileCell& cell, Told& told)
+                               const TileLook& look, const TileCell& cell, TileCounts& told)
 {
     enum class Fate : char { as_wanted, lowered, folded, at_border };
     std::vector<PlacedTile> all(charts.size());
@@ -117,7 +118,7 @@ std::string tiles(int count)
     return count == 1 ? "1 tile is" : fmt::format("{} tiles are", count);
 }
 
-void tell(Stage& stage, const TileLayout& layout, const Told& told)
+void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
 {
     if (told.lowered > 0)
         stage.notices.push_back(tiles(told.lowered) + " lowered, so as not to fold");
@@ -205,10 +206,10 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const glm::dmat4 turned(glm::dmat3(input.object.transform.matrix()));
     return painted_({before, shown, charts, look, turned}, [&] {
         const TileCell cell = cell_of(before->own_parts, turned);
-        Told told;
+        TileCounts told;
         std::vector<PlacedTile> all;
         for (const auto& [member, parts] : members) {
-            if (parts.size() != pieces.size()) continue; // something of it is out of reach
+            if (parts.size() != pieces.size()) continue; // a part is too far away
             const std::vector<PlacedTile> there = timed(input.timings, "tiles", [&] {
                 return placed(*base, *layout, *charts, pose_of(*base, parts), look, cell, told);
             });

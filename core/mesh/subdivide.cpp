@@ -22,22 +22,25 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 constexpr double max_faces = 20e6;
 
-// What OpenSubdiv mixes: sums of weighted values. Double, so that level after level adds nothing
-// to the float's own rounding.
-template <class V> struct Mixed {
+// A WeightedSum is a value that OpenSubdiv interpolates. It is double, so that many levels add no
+// error to the rounding of floats.
+template <class V> struct WeightedSum {
     V value{0};
     void Clear(void* = nullptr) { value = V(0); }
-    void AddWithWeight(const Mixed& other, float weight) { value += other.value * double(weight); }
+    void AddWithWeight(const WeightedSum& other, float weight)
+    {
+        value += other.value * double(weight);
+    }
 };
-using Point = Mixed<glm::dvec3>;
-using Uv = Mixed<glm::dvec2>;
-using Color = Mixed<glm::dvec4>;
+using Point = WeightedSum<glm::dvec3>;
+using Uv = WeightedSum<glm::dvec2>;
+using Color = WeightedSum<glm::dvec4>;
 
-// The indices of one attribute, corner by corner: equal values at one point are one, so that
-// they stay joined, and different ones are a seam.
+// An Attribute has its indices by corner: equal values at one point are one value, so that they
+// stay joined; different ones are a seam.
 template <class V> struct Attribute {
     std::vector<int> corners; // #C to value
-    std::vector<Mixed<V>> values;
+    std::vector<WeightedSum<V>> values;
 };
 
 template <class V, class Source>
@@ -78,7 +81,8 @@ Mesh with_every_point_used(Mesh mesh)
     return mesh;
 }
 
-// OpenSubdiv's view of the cage: points for vertices, one face-varying channel an attribute.
+// A Topology is the cage as OpenSubdiv reads it: points for vertices, one face-varying channel per
+// attribute.
 struct Topology {
     std::vector<int> face_sizes, corner_points, crease_ends, corner_vertices;
     std::vector<float> crease_sharpness, corner_sharpness;
@@ -136,9 +140,10 @@ std::unique_ptr<Far::TopologyRefiner> refiner(const Mesh& cage, const Topology& 
         Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_CATMARK, scheme)));
 }
 
-// The values of the last level.
+// Returns the values of the last level.
 template <class V, class Interpolate>
-std::vector<Mixed<V>> refined(std::vector<Mixed<V>> values, int levels, Interpolate interpolate)
+std::vector<WeightedSum<V>> refined(std::vector<WeightedSum<V>> values, int levels,
+                                    Interpolate interpolate)
 {
     for (int level = 1; level <= levels; ++level) values = interpolate(level, values);
     return values;
@@ -155,8 +160,8 @@ public:
     {
     }
 
-    // A vertex for every different combination of a point and its values in the channels, in the
-    // order of the points.
+    // Adds a vertex for each different combination of a point and its values in the channels, in
+    // the order of the points.
     void add_vertices(std::size_t channels)
     {
         stride_ = channels + 1;
@@ -216,26 +221,27 @@ public:
             const bool smooth = length > 0 && !on_hard_crease(static_cast<int>(p));
             mesh_.normals.push_back(smooth ? glm::vec3(normal / length) : glm::vec3(0));
         }
-        // On a crease of infinite sharpness there are two limit normals, and at such a corner the
-        // tangents may be parallel: there the faces around decide.
+        // On a crease of infinite sharpness there are two limit normals, and at a corner of
+        // infinite sharpness the tangents may be parallel: there the faces around the vertex
+        // decide.
         const std::vector<glm::vec3> smooth = smooth_normals(mesh_);
         for (std::size_t v = 0; v < smooth.size(); ++v)
             if (mesh_.normals[v] == glm::vec3(0)) mesh_.normals[v] = smooth[v];
     }
 
     template <class V, class Target>
-    std::vector<Target> values(std::vector<Mixed<V>> from, std::size_t channel) const
+    std::vector<Target> values(std::vector<WeightedSum<V>> from, std::size_t channel) const
     {
         const Far::PrimvarRefinerReal<double> primvar(refiner_);
         const int number = static_cast<int>(channel);
-        from =
-            refined(std::move(from), levels_, [&](int level, const std::vector<Mixed<V>>& coarse) {
-                std::vector<Mixed<V>> fine(
+        from = refined(
+            std::move(from), levels_, [&](int level, const std::vector<WeightedSum<V>>& coarse) {
+                std::vector<WeightedSum<V>> fine(
                     static_cast<std::size_t>(refiner_.GetLevel(level).GetNumFVarValues(number)));
                 primvar.InterpolateFaceVarying(level, coarse, fine, number);
                 return fine;
             });
-        std::vector<Mixed<V>> limit(from.size());
+        std::vector<WeightedSum<V>> limit(from.size());
         primvar.LimitFaceVarying(from, limit, number);
         std::vector<Target> result;
         for (std::size_t at = channel + 1; at < vertex_.size(); at += stride_)
@@ -243,7 +249,7 @@ public:
         return result;
     }
 
-    // Faces inherit the attributes of the cage face that they come from.
+    // Returns the attributes of the faces, which each takes from its cage face.
     std::vector<std::uint32_t> inherited(const std::vector<std::uint32_t>& of_cage_face) const
     {
         if (of_cage_face.empty()) return {};

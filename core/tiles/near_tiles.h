@@ -22,7 +22,7 @@ public:
     // Calls found(tile, distance) for the tiles within a radius, until it returns true.
     template <class Found> bool any(const glm::dvec3& p, double radius, Found&& found) const
     {
-        const auto is_found = [&](const Known& each) {
+        const auto is_found = [&](const TilePosition& each) {
             const double distance = glm::distance(each.p, p);
             return distance <= radius && found(each.tile, distance);
         };
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    struct Known {
+    struct TilePosition {
         glm::dvec3 p;
         int tile;
     };
@@ -56,8 +56,8 @@ private:
                static_cast<std::uint64_t>(c.z) * 0x165667B19E3779F9u;
     }
     double cube_;
-    std::vector<Known> all_;
-    std::unordered_map<std::uint64_t, std::vector<Known>> tiles_;
+    std::vector<TilePosition> all_;
+    std::unordered_map<std::uint64_t, std::vector<TilePosition>> tiles_;
 };
 
 } // namespace trivar

@@ -54,9 +54,9 @@ public:
         if (given_.parts.size() != claims_.parts.size())
             wrong(fmt::format("parts in volumes: the scene gives {} and it claims {}",
                               given_.parts.size(), claims_.parts.size()));
-        for (const Certificate::NotLaid& object : given_.not_laid)
-            if (std::ranges::find(claims_.not_laid, object.object, &Certificate::NotLaid::object) ==
-                claims_.not_laid.end())
+        for (const Certificate::UnlaidObject& object : given_.not_laid)
+            if (std::ranges::find(claims_.not_laid, object.object,
+                                  &Certificate::UnlaidObject::object) == claims_.not_laid.end())
                 wrong(printable(object.name) +
                       " does not lie where it should, which it leaves out");
         for (const std::string& sentence : not_certified(claims_)) wrong(sentence);

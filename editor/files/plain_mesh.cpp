@@ -21,8 +21,8 @@
 namespace trivar {
 namespace {
 
-// All that the job needs, as it was when it was asked for.
-struct Asked {
+// A PlainMeshJob is all that the job needs, as it was when it was asked for.
+struct PlainMeshJob {
     PlainMeshWish wish;
     Document document;
     double frame = 1;
@@ -30,12 +30,13 @@ struct Asked {
     std::string path; // of the file, as the scene's folder for shapes was
 };
 
-std::string plain_name(const Asked& asked)
+std::string plain_name(const PlainMeshJob& asked)
 {
     return name_of(asked.document, asked.wish.object) + " plain";
 }
 
-struct Made {
+// A PlainMesh is what the job made: a model, and what is proven of it.
+struct PlainMesh {
     Transform transform = {}; // where the model of the file stands to its parent, or in the world
     std::size_t triangles = 0;
     double bound = 0;
@@ -58,7 +59,7 @@ Transform standing_at(const Box& bounds, const glm::dmat4& from_world)
 }
 
 // Runs beside the window.
-Made made(const Asked& asked, const Progress& progress)
+PlainMesh made(const PlainMeshJob& asked, const Progress& progress)
 {
     const PlainMeshWish& wish = asked.wish;
     const Document finer = after(asked.document, Refine{{wish.object}, wish.refining});
@@ -71,7 +72,7 @@ Made made(const Asked& asked, const Progress& progress)
         throw Rejected(shown.rejected.empty() ? "it is empty" : shown.rejected);
     const Document document = document_at(finer, asked.frame);
     const glm::dmat4 from_world = glm::inverse(parent_to_world(document, wish));
-    Made out{standing_at(*shown.bounds, from_world)};
+    PlainMesh out{standing_at(*shown.bounds, from_world)};
     const glm::dmat4 to_own =
         glm::translate(glm::dmat4(1), -out.transform.translation) * from_world;
     out.model = std::make_shared<const Model>(kept_model(shown, finer, to_own));
@@ -112,7 +113,7 @@ void keep_riders(const Session& session, ApplyShape& command)
     }
 }
 
-std::string words_of(const Made& made, const PlainMeshWish& wish)
+std::string words_of(const PlainMesh& made, const PlainMeshWish& wish)
 {
     if (made.triangles == 0) return "Its curves keep their shape.";
     const std::string count = ui::with_commas(made.triangles) + " triangles";
@@ -123,7 +124,7 @@ std::string words_of(const Made& made, const PlainMeshWish& wish)
 }
 
 // The file in the scene's present folder for shapes; it is written where it is not there yet.
-std::string file_of(Session& session, const Asked& asked, const Made& made)
+std::string file_of(Session& session, const PlainMeshJob& asked, const PlainMesh& made)
 {
     namespace fs = std::filesystem;
     const fs::path folder = session.make_shapes_folder();
@@ -135,7 +136,7 @@ std::string file_of(Session& session, const Asked& asked, const Made& made)
     return path;
 }
 
-void take(Session& session, const Asked& asked, const Made& made)
+void take(Session& session, const PlainMeshJob& asked, const PlainMesh& made)
 {
     const PlainMeshWish& wish = asked.wish;
     const std::string name = name_of(asked.document, wish.object);
@@ -186,19 +187,19 @@ void make_plain_mesh(Session& session, const PlainMeshWish& wish)
     const auto lost = [&session, name](const std::string& why) {
         session.notices.say(ui::NoticeKind::error, "No plain mesh of " + name + " was made", why);
     };
-    auto wanted = std::make_shared<Asked>(Asked{
+    auto wanted = std::make_shared<PlainMeshJob>(PlainMeshJob{
         wish, session.committed(), static_cast<double>(session.frame()), session.assets(), {}});
     try {
         wanted->path = kept_file(session, plain_name(*wanted));
     } catch (const Rejected& why) {
         return lost(why.what());
     }
-    const std::shared_ptr<const Asked> asked = std::move(wanted);
+    const std::shared_ptr<const PlainMeshJob> asked = std::move(wanted);
     const long scene = session.scenes();
     session.jobs().start(
         {.what = "Making a plain mesh of " + name,
          .work = [&session, asked, scene, lost](const Progress& progress) -> Jobs::Finish {
-             const Made result = made(*asked, progress);
+             const PlainMesh result = made(*asked, progress);
              return [&session, asked, scene, lost, result] {
                  // Another scene, or it is another shape by now.
                  const auto& now = session.committed().objects;

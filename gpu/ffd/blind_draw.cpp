@@ -5,12 +5,12 @@
 
 namespace trivar::gpu {
 
-ProgramName vertex_program(std::vector<std::string> volume_defines, Wanted wanted)
+ProgramName vertex_program(std::vector<std::string> volume_defines, VertexOutputs outputs)
 {
     ProgramName name{"mesh", "", std::move(volume_defines)};
     name.captured = {"at_scene"};
-    if (wanted != Wanted::positions) name.captured.emplace_back("at_normal");
-    if (wanted == Wanted::tangents) {
+    if (outputs != VertexOutputs::positions) name.captured.emplace_back("at_normal");
+    if (outputs == VertexOutputs::tangents) {
         name.captured.emplace_back("at_tangent");
         name.defines.emplace_back("TEXTURES 1");
     }
@@ -28,19 +28,19 @@ void BlindDraw::take(const DeviceVertices& vertices)
         attributes_.attribute(2, vertices.tangents, 4, sizeof(glm::vec4));
 }
 
-void BlindDraw::operator()(const std::vector<std::string>& volume_defines, Wanted wanted)
+void BlindDraw::operator()(const std::vector<std::string>& volume_defines, VertexOutputs outputs)
 {
-    start(volume_defines, wanted);
+    start(volume_defines, outputs);
     draw();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 DeformedArrays BlindDraw::captured(const std::vector<std::string>& volume_defines)
 {
-    const Wanted wanted = vertices_->tangents.bytes() > 0  ? Wanted::tangents
-                          : vertices_->normals.bytes() > 0 ? Wanted::normals
-                                                           : Wanted::positions;
-    start(volume_defines, wanted);
+    const VertexOutputs outputs = vertices_->tangents.bytes() > 0  ? VertexOutputs::tangents
+                                  : vertices_->normals.bytes() > 0 ? VertexOutputs::normals
+                                                                   : VertexOutputs::positions;
+    start(volume_defines, outputs);
     DeviceVertices out;
     unsigned binding = 0;
     for (const auto& [from, to] : {std::pair{&vertices_->positions, &out.positions},
@@ -58,9 +58,9 @@ DeformedArrays BlindDraw::captured(const std::vector<std::string>& volume_define
     return read_back(out);
 }
 
-void BlindDraw::start(const std::vector<std::string>& volume_defines, Wanted wanted)
+void BlindDraw::start(const std::vector<std::string>& volume_defines, VertexOutputs outputs)
 {
-    const Program& program = programs_.use(vertex_program(volume_defines, wanted));
+    const Program& program = programs_.use(vertex_program(volume_defines, outputs));
     program.set("to_scene", glm::mat4(1));
     program.set("normal_to_scene", glm::mat3(1));
     glm::mat4 behind_the_eye(0);

@@ -8,10 +8,10 @@
 namespace trivar::gpu {
 
 // The outputs of mesh.vert that a pass needs. A shadow and picking need positions only.
-enum class Wanted { positions, normals, tangents };
+enum class VertexOutputs { positions, normals, tangents };
 
 // The program of mesh.vert alone; its outputs are written to the buffers that are bound for them.
-ProgramName vertex_program(std::vector<std::string> volume_defines, Wanted wanted);
+ProgramName vertex_program(std::vector<std::string> volume_defines, VertexOutputs outputs);
 
 // A BlindDraw runs mesh.vert, the shader of every pass over meshes, over vertices and draws
 // nothing: to measure its time, and to see its outputs.
@@ -21,13 +21,13 @@ public:
     void take(const DeviceVertices& vertices);
     // Draws them undeformed, or in one phase with the volume_defines() of what
     // DeviceDeformer::bind() bound.
-    void operator()(const std::vector<std::string>& volume_defines, Wanted wanted);
+    void operator()(const std::vector<std::string>& volume_defines, VertexOutputs outputs);
     // The same, with the outputs: positions relative to the origin of bind().
     DeformedArrays captured(const std::vector<std::string>& volume_defines);
     Programs& programs() { return programs_; }
 
 private:
-    void start(const std::vector<std::string>& volume_defines, Wanted wanted);
+    void start(const std::vector<std::string>& volume_defines, VertexOutputs outputs);
     void draw() const;
     const DeviceVertices* vertices_ = nullptr;
     VertexArray attributes_;

@@ -133,7 +133,7 @@ void DeformTimer::draw(const std::vector<std::string>& volume, const Method& met
 {
     const bool normals = method.normals != NormalsBy::nothing && from_.normals.bytes() > 0;
     for (int pass = 0; pass < passes; ++pass)
-        draw_(volume, normals && pass == 0 ? Wanted::normals : Wanted::positions);
+        draw_(volume, normals && pass == 0 ? VertexOutputs::normals : VertexOutputs::positions);
 }
 
 DeformErrors DeformTimer::errors(const Stage& stage, Way way, const Method& method)

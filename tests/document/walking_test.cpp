@@ -181,13 +181,13 @@ TEST(Walking, SaysThatAModelWhoseFrontIsElsewhereWalksBackwards)
 
 TEST(Walking, KnowsTheStrideThatTheModelsAreMadeWith)
 {
-    struct Known {
+    struct Walker {
         const char* name;
         double stride;
         std::size_t feet;
     };
     for (const auto& [name, stride, feet] :
-         {Known{"ant", 0.17 / 0.55, 6}, {"robot", 0.23 / 0.6, 2}, {"horse", 0.28 / 0.64, 4}}) {
+         {Walker{"ant", 0.17 / 0.55, 6}, {"robot", 0.23 / 0.6, 2}, {"horse", 0.28 / 0.64, 4}}) {
         const std::string path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/" + name + ".glb";
         ASSERT_TRUE(std::filesystem::exists(path));
         const Model model = read_model(path);

@@ -31,8 +31,9 @@ std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
         for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
             for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
                 out.push_back(deform_program({orders, {sum, normals}, false, texels}));
-        for (const Wanted wanted : {Wanted::positions, Wanted::normals, Wanted::tangents})
-            out.push_back(vertex_program(volume, wanted));
+        for (const VertexOutputs outputs :
+             {VertexOutputs::positions, VertexOutputs::normals, VertexOutputs::tangents})
+            out.push_back(vertex_program(volume, outputs));
         out.push_back(bounds_program(volume));
     }
     for (const char* own : {"PLAIN", "TEXTURES 31"})
@@ -99,8 +100,9 @@ std::vector<ProgramName> every_program()
         out.push_back({"veil", "veil", more});
     for (const bool copies : {false, true}) out.push_back(wire_program(copies));
     out.push_back({"", "", {}, "arithmetic"});
-    for (const Wanted wanted : {Wanted::positions, Wanted::normals, Wanted::tangents})
-        out.push_back(vertex_program({}, wanted));
+    for (const VertexOutputs outputs :
+         {VertexOutputs::positions, VertexOutputs::normals, VertexOutputs::tangents})
+        out.push_back(vertex_program({}, outputs));
     out.push_back(bounds_program({}));
     for (const std::array<int, 3>& orders :
          {std::array{3, 3, 3}, std::array{4, 3, 2}}) // the others are the same text
