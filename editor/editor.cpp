@@ -30,4 +30,10 @@ void Editor::choose_tool(std::size_t index)
     tool = index;
 }
 
+void Editor::choose_tool(std::string_view name)
+{
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        if (tools[i]->name() == name) return choose_tool(i);
+}
+
 } // namespace trivar

@@ -25,6 +25,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trivar {
@@ -85,6 +86,7 @@ struct Editor {
     Tool& active_tool() { return *tools[tool]; }
     const Tool& active_tool() const { return *tools[tool]; }
     void choose_tool(std::size_t index);
+    void choose_tool(std::string_view name); // nothing happens where there is none
 };
 
 } // namespace trivar

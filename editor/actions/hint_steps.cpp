@@ -32,12 +32,12 @@ bool draws(const Editor& editor)
 }
 
 // Some of the models that come with the program, and files.
-std::vector<std::string> offers_of_models(const Editor& editor, bool laid)
+std::vector<std::string> offers_of_models(const Editor& editor, ModelUse use)
 {
     constexpr std::size_t most = 6;
     std::vector<std::string> offers;
     for (const OwnModel& each : own_models())
-        if (each.laid == laid && offers.size() < most && !editor.files.own_models_folder.empty())
+        if (each.use == use && offers.size() < most && !editor.files.own_models_folder.empty())
             offers.emplace_back(each.name);
     offers.emplace_back(import_action);
     return offers;
@@ -54,7 +54,7 @@ HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::siz
                              : "Now drop a scene to lay the text on",
                 "Or add one from the Add menu.",
                 "Or take one of these. The Add menu has more.",
-                offers_of_models(editor, !below)};
+                offers_of_models(editor, below ? ModelUse::stands : ModelUse::laid)};
     }
     if (editor.tools[editor.tool]->name() == "Place")
         return {draw_hint, 1, "Draw across the scene",
@@ -90,7 +90,8 @@ std::optional<HintCard> hint_card(const Editor& editor)
         return HintCard{let_go_hint, 2, "Keep going, then let go",
                         "The strip follows the scene. Where its points are white, it spans a gap."};
     }
-    if (editor.tools[editor.tool]->busy()) return {};
+    if (editor.active_tool().busy()) return {};
+    if (editor.active_tool().chosen_model(session)) return {}; // the tiles have a card of their own
     const BackgroundEvaluator::Status work = session.evaluator().status();
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
     std::size_t shapes = 0, texts = 0, placed = 0, lattices = 0;

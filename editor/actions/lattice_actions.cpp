@@ -116,8 +116,7 @@ void add_lattice_actions(std::vector<Action>& actions)
                        {{.key = 'V', .shift = true}},
                        [](Editor& e) {
                            if (!put_lattice_round_selection(e.session)) return;
-                           for (std::size_t i = 0; i < e.tools.size(); ++i)
-                               if (e.tools[i]->page() == "lattice") e.choose_tool(i);
+                           e.choose_tool("Lattice");
                        },
                        something_selected(),
                        true});

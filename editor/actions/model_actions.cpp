@@ -12,21 +12,20 @@ namespace {
 
 void add_model(Editor& editor, const OwnModel& model)
 {
-    const std::filesystem::path folder = editor.files.own_models_folder;
-    std::function<void(Id)> then;
-    if (model.laid)
-        then = [&editor](Id id) {
-            const bool over_something = !possible_bases(editor.session.committed(), id).empty();
-            if (over_something && !editor.tutorial.runs(editor.session)) lend_place(editor, id);
-        };
-    editor.files.import((folder / model.file).string() + ".glb", false, std::move(then));
+    const auto then = [&editor, use = model.use](Id id) {
+        const bool over_something = !possible_bases(editor.session.committed(), id).empty();
+        if (!over_something || editor.tutorial.runs(editor.session)) return;
+        if (use == ModelUse::laid) lend_place(editor, id);
+        if (use == ModelUse::painted) editor.choose_tool("Tiles");
+    };
+    editor.files.import(file_of(editor.files, model), false, then);
 }
 
 } // namespace
 
 const std::vector<OwnModel>& own_models()
 {
-    constexpr bool below = false;
+    constexpr ModelUse below = ModelUse::stands, tile = ModelUse::painted;
     static const std::vector<OwnModel> all{{"Snake", "snake"},
                                            {"Crocodile", "crocodile"},
                                            {"Lizard", "reptile"},
@@ -43,16 +42,21 @@ const std::vector<OwnModel>& own_models()
                                            {"Jar", "jar", below},
                                            {"Bottle", "bottle", below},
                                            {"Goblet", "goblet", below},
-                                           {"Thorn", "tile_thorn", below},
-                                           {"Flower", "tile_flower", below},
-                                           {"Scale tile", "tile_scale", below},
-                                           {"Chain link", "tile_chain", below},
-                                           {"Mail ring", "tile_mail", below},
-                                           {"Hair", "tile_hair", below},
-                                           {"Hexagon", "tile_hex", below},
-                                           {"Brick", "tile_brick_a", below},
-                                           {"Statue", "tile_statue", below}};
+                                           {"Thorn", "tile_thorn", tile},
+                                           {"Flower", "tile_flower", tile},
+                                           {"Scale tile", "tile_scale", tile},
+                                           {"Chain link", "tile_chain", tile},
+                                           {"Mail ring", "tile_mail", tile},
+                                           {"Hair", "tile_hair", tile},
+                                           {"Hexagon", "tile_hex", tile},
+                                           {"Brick", "tile_brick_a", tile},
+                                           {"Statue", "tile_statue", tile}};
     return all;
+}
+
+std::string file_of(const Files& files, const OwnModel& model)
+{
+    return (std::filesystem::path(files.own_models_folder) / model.file).string() + ".glb";
 }
 
 void add_model_actions(std::vector<Action>& actions)

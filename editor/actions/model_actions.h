@@ -8,12 +8,23 @@
 
 namespace trivar {
 
-// A model that comes with the program: what it is called, and its file in the folder of models.
+class Files;
+
+enum class ModelUse {
+    laid,    // along a stroke on something else
+    stands,  // others are laid on it
+    painted, // copies of it as tiles
+};
+
+// A model that comes with the program: what it is called, its file in the folder of models, and
+// what it is there for.
 struct OwnModel {
     const char *name, *file;
-    bool laid = true; // on something, as a rule; else others are laid on it
+    ModelUse use = ModelUse::laid;
 };
 const std::vector<OwnModel>& own_models();
+// The file of the model, with its folder.
+std::string file_of(const Files& files, const OwnModel& model);
 
 inline constexpr const char* models_menu = "Models"; // a menu of the menu Add
 
@@ -21,7 +32,8 @@ inline constexpr const char* models_menu = "Models"; // a menu of the menu Add
 inline constexpr const char* model_pictures = "models";
 
 // One for each of them: adds it to the scene as an import does. Where there is something that it
-// can be laid on, the next stroke lays it; Escape leaves it where it stands.
+// can be laid on, the next stroke lays it; Escape leaves it where it stands. Where there is
+// something to paint on, a tile brings the tool that paints with it.
 void add_model_actions(std::vector<Action>& actions);
 
 } // namespace trivar

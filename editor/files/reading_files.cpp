@@ -155,7 +155,7 @@ void Files::measure_imported()
     const std::vector<Id> fresh = std::exchange(to_measure_, {});
     for (const Id id : fresh) {
         const auto& objects = s.document().objects;
-        if (!objects.contains(id)) continue;
+        if (!objects.contains(id) || objects.at(id)->tiles) continue; // tiles have their own size
         std::vector<Id> others;
         for (const auto& [other, each] : objects)
             if (other != id && visible(s.document(), other) &&

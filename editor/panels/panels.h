@@ -65,6 +65,9 @@ std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,
 // Of the recording that runs: how far it is, and its last frame.
 std::optional<ui::Rect> draw_recording(Editor& editor, const ui::Theme& theme,
                                        const FootCards& foot);
+// Of the models that can be painted with, while a tool works with such.
+std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme,
+                                          const FootCards& foot);
 ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // A picture of a file, cut to the shape of its place; the place alone till it has been read.
@@ -96,7 +99,8 @@ void menu_item(Editor& editor, const Action& each);
 // The models that come with the program, by their pictures, as a menu of the one that is open.
 void draw_model_menu(Editor& editor, const ui::Theme& theme);
 // One of them, with its name below; whether it was chosen.
-bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model);
+bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model,
+                bool chosen = false);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for

@@ -254,6 +254,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
+    if (const auto file = tool.take_wanted_model())
+        editor.files.import(*file, false, [&](Id id) { tool.take_up(session, id); });
     if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
@@ -325,6 +327,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     foot.add(draw_recording(editor, theme, foot));
     foot.add(export_progress(editor, frame, foot));
     foot.add(progress(editor, frame, foot));
+    if (!welcome) foot.add(draw_tile_library(editor, theme, foot));
     foot.add(draw_legend(session.document(), theme, foot));
     draw_adjustment(editor, theme, foot);
     if (session.auto_key) ui::paint_rim(view, theme.color.bad, 0, 2 * theme.scale);

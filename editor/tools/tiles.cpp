@@ -12,6 +12,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -65,19 +66,54 @@ Id TilesTool::tile(const Session& session) const
                                                                                       : selected;
 }
 
+bool TilesTool::begins_layer(const Session& session) const
+{
+    return !file_.empty() && session.selected == 0;
+}
+
+void TilesTool::take_up(Session& session, Id object)
+{
+    session.selected = object;
+    if (gesture_ && gesture_->layer == 0) gesture_->layer = object;
+    file_.clear();
+}
+
+std::optional<std::string> TilesTool::chosen_model(const Session& session) const
+{
+    if (begins_layer(session)) return file_;
+    const Id id = tile(session);
+    if (id == 0) return std::string();
+    const auto* file = std::get_if<ImportedFile>(&object(session.document(), id).source);
+    return file ? file->path : std::string();
+}
+
+void TilesTool::choose_model(Session& session, const std::string& file)
+{
+    file_ = file;
+    session.selected = {};
+}
+
+std::optional<std::string> TilesTool::take_wanted_model()
+{
+    if (wanted_.empty()) return {};
+    return std::exchange(wanted_, {});
+}
+
 Id TilesTool::base_under(const Session& session, const ViewportInput& input) const
 {
-    const Id layer = tile(session);
-    if (layer == 0) return 0;
-    const Object& o = object(session.document(), layer);
-    if (o.tiles && o.tiles->base != 0) return o.tiles->base;
+    const bool fresh = begins_layer(session);
+    const Id layer = fresh ? 0 : tile(session);
+    if (layer == 0 && !fresh) return 0;
+    if (!fresh)
+        if (const Object& o = object(session.document(), layer); o.tiles && o.tiles->base != 0)
+            return o.tiles->base;
     if (!lays_tiles(settings_.brush) || !input.seen_at) return 0;
     Id seen = input.seen_at(input.mouse);
     const auto found = session.document().objects.find(seen);
     // Over tiles the brush paints on what these are on.
     if (found != session.document().objects.end() && found->second->tiles)
         seen = found->second->tiles->base;
-    return seen == layer ? 0 : seen;
+    return layer != 0 && seen == layer ? 0 : seen;
 }
 
 void TilesTool::find_place(const Session& session, const ViewportInput& input)
@@ -111,7 +147,8 @@ void TilesTool::use(Session& session, const ViewportInput& input)
     if (!input.pressed || session.committing()) return;
     if (hit_)
         begin(session, input);
-    else if (const Id layer = tile(session); layer == 0 || input.under == layer || input.under == 0)
+    else if (const Id layer = begins_layer(session) ? 0 : tile(session);
+             layer == 0 || input.under == layer || input.under == 0)
         select_by_click(session, input.under);
     else
         session.notices.say(ui::NoticeKind::warning, "There are no tiles to change yet",
@@ -120,7 +157,9 @@ void TilesTool::use(Session& session, const ViewportInput& input)
 
 void TilesTool::begin(Session& session, const ViewportInput& input)
 {
-    Gesture g{tile(session), under_, settings_};
+    const bool fresh = begins_layer(session);
+    Gesture g{fresh ? 0 : tile(session), under_, settings_};
+    if (fresh) wanted_ = file_;
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
     g.stroke.seed = ++strokes_;
@@ -156,7 +195,13 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
                 hit_ = hit;
                 add(*hit, move.time_s, move.pressure);
             }
-    if (input.released || !input.down) return finish(session);
+    g.over = g.over || input.released || !input.down;
+    if (g.layer == 0) {
+        // Where reading failed a notice says why.
+        if (wanted_.empty() && !session.jobs().status()) gesture_.reset();
+        return;
+    }
+    if (g.over) return finish(session);
     // One proposal at a time: the next piece waits until the last one can be seen.
     if (g.proposed == g.stroke.samples.size() || !session.up_to_date()) return;
     if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke}))
@@ -177,6 +222,7 @@ void TilesTool::cancel(Session& session)
 {
     if (!gesture_) return;
     gesture_.reset();
+    wanted_.clear();
     session.cancel();
 }
 
@@ -263,8 +309,10 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{"left"}, "Let go when done"},
                 {{"wheel"}, "Radius"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    if (tile(session) == 0)
-        return {{{}, "Select the object to paint with"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    if (tile(session) == 0 && !begins_layer(session))
+        return {{{}, "Choose a tile, or select an object to paint with"},
+                {{"left"}, "Select"},
+                {{"Esc"}, "Select"}};
     if (settings_.brush == TileBrush::fill)
         return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
     return {{{"left"}, lays_tiles(settings_.brush) ? "Drag over a surface to paint" : "Drag"},

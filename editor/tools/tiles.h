@@ -20,6 +20,10 @@ public:
     std::string page() const override { return "tiles"; }
     std::vector<ui::Chord> keys() const override { return {{'T'}}; }
     bool crosshair() const override { return hit_.has_value() || busy(); }
+    void take_up(Session& session, Id object) override;
+    std::optional<std::string> chosen_model(const Session& session) const override;
+    void choose_model(Session& session, const std::string& file) override;
+    std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value(); }
     bool takes_wheel() const override { return busy(); }
@@ -32,11 +36,14 @@ public:
 
 private:
     struct Gesture {
-        Id layer = 0, base = 0;
+        Id layer = 0; // 0: its model is being read
+        Id base = 0;
         TileStroke stroke;
         std::size_t proposed = 0; // number of samples of the last proposal
+        bool over = false;        // the button was let go while its model was being read
     };
-    // What would be painted, and onto what; 0: nothing.
+    bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
+    // What would be painted with of the scene, and onto what; 0: nothing.
     Id tile(const Session& session) const;
     Id base_under(const Session& session, const ViewportInput& input) const;
     void find_place(const Session& session, const ViewportInput& input);
@@ -47,6 +54,9 @@ private:
     double radius(const Session& session) const; // metres in the world
     double size(const Session& session) const;
 
+    // The file of the model that the next stroke begins a layer with, unless something is selected.
+    std::string file_;
+    std::string wanted_;           // the file that the gesture waits for, until somebody imports it
     TileStroke settings_{};        // all but lengths
     double radius_ = 0, size_ = 0; // metres in the world; 0: in proportion to the base
     PaintedSurface surface_;

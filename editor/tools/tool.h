@@ -97,6 +97,12 @@ public:
     }
     // Whether the key was meant for a gesture that could not begin: then nobody else has it.
     virtual bool awaits(const ui::Chord&) const { return false; }
+    // Of a tool that works with a model that need not be in the scene: the file of that which it
+    // works with, empty where it is no file's or there is none; nothing: it is no such tool.
+    virtual std::optional<std::string> chosen_model(const Session&) const { return {}; }
+    virtual void choose_model(Session&, const std::string& file) { (void)file; }
+    // The file of a model that a gesture waits for, once. Whoever imports it calls take_up().
+    virtual std::optional<std::string> take_wanted_model() { return {}; }
     virtual void cancel(Session& session) { (void)session; } // the gesture
     // Of the volume of the selected placement all that bends with what it has hold of.
     virtual std::vector<VolumePart> held_parts(const Session&) const { return {}; }

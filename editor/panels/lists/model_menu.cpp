@@ -22,7 +22,8 @@ std::string picture_of_model(const Editor& editor, const OwnModel& model)
 
 } // namespace
 
-bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model)
+bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model,
+                bool chosen)
 {
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
@@ -30,10 +31,12 @@ bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const
     const bool here = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const ui::Rect picture = {r.lo, {r.hi.x, r.hi.y - theme.px(22)}};
     paint_picture(editor, theme, picture, picture_of_model(editor, model));
-    ui::paint_rim(picture, here ? c.focus : c.raised_rim, theme.size.rounding,
-                  here ? 1.5f * theme.scale : theme.size.hairline);
-    ui::paint_text(theme.font.body, {{r.lo.x, picture.hi.y}, r.hi}, c.text, model.name,
-                   ui::Align::center);
+    ui::paint_rim(picture, here || chosen ? c.focus : c.raised_rim, theme.size.rounding,
+                  chosen ? 2 * theme.scale
+                  : here ? 1.5f * theme.scale
+                         : theme.size.hairline);
+    ui::paint_text(theme.font.body, {{r.lo.x, picture.hi.y}, r.hi}, c.text,
+                   ui::elided(theme.font.body, model.name, r.width()), ui::Align::center);
     return clicked;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
 
@@ -110,6 +111,76 @@ TEST(TilesTool, PaintsNothingWithoutSomethingToPaintWith)
     rig.paint();                               // onto itself: there is nothing else under the brush
     EXPECT_EQ(rig.steps(), before);
     EXPECT_FALSE(rig.tiles(1));
+}
+
+// The library's models are all a small box.
+struct TileLibraryRig : TilesRig {
+    TileLibraryRig()
+    {
+        editor.files.write_model_to(folder.file("tile_thorn.glb"));
+        wait();
+        editor.session.undo();
+        editor.files.own_models_folder = folder.path().string();
+        editor.session.selected = {};
+        wait();
+    }
+    // Clicks the first picture of the library.
+    void choose_first()
+    {
+        const ui::Rect view = layout().view;
+        click(view.hi * glm::vec2(0, 1) + glm::vec2(view.lo.x, 0) + first_from_corner());
+        wait();
+    }
+    glm::vec2 first_from_corner() const { return {60, -130}; }
+    testing::TemporaryFolder folder;
+};
+
+TEST(TileLibrary, PaintsWithAModelThatWasNotInTheScene)
+{
+    TileLibraryRig rig;
+    ASSERT_EQ(rig.editor.session.committed().objects.size(), 1u);
+    rig.choose_first();
+    EXPECT_EQ(rig.editor.active_tool().chosen_model(rig.editor.session),
+              rig.folder.file("tile_thorn.glb").string());
+    const std::size_t before = rig.steps();
+    rig.paint();
+    EXPECT_EQ(rig.steps(), before + 2); // imports, and paints
+    const Id layer = rig.editor.session.selected;
+    ASSERT_NE(layer, 0);
+    ASSERT_TRUE(rig.tiles(layer));
+    EXPECT_EQ(rig.tiles(layer)->base, 1);
+    rig.paint(); // goes on with the layer
+    EXPECT_EQ(rig.steps(), before + 3);
+    EXPECT_EQ(rig.tiles(layer)->strokes.size(), 2u);
+    rig.choose_first();
+    rig.paint(); // begins another one
+    EXPECT_EQ(rig.steps(), before + 5);
+    EXPECT_NE(rig.editor.session.selected, layer);
+}
+
+TEST(TileLibrary, ASelectedObjectTakesThePlaceOfWhatWasChosen)
+{
+    TileLibraryRig rig;
+    rig.editor.active_tool().choose_model(rig.editor.session, "elsewhere/thorn.glb");
+    AddBox stud;
+    stud.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}};
+    ASSERT_TRUE(rig.editor.session.run(stud));
+    const Id stud_id = rig.editor.session.committed().next_id - 1;
+    rig.editor.session.selected = stud_id;
+    rig.paint();
+    EXPECT_TRUE(rig.tiles(stud_id));
+}
+
+TEST(TileLibrary, AFileThatCannotBeReadLeavesEverythingAsItWas)
+{
+    TileLibraryRig rig;
+    const std::size_t before = rig.steps();
+    rig.editor.active_tool().choose_model(rig.editor.session,
+                                          rig.folder.file("vanished.glb").string());
+    rig.paint();
+    EXPECT_EQ(rig.steps(), before);
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
 }
 
 } // namespace

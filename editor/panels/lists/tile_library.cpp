@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/source.h"
+#include "editor/actions/model_actions.h"
+#include "editor/panels/foot_cards.h"
+#include "editor/panels/panels.h"
+#include "editor/session/scene_names.h"
+#include "editor/words/file_words.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+struct TileLibrary {
+    bool folded = false; // only its heading is shown
+};
+
+// At scale 1.
+constexpr glm::vec2 cell{76, 76};
+constexpr float cell_gap = 6, pad = 12, heading = 34, most_rows = 2, most_columns = 8;
+
+// The library shows the models that are there to be tiles.
+std::vector<const OwnModel*> tile_models()
+{
+    std::vector<const OwnModel*> tiles;
+    for (const OwnModel& each : own_models())
+        if (each.use == ModelUse::painted) tiles.push_back(&each);
+    return tiles;
+}
+
+// Says what the brush paints with.
+std::string painted_with(const Editor& editor, const std::vector<const OwnModel*>& tiles,
+                         const std::string& file)
+{
+    for (const OwnModel* each : tiles)
+        if (file_name(file_of(editor.files, *each)) == file_name(file)) return each->name;
+    if (!file.empty()) return file_name(file);
+    return name_of(editor.session.document(), editor.session.selected);
+}
+
+} // namespace
+
+std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme,
+                                          const FootCards& foot)
+{
+    Tool& tool = editor.active_tool();
+    const std::optional<std::string> chosen = tool.chosen_model(editor.session);
+    if (!chosen) return {};
+    const std::vector<const OwnModel*> tiles = tile_models();
+    auto& library = editor.memory.of<TileLibrary>();
+    const ui::Palette& c = theme.color;
+    const glm::vec2 size = theme.px(1) * cell;
+    const float gap = theme.px(cell_gap), edge = theme.px(pad);
+    const float room = foot.view().width() - 2 * edge - theme.px(2 * pad);
+    const float columns = std::clamp(std::floor((room + gap) / (size.x + gap)), 1.0f, most_columns);
+    const float rows = std::ceil(static_cast<float>(tiles.size()) / columns);
+    const bool there = !editor.files.own_models_folder.empty();
+    const bool open = there && !library.folded && foot.view().height() > theme.px(360);
+    const float width = columns * (size.x + gap) - gap + 2 * theme.px(pad);
+    const float shown = open ? std::min(rows, most_rows) * (size.y + gap) + theme.px(6) : 0;
+    const float left = foot.view().lo.x + edge;
+    const ui::Rect view = foot.above(left, left + width);
+    const float height = theme.px(heading) + shown;
+    const ui::Rect card = ui::rect_at({left, view.hi.y - height - edge}, {width, height});
+    ui::paint_card(theme, card);
+    ui::lower_area("tile library", card); // takes the clicks
+
+    const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
+                           {card.hi.x - theme.px(36), card.lo.y + theme.px(heading)}};
+    ui::paint_text(theme.font.strong, head, c.text, "Tiles");
+    const std::string with = painted_with(editor, tiles, *chosen);
+    const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
+    const ui::Rect beside = {head.lo + glm::vec2(taken, 0), head.hi};
+    ui::name_text(theme.font.small, beside, with.empty() ? c.text_3 : c.text_2,
+                  with.empty() ? "Choose one to paint with, or select an object"
+                               : "Painting with " + with);
+    if (!there) return card;
+    ImGui::SetCursorScreenPos({card.hi.x - theme.px(32), card.lo.y + theme.px(4)});
+    if (ui::icon_button(theme, "fold tiles", open ? ui::icon::open : ui::icon::closed,
+                        glm::vec2(theme.px(26)),
+                        {open ? "Hide the tile library" : "Show the tile library", {}, {}}))
+        library.folded = !library.folded;
+    if (!open) return card;
+
+    ImGui::SetCursorScreenPos({head.lo.x, head.hi.y});
+    ImGui::BeginChild("tiles", {card.hi.x - head.lo.x, shown});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const auto across = static_cast<std::size_t>(columns);
+        const glm::vec2 place(i % across, i / across);
+        const ui::Rect r =
+            ui::rect_at(glm::vec2(at.x, at.y) + place * (size + glm::vec2(gap)), size);
+        const bool now = with == tiles[i]->name;
+        if (draw_model(editor, theme, r, *tiles[i], now))
+            tool.choose_model(editor.session, file_of(editor.files, *tiles[i]));
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + rows * (size.y + gap)});
+    ImGui::Dummy({1, 0});
+    ImGui::EndChild();
+    return card;
+}
+
+} // namespace trivar
