@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/tiles/fold_limit.h"
+#include "core/tiles/tile_motion.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,6 +18,8 @@ constexpr std::size_t most_vertices = 16'000'000, most_corners = 6 * most_vertic
 constexpr double most_cut = 0.2;
 // Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
 constexpr double below_limit = 0.98;
+// Tiles that have grown to less than this share of their size are not shown.
+constexpr double smallest = 1e-3;
 
 // Groups the parts of the base by the members of a procession.
 std::map<int, std::vector<Part>> by_member(const EvaluatedObject& base)
@@ -74,7 +77,7 @@ std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
                                const std::vector<TileChart>& charts, const BasePose& pose,
                                const TileLook& look, const TileCell& cell, TileCounts& told)
 {
-    enum class Fate : char { as_wanted, lowered, folded, at_border };
+    enum class Fate : char { as_wanted, lowered, folded, at_border, not_grown };
     std::vector<PlacedTile> all(charts.size());
     std::vector<Fate> fates(charts.size(), Fate::as_wanted);
     parallel_blocks(charts.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -84,8 +87,16 @@ std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
                 continue;
             }
             PlacedTile& tile = all[i];
+            const TileMotion motion =
+                motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
+            if (motion.size < smallest) {
+                fates[i] = Fate::not_grown;
+                continue;
+            }
             tile.patch = patch_of(base, pose, charts[i]);
-            tile.height = side_in_world(tile.patch) * layout.tiles[i].height * look.height;
+            if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
+            tile.height =
+                side_in_world(tile.patch) * layout.tiles[i].height * look.height * motion.height;
             const double top = tile.height * cell.top / cell.side;
             tile.base = -look.sink * top;
             if (!look.guard) continue;

@@ -103,9 +103,22 @@ private:
                 continue;
             }
             path.push_back({*places[i], base_.position(*places[i]), base_.normal(*places[i]),
-                            stroke.samples[i].time_s, stroke.samples[i].pressure});
+                            out_.duration_s + time_of(stroke, i), stroke.samples[i].pressure});
         }
         return path;
+    }
+
+    // Where a stroke does not say how long it took, it took a second.
+    static double duration_of(const TileStroke& stroke)
+    {
+        const double last = stroke.samples.back().time_s;
+        return stroke.brush != TileBrush::fill && last > 0 ? last : 1;
+    }
+    static double time_of(const TileStroke& stroke, std::size_t sample)
+    {
+        if (stroke.samples.back().time_s > 0) return stroke.samples[sample].time_s;
+        return static_cast<double>(sample) /
+               std::max<double>(1, static_cast<double>(stroke.samples.size()) - 1);
     }
 
     void work_off(const TileStroke& stroke, int number)
@@ -116,8 +129,9 @@ private:
         case TileBrush::scatter: scatter(stroke, number, path); break;
         case TileBrush::line: line(stroke, number, path); break;
         case TileBrush::fill: fill(stroke, number, path); break;
-        default: change(stroke, path); break;
+        default: change(stroke, path); return;
         }
+        out_.duration_s += duration_of(stroke);
     }
 
     // Returns the random seed of the next tile. It is drawn whether or not the tile has room, so
@@ -256,8 +270,12 @@ private:
                 all.size() - 1);
             const double u = std::sqrt(random_share(seed, Purpose::across)),
                          v = random_share(seed, Purpose::side);
-            lay(stroke, number, seed, {all[found], {1 - u, u * (1 - v), u * v}}, ahead,
-                path.front().time_s, path.front().pressure, true);
+            const SurfacePlace place{all[found], {1 - u, u * (1 - v), u * v}};
+            // It spreads from where it began.
+            const double way = glm::distance(base_.position(place), path.front().p);
+            lay(stroke, number, seed, place, ahead,
+                out_.duration_s + std::min(1.0, way / base_.diagonal()), path.front().pressure,
+                true);
         }
     }
 

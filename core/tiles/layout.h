@@ -14,12 +14,13 @@ struct Tile {
     double height = 1;     // factor
     std::uint32_t seed = 0;
     int stroke = 0;    // number of the stroke that laid it
-    double time_s = 0; // when the brush was there
+    double time_s = 0; // since the first stroke began; the strokes follow each other at once
     bool operator==(const Tile&) const = default;
 };
 
 struct TileLayout {
     std::vector<Tile> tiles;
+    double duration_s = 0; // of all strokes that lay tiles
     int lost = 0;          // number of samples that are on no surface any more
     bool too_many = false; // there would be more than most_tiles, or too many tries found no room
 };

@@ -48,11 +48,18 @@ struct TileStroke {
 
 // A TileLook holds what holds for all tiles of a layer.
 struct TileLook {
-    double scale = 1;    // factor of the sizes of all tiles
-    double height = 1;   // factor of the heights of all tiles
-    double sink = 0;     // how deep tiles stand in the base, as a share of their height
-    double turn_deg = 0; // of all tiles about their normals
-    bool guard = true;   // tiles that would fold are lowered until they do not
+    double scale = 1;             // factor of the sizes of all tiles
+    double height = 1;            // factor of the heights of all tiles
+    double sink = 0;              // how deep tiles stand in the base, as a share of their height
+    double turn_deg = 0;          // of all tiles about their normals
+    bool guard = true;            // tiles that would fold are lowered until they do not
+    double growth = 1;            // 0..1: the share of the time of painting whose tiles are there
+    double growth_softness = 0.1; // share of that time in which a tile grows
+    double wave = 0;              // by how much heights go up and down, as a share of them
+    double wave_phase = 0;        // turns; keys on it let the wave run
+    double wave_length = 0;       // metres on the model; 0: all tiles move at once
+    glm::dvec3 wave_direction{0}; // in the model's space, of any length; 0: along Z
+    double wave_variation = 0;    // turns by which tiles differ at random
     bool operator==(const TileLook&) const = default;
 };
 

@@ -65,6 +65,22 @@ template <> struct FieldsOf<TileLook> {
               in_range(-36000, 36000).called("Turn").in(Unit::degrees));
         field("guard", l.guard, "tiles that would fold are lowered until they do not",
               any_value.called("Folds").says("prevented", "allowed"));
+        field("growth", l.growth, "share of the painting that has grown, in the order of painting",
+              later_in_range(0, 1).resting_at(1).in(Unit::share));
+        field("growth_softness", l.growth_softness,
+              "share of the painting in which a tile grows to its full size",
+              later_in_range(0, 1).resting_at(0.1).in(Unit::share));
+        field("wave", l.wave, "by how much heights go up and down, as a share of them",
+              later_in_range(0, 10).in(Unit::share));
+        field("wave_phase", l.wave_phase, "turns of the wave; keys on it let the wave run",
+              later_in_range(-1e6, 1e6));
+        field("wave_length", l.wave_length,
+              "length of the wave, metres on the model; 0: all tiles move at once",
+              later_in_range(0, 1e9).in(Unit::metres));
+        field("wave_direction", l.wave_direction,
+              "where the wave goes to, in the model's space; 0: along Z", later);
+        field("wave_variation", l.wave_variation,
+              "turns by which the phases of tiles differ at random", later_in_range(0, 1));
     }
 };
 template <> struct FieldsOf<Tiling> {

@@ -82,6 +82,15 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     fields(&TileLook::sink);
     fields(&TileLook::turn_deg);
     fields(&TileLook::guard);
+    fields(&TileLook::growth);
+    fields(&TileLook::growth_softness);
+    fields(&TileLook::wave);
+    if (look.wave != 0) {
+        fields(&TileLook::wave_phase);
+        fields(&TileLook::wave_length);
+        fields(&TileLook::wave_direction);
+        fields(&TileLook::wave_variation);
+    }
     for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
         stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
     ui::gap(theme, 8);

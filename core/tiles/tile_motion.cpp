@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/tile_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace trivar {
+namespace {
+
+// What random_share() is asked for here; layouts use small numbers.
+constexpr std::uint32_t wave_purpose = 100;
+
+double eased(double t)
+{
+    return t * t * (3 - 2 * t);
+}
+
+} // namespace
+
+TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile& tile,
+                     const glm::dvec3& p)
+{
+    TileMotion motion;
+    if (look.growth < 1) {
+        const double when = layout.duration_s > 0 ? tile.time_s / layout.duration_s : 0;
+        const double soft = std::max(look.growth_softness, 1e-6);
+        const double since = look.growth * (1 + soft) - when;
+        motion.size = eased(std::clamp(since / soft, 0.0, 1.0));
+    }
+    if (look.wave != 0) {
+        const double length = glm::length(look.wave_direction);
+        const double along = length > 0 ? glm::dot(p, look.wave_direction / length) : p.z;
+        const double turns = look.wave_phase +
+                             look.wave_variation * random_share(tile.seed, wave_purpose) -
+                             (look.wave_length > 0 ? along / look.wave_length : 0);
+        motion.height = std::max(0.0, 1 + look.wave * std::sin(glm::two_pi<double>() * turns));
+    }
+    return motion;
+}
+
+TilePatch middle_of(const TilePatch& patch, double share)
+{
+    TilePatch part;
+    for (std::size_t j = 0; j < 4; ++j)
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double x = 0.5 + share * (patch_nodes[i] - 0.5),
+                         y = 0.5 + share * (patch_nodes[j] - 0.5);
+            const TilePoint at = tile_point(patch, {x, y, 0});
+            part.p[4 * j + i] = at.p;
+            part.n[4 * j + i] = at.z;
+        }
+    part.p = through_nodes(part.p);
+    part.n = through_nodes(part.n);
+    return part;
+}
+
+} // namespace trivar

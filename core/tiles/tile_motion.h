@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tiles/layout.h"
+#include "core/tiles/tile_patch.h"
+
+namespace trivar {
+
+// A TileMotion is what the growth and the wave of a layer make of one tile at a frame.
+struct TileMotion {
+    double size = 1;   // factor of its sides and of its height; 0: it is not there yet
+    double height = 1; // factor of its height alone
+    bool operator==(const TileMotion&) const = default;
+};
+
+// `p` is the middle of the tile on the base at rest. Tiles grow in the order in which their strokes
+// laid them; the wave goes along its direction through the model's space.
+TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile& tile,
+                     const glm::dvec3& p);
+
+// The middle part of a patch whose sides are `share` as long, as a patch of its own: exact, for
+// polynomials stay what they are. About 2 microseconds.
+TilePatch middle_of(const TilePatch& patch, double share);
+
+} // namespace trivar
