@@ -22,7 +22,7 @@ Metrics metrics(float scale)
     m.tool_strip = px(48);
     m.tool_button = px(36);
     m.dock = px(320);
-    m.label = px(100);
+    m.label = px(112);
     m.outliner = px(256);
     m.icon_button = px(24);
     m.padding = px(12);

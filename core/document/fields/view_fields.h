@@ -28,7 +28,7 @@ template <> struct FieldsOf<RenderSettings> {
               later.called("Lattices").says("shown", "not shown"));
         field("captions", s.captions,
               "shows the number of triangles and the certified error under refined objects",
-              later.called("Refinement captions").says("shown", "not shown"));
+              later.called("Captions").says("shown", "not shown"));
         field("ground", s.ground, "a ground under the scene that catches shadows",
               any_value.called("Ground shadow"));
     }

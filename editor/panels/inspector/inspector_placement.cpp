@@ -129,7 +129,13 @@ void level_row(Editor& editor, ValueRows& rows, Id id)
 {
     const Object& each = object(editor.session.document(), id);
     std::optional<RoundWish> now = round_now(editor.session.document(), id);
-    if (!now || !each.shaping.empty()) return;
+    if (!now) return;
+    if (!each.shaping.empty()) {
+        ui::fact_row(rows.theme, "Level", ui::short_number(*now->level) + " m",
+                     rows.theme.color.text_2,
+                     "fixed, since edits of the lattice would be lost; keys can change it");
+        return;
+    }
     ValueRows own{rows.theme, rows.keys};
     own.number("Level", *now->level, 0, {.lo = -1e6, .hi = 1e6, .unit = "m"},
                {"where along the axis of the body it goes round",
