@@ -58,6 +58,7 @@ std::string_view verb_of(TileBrush brush)
     case TileBrush::comb: return "Comb";
     case TileBrush::resize: return "Resize";
     case TileBrush::raise: return "Raise";
+    case TileBrush::grab: return "Move a tile of";
     }
     return "Paint";
 }

@@ -129,6 +129,7 @@ private:
         case TileBrush::scatter: scatter(stroke, number, path); break;
         case TileBrush::line: line(stroke, number, path); break;
         case TileBrush::fill: fill(stroke, number, path); break;
+        case TileBrush::grab: grab(path); return;
         default: change(stroke, path); return;
         }
         out_.duration_s += duration_of(stroke);
@@ -277,6 +278,35 @@ private:
                 out_.duration_s + std::min(1.0, way / base_.diagonal()), path.front().pressure,
                 true);
         }
+    }
+
+    // Moves the nearest tile within half of its size.
+    void grab(const std::vector<Step>& path)
+    {
+        const Step &from = path.front(), &to = path.back();
+        std::size_t nearest = out_.tiles.size();
+        double least = 1e300;
+        near_.any(from.p, base_.diagonal(), [&](int tile, double distance) {
+            const auto t = static_cast<std::size_t>(tile);
+            const bool within = !gone_[t] && distance <= 0.5 * out_.tiles[t].size;
+            if (within && distance < least) {
+                least = distance;
+                nearest = t;
+            }
+            return false;
+        });
+        if (nearest == out_.tiles.size()) return;
+        Tile moved = out_.tiles[nearest];
+        gone_[nearest] = 1;
+        // Its direction turns as its normal does, by the smallest rotation.
+        const glm::dvec3 n = base_.normal(moved.at);
+        const double opposite = 1 + glm::dot(n, to.n);
+        if (opposite > 1e-6) moved.x -= glm::dot(moved.x, to.n) / opposite * (n + to.n);
+        moved.x = tangent(moved.x, to.n);
+        moved.at = to.at;
+        near_.add(to.p, static_cast<int>(out_.tiles.size()));
+        out_.tiles.push_back(moved);
+        gone_.push_back(0);
     }
 
     void change(const TileStroke& stroke, const std::vector<Step>& path)

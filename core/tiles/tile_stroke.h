@@ -17,6 +17,7 @@ enum class TileBrush {
     comb,    // turns tiles toward the direction of the stroke
     resize,  // makes tiles larger, or smaller where the strength is negative
     raise,   // makes tiles higher, or lower where the strength is negative
+    grab,    // takes the tile nearest to the first sample to the last one
 };
 
 // The direction in which the x axis of a new tile points.

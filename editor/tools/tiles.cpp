@@ -176,6 +176,11 @@ void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
 {
     std::vector<TileSample>& samples = gesture_->stroke.samples;
     if (samples.size() >= most_tile_samples) return;
+    if (gesture_->stroke.brush == TileBrush::grab && samples.size() == 2) {
+        samples.back() = {hit.at_rest, time_s, 1};
+        ++gesture_->moves;
+        return;
+    }
     const double step = sample_step * std::min(gesture_->stroke.size, gesture_->stroke.radius);
     if (!samples.empty() && glm::distance(samples.back().at.p, hit.at_rest.p) < step) return;
     samples.push_back({hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)});
@@ -203,9 +208,9 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     }
     if (g.over) return finish(session);
     // One proposal at a time: the next piece waits until the last one can be seen.
-    if (g.proposed == g.stroke.samples.size() || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke}))
-        g.proposed = g.stroke.samples.size();
+    const std::size_t now = g.stroke.samples.size() + g.moves;
+    if (g.proposed == now || !session.up_to_date()) return;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke})) g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
@@ -236,9 +241,9 @@ void TilesTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
     if (!hit_) return;
-    const bool line = settings_.brush == TileBrush::line;
+    const bool one = settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
-               line ? size(session) / 2 : radius(session));
+               one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
     const auto shown = session.evaluated().objects.find(gesture_->layer);
     if (shown == session.evaluated().objects.end() || shown->second->notices.empty()) return;
@@ -251,18 +256,20 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
 {
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     const bool lays = lays_tiles(settings_.brush), line = settings_.brush == TileBrush::line,
-               fills = settings_.brush == TileBrush::fill;
+               fills = settings_.brush == TileBrush::fill,
+               grabs = settings_.brush == TileBrush::grab;
     std::vector<ui::Option> options;
     options.push_back(
         {"Brush", 96,
          [&](float field) {
              int kind = static_cast<int>(settings_.brush);
              ui::choice(theme, "brush", kind,
-                        {"Scatter", "Line", "Fill", "Erase", "Comb", "Resize", "Raise"}, field);
+                        {"Scatter", "Line", "Fill", "Erase", "Comb", "Resize", "Raise", "Grab"},
+                        field);
              settings_.brush = static_cast<TileBrush>(kind);
          },
-         "Scatter, Line and Fill lay tiles; the others change those under the brush. With Shift "
-         "every brush erases."});
+         "Scatter, Line and Fill lay tiles, Grab moves a single one; the others change those under "
+         "the brush. With Shift every brush erases."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
                             const ui::NumberStyle& style, const char* help, auto&& taken) {
@@ -274,7 +281,7 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                            },
                            help});
     };
-    if (!line && !fills)
+    if (!line && !fills && !grabs)
         number("Radius", "radius", shown_radius, length,
                "Of the brush; 0 follows the size of what is painted on. The wheel changes it while "
                "you paint.",
@@ -297,7 +304,7 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                  settings_.heading = static_cast<TileHeading>(heading);
              },
              "Where the X axis of the tile points."});
-    } else if (settings_.brush != TileBrush::erase)
+    } else if (settings_.brush != TileBrush::erase && !grabs)
         number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
                "Of the brush; with Ctrl it goes the other way.", nothing);
     ui::option_bar(theme, options, width);

@@ -39,7 +39,8 @@ private:
         Id layer = 0; // 0: its model is being read
         Id base = 0;
         TileStroke stroke;
-        std::size_t proposed = 0; // number of samples of the last proposal
+        std::size_t moves = 0;    // number of times that the last sample was moved
+        std::size_t proposed = 0; // number of samples and moves of the last proposal
         bool over = false;        // the button was let go while its model was being read
     };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet

@@ -233,5 +233,34 @@ TEST(TileLayouts, AreStoppedByTheirProgress)
                  Stop);
 }
 
+TEST(TileLayouts, GrabMovesOneTileAndTurnsItAsTheSurfaceTurns)
+{
+    const TileBase base = base_of(ball());
+    TileStroke stroke = over_the_front(base);
+    stroke.radius = 0.2;
+    stroke.size = 0.1;
+    const std::vector<Tile> before = layout_of(base, all({stroke})).tiles;
+    const Tile& taken = before[before.size() / 2];
+    TileStroke grab;
+    grab.brush = TileBrush::grab;
+    const auto point = [&](const glm::dvec3& p) {
+        return TileSample{{glm::normalize(p), glm::normalize(p)}};
+    };
+    const glm::dvec3 goal(0.3, -0.2, 0.9);
+    grab.samples = {point(base.position(taken.at) + glm::dvec3(0, 0, 0.01)), point(goal)};
+    const std::vector<Tile> after = layout_of(base, all({stroke, grab})).tiles;
+    ASSERT_EQ(after.size(), before.size());
+    std::size_t kept = 0;
+    for (const Tile& each : before) kept += std::ranges::count(after, each) > 0;
+    EXPECT_EQ(kept, before.size() - 1);
+    const Tile& moved = after.back();
+    EXPECT_LT(glm::distance(base.position(moved.at), glm::normalize(goal)), 5e-3);
+    EXPECT_NEAR(glm::dot(moved.x, base.normal(moved.at)), 0, 1e-9);
+    EXPECT_NEAR(glm::length(moved.x), 1, 1e-12);
+    EXPECT_EQ(moved.size, taken.size);
+    grab.samples.front() = point({0, 1, 0}); // where no tile is
+    EXPECT_EQ(layout_of(base, all({stroke, grab})).tiles, before);
+}
+
 } // namespace
 } // namespace trivar

@@ -6,8 +6,8 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 7> choice_names<TileBrush>{
-    "scatter", "line", "fill", "erase", "comb", "resize", "raise"};
+inline constexpr std::array<std::string_view, 8> choice_names<TileBrush>{
+    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab"};
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<TileHeading>{"along_stroke", "upward",
                                                                            "random"};
@@ -30,7 +30,7 @@ template <> struct FieldsOf<TileStroke> {
     {
         field("brush", s.brush,
               "scatter, line and fill lay tiles; erase, comb, resize and raise change those under "
-              "the brush");
+              "the brush; grab moves the one nearest to the first sample to the last sample");
         field("samples", s.samples, "the points of the stroke", required);
         field("radius", s.radius, "of the brush, metres on the model",
               positive.called("Brush radius").in(Unit::metres));

@@ -23,6 +23,7 @@ std::string words_of_stroke(const TileStroke& stroke)
     case TileBrush::comb: return "Comb";
     case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
     case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
+    case TileBrush::grab: return "Move a tile";
     }
     return {};
 }
