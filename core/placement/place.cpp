@@ -58,9 +58,13 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                   "reduce the height or the offset",
                                   some(e.lowered, "one place", "places")));
     // If both occur, more control points help against one and worsen the other.
-    if (pierced(r, p))
-        out.push_back(fmt::format("{:.2g} of the height still penetrates{}", r.penetration,
+    if (pierced(r, p)) {
+        const double percent = 100 * r.penetration;
+        out.push_back(fmt::format("{} % of the height still penetrates the surface{}",
+                                  percent < 1 ? fmt::format("{:.1g}", percent)
+                                              : fmt::format("{:.0f}", percent),
                                   r.folds.empty() ? "; use more control points" : ""));
+    }
     return out;
 }
 
