@@ -179,6 +179,44 @@ TEST(PaintedTiles, TakeKeys)
     EXPECT_EQ(digest(evaluation_of(document, 11)), digest(evaluation_of(painted_document(), 11)));
 }
 
+TEST(PaintedTiles, GrowByKeysInTheOrderOfPainting)
+{
+    const Document document =
+        after(painted_document(),
+              Animate{{{stud_id,
+                        {{.parameter = "tiles.growth",
+                          .keys = {{.frame = 1, .value = 0}, {.frame = 21, .value = 1}}}}}}});
+    EXPECT_TRUE(shown_in(evaluation_of(document, 1), stud_id).shows_nothing());
+    std::size_t before = 0;
+    for (int frame = 5; frame <= 21; frame += 4) {
+        const std::size_t now = tile_count(evaluation_of(document, frame));
+        EXPECT_GE(now, before);
+        before = now;
+    }
+    EXPECT_EQ(digest(evaluation_of(document, 21)), digest(evaluation_of(painted_document(), 21)));
+    const Evaluation half = evaluation_of(document, 11);
+    EXPECT_LT(tile_count(half), tile_count(evaluation_of(painted_document())));
+    EXPECT_THAT(shown_in(half, stud_id).notices, ::testing::IsEmpty());
+}
+
+TEST(PaintedTiles, WaveUpAndDown)
+{
+    TileLook look;
+    look.wave = 0.5;
+    const auto highest = [&](double phase) {
+        look.wave_phase = phase;
+        const Evaluation all = evaluation_of(after(painted_document(), SetTiles{{stud_id}, look}));
+        double most = 0;
+        for (const glm::vec3& p : shown_in(all, stud_id).parts.at(0).mesh()->positions)
+            most = std::max(most, static_cast<double>(glm::length(p)));
+        return most;
+    };
+    EXPECT_NEAR(highest(0), 0.65, 0.006);
+    EXPECT_NEAR(highest(0.25), 0.775, 0.009);
+    EXPECT_NEAR(highest(0.75), 0.525, 0.004);
+    EXPECT_NEAR(highest(1.25), highest(0.25), 1e-6);
+}
+
 TEST(PaintedTiles, SayWhatBecameOfTheirBase)
 {
     const Document document = painted_document();
