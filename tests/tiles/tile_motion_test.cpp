@@ -14,9 +14,12 @@ using namespace testing;
 TileLayout painted_in_two_seconds()
 {
     TileLayout layout;
-    for (int i = 0; i <= 8; ++i)
-        layout.tiles.push_back(
-            {.size = 1, .seed = static_cast<std::uint32_t>(i), .time_s = i / 4.0});
+    for (int i = 0; i <= 8; ++i) {
+        Tile tile;
+        tile.seed = static_cast<std::uint32_t>(i);
+        tile.time_s = i / 4.0;
+        layout.tiles.push_back(tile);
+    }
     layout.duration_s = 2;
     return layout;
 }
@@ -69,7 +72,10 @@ TEST(TileMotions, AWaveGoesAlongItsDirectionAndComesBackAfterOneLength)
 TEST(TileMotions, TheMiddleOfAPatchIsAPieceOfIt)
 {
     const TileBase base = base_of(torus_mesh(1, 0.4, {96, 48}));
-    const Tile tile{.at = {37, {0.2, 0.3, 0.5}}, .x = {0, 0, 1}, .size = 0.3};
+    Tile tile;
+    tile.at = {37, {0.2, 0.3, 0.5}};
+    tile.x = {0, 0, 1};
+    tile.size = 0.3;
     BasePose pose{base.points(), {}};
     std::vector<glm::uvec3> triangles;
     for (std::uint32_t t = 0; t < base.triangle_count(); ++t) triangles.push_back(base.triangle(t));
