@@ -29,7 +29,7 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
     constexpr std::size_t most_points = 20000; // the sides of more are no net any more
     constexpr ShellLook selected, many{.sides = 0}, other{.edges = 0.3f, .sides = 0};
     for (const auto& [id, each] : session.evaluated().objects) {
-        if (!is_lattice(session.document(), id) || !each->placement ||
+        if (!each->placement || !is_lattice(session.document(), id) ||
             std::ranges::binary_search(session.hidden_here, id))
             continue;
         const Ref<Lattice> cage = each->seen_cage();
