@@ -163,9 +163,13 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
     g.stroke.seed = ++strokes_;
-    if (ImGui::GetIO().KeyCtrl && !lays_tiles(g.stroke.brush))
-        g.stroke.strength = -g.stroke.strength;
-    if (ImGui::GetIO().KeyShift) g.stroke.brush = TileBrush::erase;
+    if (ImGui::GetIO().KeyCtrl) { // the opposite of what the brush does
+        if (lays_tiles(g.stroke.brush))
+            g.stroke.brush = TileBrush::erase;
+        else
+            g.stroke.strength = -g.stroke.strength;
+    }
+    g.begun_px = input.mouse;
     gesture_ = std::move(g);
     add(*hit_, 0, 1);
     session.notices.forget(of_a_step);
@@ -186,6 +190,26 @@ void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
     samples.push_back({hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)});
 }
 
+void TilesTool::straighten(Session& session, const ViewportInput& input)
+{
+    constexpr double step_px = 4, most_steps = 1000;
+    Gesture& g = *gesture_;
+    if (input.moves.empty() || g.stroke.samples.empty()) return;
+    const TileSample first = g.stroke.samples.front();
+    const StrokeSample& last = input.moves.back();
+    g.stroke.samples = {first};
+    ++g.moves;
+    const double steps =
+        std::clamp(std::ceil(glm::distance(g.begun_px, last.p_px) / step_px), 1.0, most_steps);
+    for (double i = 1; i <= steps; ++i) {
+        const glm::dvec2 p_px = glm::mix(g.begun_px, last.p_px, i / steps);
+        const auto hit = surface_.hit(session, g.base, ray_through(session.view.camera, p_px));
+        if (!hit) continue;
+        hit_ = hit;
+        add(*hit, last.time_s * i / steps, last.pressure);
+    }
+}
+
 void TilesTool::go_on(Session& session, const ViewportInput& input)
 {
     Gesture& g = *gesture_;
@@ -193,7 +217,10 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
         radius_ = rounded(radius(session) * std::pow(1.1, input.wheel), 3);
         if (hit_) g.stroke.radius = radius_ / hit_->scale;
     }
-    if (g.stroke.brush != TileBrush::fill)
+    const bool one_place = g.stroke.brush == TileBrush::fill || g.stroke.brush == TileBrush::grab;
+    if (ImGui::GetIO().KeyShift && !one_place)
+        straighten(session, input);
+    else if (g.stroke.brush != TileBrush::fill)
         for (const StrokeSample& move : input.moves)
             if (const auto hit =
                     surface_.hit(session, g.base, ray_through(session.view.camera, move.p_px))) {
@@ -269,7 +296,7 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
              settings_.brush = static_cast<TileBrush>(kind);
          },
          "Scatter, Line and Fill lay tiles, Grab moves a single one; the others change those under "
-         "the brush. With Shift every brush erases."});
+         "the brush. With Ctrl, tiles are erased; with Shift, the stroke is straight."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
                             const ui::NumberStyle& style, const char* help, auto&& taken) {
@@ -323,7 +350,8 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
     if (settings_.brush == TileBrush::fill)
         return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
     return {{{"left"}, lays_tiles(settings_.brush) ? "Drag over a surface to paint" : "Drag"},
-            {{"Shift", "left"}, "Erase"},
+            {{"Ctrl", "left"}, lays_tiles(settings_.brush) ? "Erase" : "Opposite"},
+            {{"Shift", "left"}, "Straight"},
             {{"@Smaller tool", "@Larger tool"}, "Radius"},
             {{"middle"}, "Orbit"},
             {{"Esc"}, "Select"}};

@@ -39,7 +39,8 @@ private:
         Id layer = 0; // 0: its model is being read
         Id base = 0;
         TileStroke stroke;
-        std::size_t moves = 0;    // number of times that the last sample was moved
+        glm::dvec2 begun_px{0};
+        std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
         bool over = false;        // the button was let go while its model was being read
     };
@@ -51,6 +52,8 @@ private:
     void begin(Session& session, const ViewportInput& input);
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
+    // Replaces the stroke by a straight line in the picture, from where it began.
+    void straighten(Session& session, const ViewportInput& input);
     void add(const SurfaceHit& hit, double time_s, double pressure);
     double radius(const Session& session) const; // metres in the world
     double size(const Session& session) const;

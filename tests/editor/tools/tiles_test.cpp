@@ -87,14 +87,33 @@ TEST(TilesTool, ShowsWhatItPaintsAndLeavesNoTraceWhenItIsCancelled)
     EXPECT_FALSE(rig.tiles());
 }
 
-TEST(TilesTool, ErasesWithShift)
+TEST(TilesTool, PaintsStraightWithShift)
+{
+    TilesRig rig;
+    const glm::vec2 c = rig.layout().view.center();
+    rig.move(c + glm::vec2(-60, 0));
+    rig.wait();
+    rig.hold(ui::key_left_shift);
+    rig.draw({c + glm::vec2(-60, 0), c + glm::vec2(0, -50), c + glm::vec2(60, 0)});
+    rig.hold(ui::key_left_shift, false);
+    rig.wait();
+    ASSERT_TRUE(rig.tiles());
+    const auto& samples = rig.tiles()->strokes[0]->samples;
+    EXPECT_GE(samples.size(), 5u);
+    const Camera& camera = rig.editor.session.view.camera;
+    const double height = project(camera, samples.front().at.p).p_px.y;
+    for (const TileSample& each : samples)
+        EXPECT_NEAR(project(camera, each.at.p).p_px.y, height, 1);
+}
+
+TEST(TilesTool, ErasesWithControl)
 {
     TilesRig rig;
     rig.paint();
     const std::size_t painted = rig.vertices();
-    rig.hold(ui::key_left_shift);
+    rig.hold(ui::key_left_control);
     rig.paint();
-    rig.hold(ui::key_left_shift, false);
+    rig.hold(ui::key_left_control, false);
     ASSERT_EQ(rig.tiles()->strokes.size(), 2u);
     EXPECT_EQ(rig.tiles()->strokes[1]->brush, TileBrush::erase);
     EXPECT_LT(rig.vertices(), painted);
