@@ -21,7 +21,6 @@ Metrics metrics(float scale)
     m.status_bar = px(28);
     m.tool_strip = px(48);
     m.tool_button = px(36);
-    m.dock = px(320);
     m.label = px(112);
     m.outliner = px(256);
     m.icon_button = px(24);

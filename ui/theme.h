@@ -11,7 +11,7 @@ namespace trivar::ui {
 struct Metrics {
     float unit; // 4 px at scale 1; every distance is a multiple of it
     float row, row_gap, group, top_bar, options_bar, status_bar, tool_strip, tool_button;
-    float dock, label, outliner, icon_button, padding;
+    float label, outliner, icon_button, padding;
     float rounding, rounding_small, rounding_card, hairline;
 };
 

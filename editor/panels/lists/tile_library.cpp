@@ -20,6 +20,7 @@ struct TileLibrary {
 
 // At scale 1.
 constexpr glm::vec2 cell{76, 76};
+constexpr float most_share = 0.4f; // of the height of the picture
 constexpr float cell_gap = 6, pad = 12, heading = 34, most_rows = 2, most_columns = 8;
 
 // The library shows the models that are there to be tiles.
@@ -58,9 +59,11 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
     const float columns = std::clamp(std::floor((room + gap) / (size.x + gap)), 1.0f, most_columns);
     const float rows = std::ceil(static_cast<float>(tiles.size()) / columns);
     const bool there = !editor.files.own_models_folder.empty();
-    const bool open = there && !library.folded && foot.view().height() > theme.px(360);
+    const float fit = std::floor((most_share * foot.view().height() - theme.px(heading)) /
+                                 (size.y + gap)); // rows
+    const bool open = there && !library.folded && fit >= 1;
     const float width = columns * (size.x + gap) - gap + 2 * theme.px(pad);
-    const float shown = open ? std::min(rows, most_rows) * (size.y + gap) + theme.px(6) : 0;
+    const float shown = open ? std::min({rows, most_rows, fit}) * (size.y + gap) + theme.px(6) : 0;
     const float left = foot.view().lo.x + edge;
     const ui::Rect view = foot.above(left, left + width);
     const float height = theme.px(heading) + shown;
