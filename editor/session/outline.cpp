@@ -125,6 +125,7 @@ bool as_before(const Document& before, const Document& after, const std::vector<
 std::string type_of(const Object& object)
 {
     if (std::holds_alternative<LatticeShape>(object.source)) return "Lattice";
+    if (object.tiles) return "Tiles";
     if (object.stroke) return "Placed";
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
     if (std::holds_alternative<TextShape>(object.source)) return "Text";
@@ -134,6 +135,7 @@ std::string type_of(const Object& object)
 const char* icon_of(const Object& object)
 {
     if (std::holds_alternative<LatticeShape>(object.source)) return ui::icon::volume;
+    if (object.tiles) return ui::icon::tiles;
     if (object.stroke) return ui::icon::place;
     return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
 }

@@ -69,7 +69,7 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(0, 1).resting_at(1).in(Unit::share));
         field("growth_softness", l.growth_softness,
               "share of the painting in which a tile grows to its full size",
-              later_in_range(0, 1).resting_at(0.1).in(Unit::share));
+              later_in_range(0, 1).resting_at(0.1).called("Softness").in(Unit::share));
         field("wave", l.wave, "by how much heights go up and down, as a share of them",
               later_in_range(0, 10).in(Unit::share));
         field("wave_phase", l.wave_phase, "turns of the wave; keys on it let the wave run",

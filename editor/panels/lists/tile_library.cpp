@@ -38,8 +38,8 @@ std::string painted_with(const Editor& editor, const std::vector<const OwnModel*
 {
     for (const OwnModel* each : tiles)
         if (file_name(file_of(editor.files, *each)) == file_name(file)) return each->name;
-    if (!file.empty()) return file_name(file);
-    return name_of(editor.session.document(), editor.session.selected);
+    const std::string name = name_of(editor.session.document(), editor.session.selected);
+    return name.empty() ? file_name(file) : name;
 }
 
 } // namespace
