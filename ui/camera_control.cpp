@@ -151,16 +151,9 @@ Camera seen_from(const Camera& camera, const glm::dvec3& direction)
 {
     const glm::dvec3 level(direction.x, direction.y, 0);
     glm::dvec3 from = glm::normalize(direction);
-    // Straight above or below: keep a trace of the present heading, so that up stays up.
-    if (glm::length(level) < std::sin(pole_gap)) {
-        const glm::dvec3 forward = forward_of(camera);
-        const double heading = std::atan2(forward.y, forward.x);
-        const double quarter = glm::half_pi<double>();
-        const double square = std::round(heading / quarter) * quarter;
-        from = glm::dvec3(-std::cos(square) * std::sin(pole_gap),
-                          -std::sin(square) * std::sin(pole_gap),
-                          std::copysign(std::cos(pole_gap), direction.z));
-    }
+    // Straight above or below: a trace towards Y, so that X goes to the right as on a map.
+    if (glm::length(level) < std::sin(pole_gap))
+        from = glm::dvec3(0, -std::sin(pole_gap), std::copysign(std::cos(pole_gap), direction.z));
     Camera result = camera;
     result.up = {0, 0, 1};
     result.eye = camera.target + from * glm::distance(camera.eye, camera.target);

@@ -29,7 +29,8 @@ Camera framed(const Camera& camera, std::span<const glm::dvec3> points, double f
 // The same view in a picture of another shape, wide enough for everything that was in it.
 Camera reshaped(const Camera& camera, glm::dvec2 size_px);
 
-// The same target and distance, seen from a direction (unit, from the target to the eye).
+// The same target and distance, seen from a direction (unit, from the target to the eye). From
+// above and below X goes to the right, however the view was turned before.
 Camera seen_from(const Camera& camera, const glm::dvec3& direction);
 
 // Switches between perspective and orthographic; things at the target's depth keep their size.

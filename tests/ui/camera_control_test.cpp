@@ -173,13 +173,22 @@ TEST(CameraControl, AnotherShapeOfPictureShowsAllThatWasInTheViewBefore)
     EXPECT_EQ(reshaped(somewhere(), {640, 360}).fov_y, somewhere().fov_y);
 }
 
-TEST(CameraControl, AViewFromAboveShowsYUpward)
+TEST(CameraControl, FromAboveAndBelowXGoesToTheRightHoweverTheViewWasTurned)
 {
-    const Camera above = seen_from(orbited(somewhere(), {}, {20, 0}), {0, 0, 1});
-    const glm::dvec2 origin = project(above, above.target).p_px;
-    const glm::dvec2 north = project(above, above.target + glm::dvec3(0, 1, 0)).p_px;
-    EXPECT_NEAR(origin.x, north.x, 1e-6);
-    EXPECT_LT(north.y, origin.y);
+    for (const double up : {1.0, -1.0}) {
+        for (const glm::dvec3& before : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0),
+                                         glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0)}) {
+            const Camera turned = orbited(seen_from(somewhere(), before), {}, {20, 0});
+            const Camera camera = seen_from(turned, {0, 0, up});
+            const glm::dvec2 origin = project(camera, camera.target).p_px;
+            const glm::dvec2 east = project(camera, camera.target + glm::dvec3(1, 0, 0)).p_px;
+            const glm::dvec2 north = project(camera, camera.target + glm::dvec3(0, 1, 0)).p_px;
+            EXPECT_GT(east.x, origin.x);
+            EXPECT_NEAR(east.y, origin.y, tolerance_px);
+            EXPECT_NEAR(north.x, origin.x, tolerance_px);
+            EXPECT_EQ(north.y<origin.y, up> 0);
+        }
+    }
 }
 
 TEST(CameraControl, ChangingTheProjectionKeepsSizesAtTheTarget)
