@@ -37,7 +37,7 @@ void FileDialog::open(FileRequest request, const fs::path& start)
     focus_ = Focus::field;
     typed_ = request_.name;
     std::error_code ignored;
-    fs::path folder = is_folder(start) ? start : folder_;
+    fs::path folder = is_folder(start) ? start : next_folder_;
     if (!is_folder(folder)) folder = fs::current_path(ignored);
     enter(folder);
 }
@@ -116,7 +116,7 @@ std::optional<std::string> FileDialog::take(const std::string& typed, bool repla
                    " exists already. Press Replace or Ctrl Enter, or type another name.";
         return std::nullopt;
     }
-    folder_ = path.parent_path(); // the next one begins here
+    next_folder_ = path.parent_path();
     open_ = false;
     return path.string();
 }
@@ -130,6 +130,7 @@ std::optional<std::string> FileDialog::take_folder()
         problem_ = "There is a file of this name.";
         return std::nullopt;
     }
+    next_folder_ = folder_;
     open_ = false;
     return path.string();
 }

@@ -47,7 +47,8 @@ private:
     Focus focus_ = Focus::field;
     bool open_ = false, just_opened_ = false;
     FileRequest request_;
-    std::filesystem::path folder_;
+    std::filesystem::path folder_;      // listed
+    std::filesystem::path next_folder_; // where the next dialog begins
     std::vector<FileEntry> entries_;
     int selected_ = -1;
     std::string typed_;   // the path or name field

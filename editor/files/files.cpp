@@ -12,6 +12,7 @@
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
+#include "ui/sentence.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -298,7 +299,7 @@ void Files::write_scene(const std::string& path, bool compact, bool from_dialog)
         const std::string what = file_name(path) + " was not saved",
                           because = reason(why.what(), path);
         if (from_dialog)
-            dialog_.ask_again(what + ". " + because);
+            dialog_.ask_again(what + ". " + ui::sentence(because));
         else
             session_->notices.say(ui::NoticeKind::error, what, because);
         return;

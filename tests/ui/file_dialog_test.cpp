@@ -135,5 +135,22 @@ TEST(FileDialog, AsksAgainWithWhatWasTyped)
     EXPECT_EQ(d.chosen, first);
 }
 
+TEST(FileDialog, AsksAgainInTheFolderThatItListed)
+{
+    Dialog d({.title = "Save",
+              .action = "Save",
+              .extensions = {".obj"},
+              .saving = true,
+              .name = "inner/b.obj"});
+    std::filesystem::create_directories(d.folder.path() / "inner");
+    for (int i = 0; i < 2; ++i) { // a name within the listed folder means the same each time
+        d.key(key_enter);
+        EXPECT_EQ(d.chosen, d.folder.file("inner/b.obj"));
+        d.chosen.reset();
+        d.dialog.ask_again("The disk is full.");
+        d.frames();
+    }
+}
+
 } // namespace
 } // namespace trivar::ui
