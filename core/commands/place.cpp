@@ -166,8 +166,13 @@ std::string words_of_support(const StepDocuments& step, Id id)
     const Object* laid = step.is(id);
     if (!laid || !laid->stroke) return {};
     const bool ground = laid->stroke->parameters.on_ground;
-    if (laid->stroke->onto.empty()) return ground ? " on the ground" : "";
-    return " on " + names_in(step.after, laid->stroke->onto) + (ground ? " and the ground" : "");
+    const std::vector<Id>& onto = laid->stroke->onto;
+    if (onto.empty()) return ground ? " on the ground" : "";
+    if (!ground) return " on " + names_in(step.after, onto);
+    if (onto.size() == 2)
+        return " on " + name_in(step.after, onto[0]) + ", " + name_in(step.after, onto[1]) +
+               " and the ground";
+    return " on " + names_in(step.after, onto) + " and the ground";
 }
 
 } // namespace
