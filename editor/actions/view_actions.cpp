@@ -6,6 +6,8 @@
 #include "editor/session/session_facts.h"
 #include "ui/camera_control.h"
 
+#include <array>
+
 namespace trivar {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr ui::Chord keypad(int digit, bool with_ctrl = false)
 constexpr ui::Chord alt_shift(int key)
 {
     return {.key = key, .shift = true, .alt = true};
-}
-
-void look_from(Editor& e, const glm::dvec3& direction)
-{
-    e.session.view.look_from(direction);
 }
 
 void open_tab(Editor& e, Editor::Tab tab)
@@ -53,24 +50,15 @@ void add_view_tolerances(std::vector<Action>& a)
 
 void add_view_actions(std::vector<Action>& a)
 {
-    a.push_back({"Viewpoint", "Front", {alt('1'), keypad(1)}, [](Editor& e) {
-                     look_from(e, {0, -1, 0});
-                 }});
-    a.push_back({"Viewpoint", "Right", {alt('3'), keypad(3)}, [](Editor& e) {
-                     look_from(e, {1, 0, 0});
-                 }});
-    a.push_back({"Viewpoint", "Top", {alt('7'), keypad(7)}, [](Editor& e) {
-                     look_from(e, {0, 0, 1});
-                 }});
-    a.push_back({"Viewpoint", "Back", {alt_shift('1'), keypad(1, true)}, [](Editor& e) {
-                     look_from(e, {0, 1, 0});
-                 }});
-    a.push_back({"Viewpoint", "Left", {alt_shift('3'), keypad(3, true)}, [](Editor& e) {
-                     look_from(e, {-1, 0, 0});
-                 }});
-    a.push_back({"Viewpoint", "Bottom", {alt_shift('7'), keypad(7, true)}, [](Editor& e) {
-                     look_from(e, {0, 0, -1});
-                 }});
+    constexpr std::array digits{'1', '3', '7'};
+    for (std::size_t i = 0; i < viewpoints().size(); ++i) {
+        const int digit = digits[i % digits.size()];
+        const bool opposite = i >= digits.size();
+        a.push_back({"Viewpoint",
+                     viewpoints()[i].name,
+                     {opposite ? alt_shift(digit) : alt(digit), keypad(digit - '0', opposite)},
+                     [i](Editor& e) { e.session.view.look_from(viewpoints()[i].from); }});
+    }
     a.push_back({"Viewpoint", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
                      Camera& camera = e.session.view.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);

@@ -17,7 +17,6 @@ struct Axis {
     glm::dvec3 direction;
     ui::Color color;
     const char* name; // empty: the negative end
-    const char* from; // what the picture shows from there; with a key, an action
 };
 
 } // namespace
@@ -30,12 +29,12 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const float reach = theme.px(32);
     ui::paint_dot(middle, theme.px(44), ui::rgb(0x0E0F11, 0.22f));
     ui::lower_area("axes", {middle - theme.px(44), middle + theme.px(44)});
-    std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X", "Right"},
-                              {{0, 1, 0}, c.axis_y, "Y", "Back"},
-                              {{0, 0, 1}, c.axis_z, "Z", "Top"},
-                              {{-1, 0, 0}, c.axis_x, "", "Left"},
-                              {{0, -1, 0}, c.axis_y, "", "Front"},
-                              {{0, 0, -1}, c.axis_z, "", "Bottom"}}};
+    std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X"},
+                              {{0, 1, 0}, c.axis_y, "Y"},
+                              {{0, 0, 1}, c.axis_z, "Z"},
+                              {{-1, 0, 0}, c.axis_x, ""},
+                              {{0, -1, 0}, c.axis_y, ""},
+                              {{0, 0, -1}, c.axis_z, ""}}};
     const glm::dmat4 to_view = view_matrix(camera);
     const auto seen = [&](const Axis& axis) {
         return glm::vec3(to_view * glm::dvec4(axis.direction, 0));
@@ -52,9 +51,8 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
         if (ImGui::InvisibleButton("axis", {2 * radius, 2 * radius}))
             editor.session.view.look_from(axis.direction);
         const bool hot = ImGui::IsItemHovered();
-        const auto does = std::ranges::find(editor.actions, axis.from, &Action::name);
-        ui::tooltip({axis.from, does == editor.actions.end() ? "" : key_text(*does),
-                     "Looks at the scene from there."});
+        const char* side = std::ranges::find(viewpoints(), axis.direction, &Viewpoint::from)->name;
+        ui::tooltip({side, key_text(action(editor, side)), "Looks at the scene from there."});
         ImGui::PopID();
         if (*axis.name) {
             ui::paint_line(middle, p, axis.color, 2 * theme.scale);

@@ -109,7 +109,11 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
 {
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
-    std::string label = session.view.camera.perspective ? "Perspective" : "Orthographic";
+    const Camera& camera = session.view.camera;
+    const Viewpoint* side = camera.perspective ? nullptr : viewpoint_of(camera);
+    std::string label = camera.perspective ? "Perspective"
+                        : side             ? std::string(side->name) + " orthographic"
+                                           : "Orthographic";
     const auto add = [&](const std::string& words) { label += "  ·  " + words; };
     if (session.view.follows && session.view.follows->shown)
         add(session.view.follows->name == "picture" ? "Render camera" : session.view.follows->name);

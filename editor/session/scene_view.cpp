@@ -3,9 +3,32 @@
 
 #include "ui/camera_control.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace trivar {
+
+const std::array<Viewpoint, 6>& viewpoints()
+{
+    static const std::array<Viewpoint, 6> all{{{"Front", {0, -1, 0}},
+                                               {"Right", {1, 0, 0}},
+                                               {"Top", {0, 0, 1}},
+                                               {"Back", {0, 1, 0}},
+                                               {"Left", {-1, 0, 0}},
+                                               {"Bottom", {0, 0, -1}}}};
+    return all;
+}
+
+const Viewpoint* viewpoint_of(const Camera& camera)
+{
+    const glm::dvec3 from = glm::normalize(camera.eye - camera.target);
+    const auto seen = [&](const Viewpoint& side) {
+        return glm::dot(side.from, from) > std::cos(glm::radians(1.0));
+    };
+    const auto side = std::ranges::find_if(viewpoints(), seen);
+    return side == viewpoints().end() ? nullptr : &*side;
+}
 
 void SceneView::look_from(const glm::dvec3& direction)
 {

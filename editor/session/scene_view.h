@@ -3,9 +3,21 @@
 
 #include "editor/session/followed_view.h"
 
+#include <array>
 #include <optional>
 
 namespace trivar {
+
+// A Viewpoint is one of the six directions along axes from which a scene is looked at, and its
+// name.
+struct Viewpoint {
+    const char* name;
+    glm::dvec3 from; // unit
+};
+// Front, Right and Top, then their opposites in the same order.
+const std::array<Viewpoint, 6>& viewpoints();
+// The side from which a camera looks, up to one degree; null: none.
+const Viewpoint* viewpoint_of(const Camera& camera);
 
 // A SceneView is the person's view of the scene; it is no part of the document and of no undo step.
 struct SceneView {
