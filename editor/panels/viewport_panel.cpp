@@ -314,7 +314,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_add_menu(editor, theme);
     const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
     if (!welcome) labels(editor, theme, frame, view);
-    if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
+    if (editor.preferences.show_axes && !welcome) draw_navigation(editor, theme, view);
     FootCards foot(view);
     if (editor.tutorial.runs(session))
         foot.add(draw_tutorial(editor, frame, view));
