@@ -78,7 +78,10 @@ Edit check_box(const Theme& theme, const std::string& id, bool& value, const std
 {
     const Palette& c = theme.color;
     const float side = theme.px(16);
-    const float width = side + theme.px(8) + text_width(theme.font.body, effect);
+    const float beside = side + theme.px(8);
+    const float width = beside + text_width(theme.font.body, effect);
+    const std::string words =
+        elided(theme.font.body, effect, ImGui::GetContentRegionAvail().x - beside);
     const PressState p = press_area(id, {width, theme.size.row});
     const Rect box = rect_at({p.rect.lo.x, p.rect.lo.y + theme.px(4)}, glm::vec2(side));
     paint_box(box, value ? (p.hovered ? c.accent_hover : c.accent) : c.field_hover,
@@ -90,7 +93,8 @@ Edit check_box(const Theme& theme, const std::string& id, bool& value, const std
         const auto at = [&](float x, float y) { return box.lo + glm::vec2(x, y) * theme.scale; };
         paint_path({at(4, 8), at(7, 11), at(12, 5)}, c.on_accent, 1.8f * theme.scale);
     }
-    paint_text(theme.font.body, {{box.hi.x + theme.px(8), p.rect.lo.y}, p.rect.hi}, c.text, effect);
+    paint_text(theme.font.body, {{box.hi.x + theme.px(8), p.rect.lo.y}, p.rect.hi}, c.text, words);
+    if (words != effect) tooltip({effect});
     if (!p.clicked) return command_menu(id);
     value = !value;
     return Edit::changed;
@@ -106,8 +110,8 @@ Edit segments(const Theme& theme, const std::string& id, int& chosen,
             return text_width(font, name) + theme.px(apart) < each;
         });
     };
-    const ImFont* font = fit(theme.font.body, 8) ? theme.font.body : theme.font.small;
-    if (!fit(font, 2)) return choice(theme, id, chosen, names, width);
+    const ImFont* font = fit(theme.font.body, 10) ? theme.font.body : theme.font.small;
+    if (!fit(font, 6)) return choice(theme, id, chosen, names, width);
     const PressState p = press_area(id, {width, theme.size.row});
     paint_box(p.rect, c.field, theme.size.rounding_small);
     const float mouse = ImGui::GetIO().MousePos.x - p.rect.lo.x;

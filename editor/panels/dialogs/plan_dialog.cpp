@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
 
@@ -24,8 +25,19 @@ PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog)
         {theme.px(600), theme.px(56) + skip + fields + skip + lines * line + foot});
     const bool escape = ImGui::IsKeyPressed(ui::key_escape, false) && !ImGui::IsAnyItemActive();
     const float y0 = ui::draw_dialog_head(theme, r, dialog.title) + skip, y1 = r.hi.y - foot;
-    // In a small window the fields roll.
-    const float shown = std::min(fields, y1 - skip - lines * line - y0);
+    const auto told = [&] {
+        try {
+            return std::pair(dialog.come_to(), true);
+        } catch (const Rejected& refused) {
+            return std::pair(ui::sentence(refused.what()), false);
+        }
+    };
+    const auto paragraph = [&](const std::string& text) {
+        return ui::wrapped(theme.font.body, text, r.width() - 2 * pad);
+    };
+    // In a small window the fields get the lines that the paragraph does not need, and roll.
+    const float kept = static_cast<float>(paragraph(told().first).size()) * line;
+    const float shown = std::min(fields, y1 - skip - kept - y0);
     ImGui::SetCursorScreenPos({r.lo.x + skip, y0});
     // The fields end where the buttons do.
     const float past = theme.px(ui::key_gutter) - pad;
@@ -34,16 +46,9 @@ PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog)
     dialog.fields();
     ImGui::EndChild();
 
-    std::string words;
-    bool sense = true;
-    try {
-        words = dialog.come_to();
-    } catch (const Rejected& refused) {
-        words = ui::sentence(refused.what());
-        sense = false;
-    }
+    const auto [words, sense] = told(); // as the fields are now
     float y = y0 + shown + skip;
-    for (const std::string& each : ui::wrapped(theme.font.body, words, r.width() - 2 * pad)) {
+    for (const std::string& each : paragraph(words)) {
         ui::paint_text(theme.font.body, {{r.lo.x + pad, y}, {r.hi.x - pad, y + line}},
                        sense ? c.text_2 : c.bad, each);
         y += line;

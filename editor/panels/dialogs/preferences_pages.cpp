@@ -105,10 +105,9 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
                 {"none", "Only itself"}});
     choice_row(theme, "Orbit about", m.orbit_about, was.orbit_about,
                {{"cursor", "Under the pointer"}, {"selection", "Selection"}, {"origin", "Origin"}});
-    flag_row(theme, "Zoom", m.zoom_to_cursor, was.zoom_to_cursor,
-             "towards the pointer, not the centre");
+    flag_row(theme, "Zoom", m.zoom_to_cursor, was.zoom_to_cursor, "towards the pointer");
     flag_row(theme, "Zoom direction", m.reversed_zoom, was.reversed_zoom,
-             "reversed: wheel towards you zooms in");
+             "wheel towards you zooms in");
     speed_row(theme, "Orbit speed", m.orbit);
     speed_row(theme, "Pan speed", m.pan);
     speed_row(theme, "Zoom speed", m.zoom);
@@ -145,7 +144,7 @@ void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
                           fmt::format("Show the {}...", count == 1
                                                             ? "one there is"
                                                             : fmt::format("{} there are", count)),
-                          ui::ButtonKind::plain, {theme.px(180), theme.size.row})) {
+                          ui::ButtonKind::plain, {theme.px(200), theme.size.row})) {
         dialog.open = false;
         editor.files.ask_discarded();
     }
@@ -159,7 +158,7 @@ void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
                                    p.recent_scenes.size() == 1
                                        ? "one remembered"
                                        : fmt::format("{} remembered", p.recent_scenes.size())),
-                       ui::ButtonKind::plain, {theme.px(180), theme.size.row})) {
+                       ui::ButtonKind::plain, {theme.px(200), theme.size.row})) {
             p.recent_scenes.clear();
             p.recent_views.clear();
         }
