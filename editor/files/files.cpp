@@ -182,7 +182,7 @@ void Files::ask_export(const std::string& path)
 {
     const std::string name =
         path.empty() ? stem_of(session_->scene()) + export_extensions().front() : path;
-    ask_for_file(Purpose::write_model, {.title = "Export what is visible",
+    ask_for_file(Purpose::write_model, {.title = "Export visible objects",
                                         .action = "Export",
                                         .extensions = export_extensions(),
                                         .saving = true,

@@ -54,7 +54,7 @@ void material(Editor& editor, const ui::Theme& theme)
     for (const Id id : ids) same = same && object(document, id).surfacing == active.surfacing;
     bool own = !active.surfacing.has_value();
     ui::label_row(theme, "Use", false, material_help);
-    if (ui::check_box(theme, "own", own, "the models' own") == ui::Edit::changed) {
+    if (ui::check_box(theme, "own", own, "original materials") == ui::Edit::changed) {
         if (own)
             editor.session.run(ClearMaterial{ids});
         else

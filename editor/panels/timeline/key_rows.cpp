@@ -128,7 +128,7 @@ void draw_row_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
     ui::tooltip({name,
                  {},
                  lost                        ? "This property no longer exists; its keys are kept."
-                 : of.kind == RowKind::track ? of.parameter
+                 : of.kind == RowKind::track ? "In the log: " + of.parameter
                                              : std::string()});
 }
 
