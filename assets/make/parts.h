@@ -20,4 +20,12 @@ std::vector<vec4> curve(const std::vector<vec4>& keys, int segments); // Catmull
 // An outline in xy, extruded along z from -half to half with `rows` rings between.
 Mesh prism_mesh(const std::vector<vec2>& outline, float half, float bevel, int rows = 1);
 
+// A Plate is a thin sheet over the grid u x v, both ascending, seen from above with u to the right.
+struct Plate {
+    std::vector<float> u, v;
+    std::function<vec3(vec2)> above, below;
+    std::function<vec3(vec2, bool)> color; // sRGB; true: above
+};
+Mesh plate(const Plate& shape); // joined round its rim
+
 } // namespace make

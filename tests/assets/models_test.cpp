@@ -70,7 +70,18 @@ std::vector<Row> table()
             {"tile_brick_c", {.96f, .35f, .94f}, 1},
             {"tile_brick_hollow", {.96f, .35f, .94f}, 1},
             {"tile_scale", {1.00f, .36f, 1.23f}, 1},
-            {"tile_statue", {.83f, .97f, .73f}, 1}};
+            {"tile_statue", {.83f, .97f, .73f}, 1},
+            {"tile_feather", {1.00f, .24f, .48f}, 10},
+            {"tile_leaf", {1.00f, .39f, .68f}, 2},
+            {"tile_grass", {.50f, .75f, .55f}, 11},
+            {"tile_cobble", {.97f, .43f, .92f}, 1},
+            {"tile_shingle", {.98f, .27f, 1.24f}, 1},
+            {"tile_stud", {.98f, .37f, .98f}, 1},
+            {"tile_rivet", {.98f, .35f, .98f}, 1},
+            {"tile_rope", {1.00f, .43f, .42f}, 3},
+            {"tile_braid", {1.00f, .38f, .66f}, 3},
+            {"tile_knit", {1.00f, .44f, .98f}, 1},
+            {"tile_robot", {.54f, 1.00f, .62f}, 28}};
 }
 
 make::Model made(const std::string& name)
@@ -155,6 +166,25 @@ TEST(Thorn, HasTheConnectivityOfTheFlowerSoThatTheyMorph)
 {
     EXPECT_EQ(made("tile_thorn").nodes[0].parts[0].faces,
               made("tile_flower").nodes[0].parts[0].faces);
+}
+
+// In the planes x = 0 and x = 1 there are the same points, so that copies in a line continue.
+TEST(WovenTiles, EndAsTheyBegin)
+{
+    for (const char* name : {"tile_rope", "tile_braid", "tile_knit"}) {
+        const make::Model model = made(name);
+        for (const make::Mesh& part : model.nodes[0].parts) {
+            std::vector<vec3> begin, end;
+            for (const vec3& p : part.points) {
+                if (std::abs(p.x) < 1e-5f) begin.push_back(p);
+                if (std::abs(p.x - 1) < 1e-5f) end.push_back(p);
+            }
+            ASSERT_GT(begin.size(), 8u) << name;
+            ASSERT_EQ(begin.size(), end.size()) << name;
+            for (std::size_t i = 0; i < begin.size(); ++i)
+                EXPECT_LT(glm::distance(begin[i] + vec3(1, 0, 0), end[i]), 1e-5f) << name;
+        }
+    }
 }
 
 TEST(Cages, AreClosedQuadsWithTheirCreasesOnEdges)

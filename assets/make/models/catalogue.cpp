@@ -48,7 +48,18 @@ std::vector<Entry> catalogue()
             {"tile_brick_c", tile_brick_c},
             {"tile_brick_hollow", tile_brick_hollow},
             {"tile_scale", tile_scale},
-            {"tile_statue", tile_statue}};
+            {"tile_statue", tile_statue},
+            {"tile_feather", tile_feather},
+            {"tile_leaf", tile_leaf},
+            {"tile_grass", tile_grass},
+            {"tile_cobble", tile_cobble},
+            {"tile_shingle", tile_shingle},
+            {"tile_stud", tile_stud},
+            {"tile_rivet", tile_rivet},
+            {"tile_rope", tile_rope},
+            {"tile_braid", tile_braid},
+            {"tile_knit", tile_knit},
+            {"tile_robot", tile_robot}};
 }
 
 Model build(const Entry& entry)

@@ -61,5 +61,16 @@ Model tile_brick_c();
 Model tile_brick_hollow();
 Model tile_scale();
 Model tile_statue();
+Model tile_feather();
+Model tile_leaf();
+Model tile_grass();
+Model tile_cobble();
+Model tile_shingle();
+Model tile_stud();
+Model tile_rivet();
+Model tile_rope();
+Model tile_braid();
+Model tile_knit();
+Model tile_robot();
 
 } // namespace make
