@@ -49,7 +49,21 @@ const std::vector<OwnModel>& own_models()
                                            {"Mail ring", "tile_mail", tile},
                                            {"Hair", "tile_hair", tile},
                                            {"Hexagon", "tile_hex", tile},
+                                           {"Feather", "tile_feather", tile},
+                                           {"Leaf", "tile_leaf", tile},
+                                           {"Grass", "tile_grass", tile},
+                                           {"Cobblestone", "tile_cobble", tile},
+                                           {"Shingle", "tile_shingle", tile},
+                                           {"Stud", "tile_stud", tile},
+                                           {"Rivet", "tile_rivet", tile},
+                                           {"Rope", "tile_rope", tile},
+                                           {"Braid", "tile_braid", tile},
+                                           {"Knit stitch", "tile_knit", tile},
+                                           {"Small robot", "tile_robot", tile},
                                            {"Brick", "tile_brick_a", tile},
+                                           {"Half bricks", "tile_brick_b", tile},
+                                           {"Broken brick", "tile_brick_c", tile},
+                                           {"Hollow brick", "tile_brick_hollow", tile},
                                            {"Statue", "tile_statue", tile}};
     return all;
 }

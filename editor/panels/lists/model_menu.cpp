@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-constexpr int columns = 4;
+constexpr int columns = 6;
 
 std::string picture_of_model(const Editor& editor, const OwnModel& model)
 {
