@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                                          "car", "variable_width", "cube_refined", "edges",
                                          "crocodile_pressed", "pressing_tools", "fold_and_repair",
                                          "ants_terrain", "cars_over_obstacle", "text_teapot",
-                                         "bulldozer_parks", "reptiles", "rider", "tea_cosy",
-                                         "feathered_serpent", "tower"),
+                                         "bulldozer_parks", "reptiles", "rider", "wreath",
+                                         "tea_cosy", "feathered_serpent", "tower"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
