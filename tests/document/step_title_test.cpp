@@ -162,6 +162,14 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     EXPECT_EQ(
         said(Place{.object = 3, .sketch = other, .parameters = {}, .onto = {1}, .copy = true}),
         "Place a copy of Pot on Table");
+    PlacementParameters grounded;
+    grounded.on_ground = true;
+    const auto onto = [&](std::vector<Id> hosts) {
+        return said(
+            Place{.object = 3, .sketch = other, .parameters = grounded, .onto = std::move(hosts)});
+    };
+    EXPECT_EQ(onto({1}), "Place Pot again on Table and the ground");
+    EXPECT_EQ(onto({1, 2}), "Place Pot again on Table, Ball and the ground");
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = other, .onto = {}}),
               "Stroke of Pot");
     Sketch moved = testing::small_sketch();

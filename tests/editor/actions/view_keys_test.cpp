@@ -74,6 +74,9 @@ TEST(ViewKeys, LookFromSixSidesWithoutPerspectiveUntilTheViewIsTurned)
     rig.key(keypad(7, true));
     EXPECT_EQ(from(), glm::ivec3(0, 0, -1));
     EXPECT_FALSE(flat);
+    const auto side = [&] { return viewpoint_of(rig.editor.session.view.camera); };
+    ASSERT_TRUE(side());
+    EXPECT_STREQ(side()->name, "Bottom");
     const auto turn = [&] {
         const glm::vec2 at = rig.layout().view.center();
         rig.move(at);
@@ -86,6 +89,7 @@ TEST(ViewKeys, LookFromSixSidesWithoutPerspectiveUntilTheViewIsTurned)
     };
     turn();
     EXPECT_TRUE(flat) << "it was for the view along an axis alone";
+    EXPECT_FALSE(side());
     rig.key(keypad(5, false));
     rig.key(keypad(1, false));
     turn();

@@ -194,6 +194,19 @@ TEST(RecordDialog, IsOpenedByItsKeyAndBeginsARecording)
     EXPECT_EQ(rig.files("a_frames").size(), 6u);
 }
 
+TEST(RecordDialog, BeginsNothingWhileItsPlanMakesNoSense)
+{
+    Recorded rig;
+    ask_record(rig.editor);
+    rig.editor.memory.of<RecordDialog>().plan = rig.plan;
+    rig.editor.memory.of<RecordDialog>().plan.folder.clear();
+    rig.frames(4);
+    const glm::vec2 middle = glm::vec2(rig.size_px) / 2.0f, half(300, 202); // the card
+    rig.click(glm::round(middle) + half - glm::vec2(24 + 48, 30));
+    EXPECT_TRUE(rig.editor.memory.of<RecordDialog>().open);
+    EXPECT_FALSE(rig.editor.recording.running());
+}
+
 TEST(RecordDialog, WantsTheScenesFile)
 {
     testing::Boxes rig;
