@@ -37,7 +37,9 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
             : 0;
     l.timeline = {{left, y1 - std::round(std::max(asked, theme.px(40)))}, {view_right, y1}};
     l.view = {{left, l.options.hi.y + line}, {view_right, l.timeline.lo.y - line}};
-    const float most = std::round((y1 - y0) * 0.6f);
+    // The inspector keeps room for some rows.
+    const float column = y1 - y0, rows = theme.px(40 + 150);
+    const float most = std::round(std::clamp(column - rows, 0.35f * column, 0.6f * column));
     const float outliner = std::min(theme.px(static_cast<float>(preferences.outliner)), most);
     l.outliner = {{right, y0}, {width, y0 + outliner}};
     l.tabs = {{right, l.outliner.hi.y + line}, {width, l.outliner.hi.y + line + theme.px(40)}};

@@ -158,13 +158,14 @@ const NamedScene all_scenes[] = {
     {"broken", testing::broken_scene},        {"thousand", testing::scene_of_1000_objects},
     {"steps", testing::scene_of_10000_steps}, names};
 const Size smallest{"smallest", {1024, 700}, 1}, usual{"usual", {1440, 900}, 1},
-    twice{"twice", {2048, 1400}, 2};
+    twice{"twice", {2048, 1400}, 2}, large{"large", {1280, 800}, 2};
 
 using ::testing::Combine, ::testing::Values, ::testing::ValuesIn;
 INSTANTIATE_TEST_SUITE_P(Smallest, EveryPanel, Combine(ValuesIn(all_scenes), Values(smallest)),
                          name_of_case);
 INSTANTIATE_TEST_SUITE_P(Usual, EveryPanel, Combine(Values(names), Values(usual)), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Twice, EveryPanel, Combine(Values(typical), Values(twice)), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Large, EveryPanel, Combine(Values(typical), Values(large)), name_of_case);
 
 } // namespace
 } // namespace trivar

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a small window must still show, and what lies over what.
 #include "editor/panels/menu_bar.h"
+#include "editor/record/record_plan.h"
 #include "tests/editor/rig.h"
 
+#include <algorithm>
 #include <imgui_internal.h>
 #include <set>
+#include <string_view>
 
 namespace trivar {
 namespace {
@@ -79,6 +82,28 @@ TEST(SmallWindow, AtTwiceTheScaleTheClosedTimelineStillGoesToAnyFrame)
     EXPECT_GT(rig.editor.session.frame(), 100);
     rig.click({timeline.hi.x - 2 * 120, timeline.center().y});
     EXPECT_LT(rig.editor.session.frame(), 100);
+}
+
+TEST(SmallWindow, AtTwiceTheScaleTheInspectorKeepsRoomForRows)
+{
+    Rig rig({1280, 800}, twice_the_scale);
+    rig.frames();
+    EXPECT_GE(rig.layout().inspector.height(), 2 * 140);
+    EXPECT_GE(rig.layout().outliner.height(), 2 * 100);
+}
+
+TEST(SmallWindow, AtTwiceTheScaleADialogOfFramesShowsAllItsFields)
+{
+    Rig rig({1280, 800}, twice_the_scale);
+    rig.two_objects();
+    rig.editor.memory.of<RecordDialog>().open = true;
+    rig.frames(3);
+    const auto& windows = GImGui->Windows;
+    const auto fields = std::find_if(windows.begin(), windows.end(), [](const ImGuiWindow* each) {
+        return std::string_view(each->Name).find("/plan_") != std::string_view::npos;
+    });
+    ASSERT_NE(fields, windows.end());
+    EXPECT_EQ((*fields)->ScrollMax.y, 0);
 }
 
 TEST(SmallWindow, NoticesLieOnNoButtonOfADialog)
