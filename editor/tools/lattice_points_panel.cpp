@@ -71,7 +71,7 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                        "Stops an edit before the volume would fold."});
     if (laid) {
         const glm::ivec3 n = point_count(laid->placement->volume);
-        const std::string words = fmt::format("{} of {} x {} x {}", chosen_.size(), n.x, n.y, n.z);
+        const std::string words = fmt::format("{} of {} × {} × {}", chosen_.size(), n.x, n.y, n.z);
         options.push_back({"Points", 128,
                            [&theme, words](float field) {
                                const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -92,7 +92,7 @@ void facts(Editor& editor, const ui::Theme& theme)
     const glm::dvec3 size = bounds_of(session, session.selected.ids()).size();
     if (size.x >= 0)
         ui::fact_row(theme, "Size",
-                     fmt::format("{} x {} x {} m", ui::short_number(size.x),
+                     fmt::format("{} × {} × {} m", ui::short_number(size.x),
                                  ui::short_number(size.y), ui::short_number(size.z)));
     ui::fact_row(theme, "Faces", ui::with_commas(faces));
     ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
