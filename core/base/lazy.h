@@ -38,6 +38,8 @@ public:
     }
     const T* operator->() const { return &**this; }
     bool ready() const { return state_ && state_->ready; }
+    // Whether both are copies of one.
+    bool operator==(const Lazy& other) const { return state_ == other.state_; }
 
 private:
     struct State {

@@ -96,7 +96,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
     result.bounds = Lazy<Box>([stage, shows_volume] {
         Box box;
         for (const Part& part : with_points(stage->parts, stage->curves))
-            box.add(bounding_box(*part.mesh(), part.to_world));
+            box.add(bounds_in_world(part));
         if (shows_volume) add_control_points(box, *stage->seen_cage());
         return box;
     });
@@ -161,14 +161,14 @@ Evaluation Evaluator::operator()(const Document& still, double frame, const Prog
     return result;
 }
 
-void deform_parts(Evaluation& evaluated)
+void deform_parts(Evaluation& evaluated, bool with_tiles)
 {
     std::vector<Part> parts; // whose vertices nobody asked for yet
     std::size_t vertices = 0;
     for (const auto& [id, object] : evaluated.objects)
         for (Part& part : with_points(object->parts, object->curves))
-            if (!is_deformed(part)) {
-                vertices += part.rest->vertex_count();
+            if (!is_deformed(part) && (with_tiles || !part.drawn_from_tiles())) {
+                vertices += part.vertex_count();
                 parts.push_back(std::move(part));
             }
     if (parts.empty()) return;

@@ -34,8 +34,8 @@ private:
 };
 
 // Deforms, by the processor, all parts that are not deformed yet; the timings get the time that
-// took.
-void deform_parts(Evaluation& evaluated);
+// took. Tiles are drawn without that, and bent only where they are asked for.
+void deform_parts(Evaluation& evaluated, bool with_tiles = false);
 
 // The digest of every deformed position, normal and index, in the order of ids; also of curves
 // where there are any.

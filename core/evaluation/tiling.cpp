@@ -239,13 +239,15 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                                        all.size(), vertices, corners, most_vertices, most_corners));
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
+        const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all));
         for (const Part& part : before->own_parts) {
-            Part tiled{.rest = timed(input.timings, "tiles", [&] {
-                           return bent_tiles(*part.mesh(), turned * part.to_world, cell, all);
-                       })};
-            tiled.key = part.key;
-            tiled.bounds = bounding_box(*tiled.rest);
-            if (!tiled.rest->positions.empty()) stage.parts.push_back(std::move(tiled));
+            if (places->empty() || part.rest->positions.empty()) continue;
+            const Ref<TileModel> model = models_({part.mesh(), turned * part.to_world, cell}, [&] {
+                return tile_model(in_unit_cell(*part.mesh(), turned * part.to_world, cell));
+            });
+            stage.parts.push_back(timed(input.timings, "tiles", [&] {
+                return part_of(tile_set(model, places), part.key);
+            }));
         }
         tell(stage, *layout, told);
         return make_ref(std::move(stage));

@@ -3,7 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/step.h"
-#include "core/tiles/bent_tiles.h"
+#include "core/patches/tile_set.h"
 #include "core/tiles/chart.h"
 
 namespace trivar {
@@ -35,9 +35,16 @@ private:
         glm::dmat4 turned;
         bool operator==(const Key&) const = default;
     };
+    struct ModelKey {
+        Ref<Mesh> mesh;
+        glm::dmat4 to_model;
+        TileCell cell;
+        bool operator==(const ModelKey&) const = default;
+    };
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
     Recent<ChartKey, Ref<std::vector<TileChart>>> charts_;
+    Recent<ModelKey, Ref<TileModel>> models_{16}; // an object has a few meshes
     Recent<Key, Ref<Stage>> painted_;
 };
 

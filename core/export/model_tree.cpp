@@ -12,7 +12,7 @@ namespace {
 // Extends a box by a part in the space of its object.
 void add_part(Box& box, const Part& part, const glm::dmat4& to_object)
 {
-    Box own = bounding_box(*part.rest);
+    Box own = part.tiles ? part.bounds : bounding_box(*part.rest);
     if (part.posed) own = posed_bounds(own, target_bounds(*part.rest), part.posed->pose);
     if (own.empty()) return;
     for (const glm::dvec3& corner : own.corners())

@@ -17,19 +17,35 @@ glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object)
     return deform(p, part.bent->embedding, *part.bent->volume).position_world;
 }
 
+Part part_of(const Ref<TileSet>& tiles, const PartKey& key)
+{
+    return {.rest = LaterMesh(tiles->mesh), .key = key, .bounds = tiles->box, .tiles = tiles};
+}
+
+Box bounds_in_world(const Part& part)
+{
+    if (!part.drawn_from_tiles()) return bounding_box(*part.mesh(), part.to_world);
+    if (part.to_world == glm::dmat4(1) || part.bounds.empty()) return part.bounds;
+    Box out;
+    for (const glm::dvec3& corner : part.bounds.corners())
+        out.add(glm::dvec3(part.to_world * glm::dvec4(corner, 1)));
+    return out;
+}
+
 bool is_deformed(const Part& part)
 {
-    return part.bent ? part.bent->mesh.ready() : !part.posed || part.posed->mesh.ready();
+    if (part.bent) return part.bent->mesh.ready();
+    return part.posed ? part.posed->mesh.ready() : part.rest.ready();
 }
 
 const Ref<Mesh>& mesh_of(const Part& part, Timings& timings)
 {
     if (part.posed && !part.posed->mesh.ready()) {
-        timings.add("pose", 0, part.rest->vertex_count());
+        timings.add("pose", 0, part.vertex_count());
         timed(timings, "pose", [&]() -> const Ref<Mesh>& { return *part.posed->mesh; });
     }
-    if (!part.bent || part.bent->mesh.ready()) return part.mesh();
-    timings.add("deform", 0, part.rest->vertex_count());
+    if (is_deformed(part)) return part.mesh();
+    timings.add("deform", 0, part.vertex_count());
     return timed(timings, "deform", [&]() -> const Ref<Mesh>& { return part.mesh(); });
 }
 

@@ -4,7 +4,9 @@
 #include "core/base/timing.h"
 #include "core/ffd/deform.h"
 #include "core/mesh/extent.h"
+#include "core/mesh/later_mesh.h"
 #include "core/mesh/part_key.h"
+#include "core/patches/tile_set.h"
 
 namespace trivar {
 
@@ -24,17 +26,27 @@ struct Deformation {
 // A Part is one mesh as it stands in the world: posed by its model's clip, and then deformed by a
 // volume.
 struct Part {
-    Ref<Mesh> rest;         // has the same faces, corners and number of vertices as the result
+    LaterMesh rest;         // has the same faces, corners and number of vertices as the result
     glm::dmat4 to_world{1}; // identity where a volume deforms it
     Ref<PosedMesh> posed = nullptr;  // null where no skin and no morph target moves its vertices
     Ref<Deformation> bent = nullptr; // null where no volume does
     PartKey key = {};
     // of the posed vertices before to_world or the volume; may be larger than needed
     Box bounds = {};
+    // The tiles of which `rest` is the mesh; null: it is no mesh of tiles. What needs no single
+    // vertex takes these, so that nobody has to bend them.
+    Ref<TileSet> tiles = nullptr;
 
-    const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
+    const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest.ref(); }
     const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : before_volume(); }
-    bool operator==(const Part& other) const // bounds follow from the other members
+    // Whether it is drawn from the tiles, and not from a mesh of all of them.
+    bool drawn_from_tiles() const { return tiles && !posed && !bent; }
+    std::size_t vertex_count() const
+    {
+        return tiles ? tiles->vertex_count() : rest->vertex_count();
+    }
+    std::size_t face_count() const { return tiles ? tiles->face_count() : rest->face_count(); }
+    bool operator==(const Part& other) const // bounds and tiles follow from the other members
     {
         return rest == other.rest && to_world == other.to_world && posed == other.posed &&
                bent == other.bent && key == other.key;
@@ -47,6 +59,12 @@ const Part& innermost(const Part& part);
 // Where a point of the mesh that the first of them deforms is in the world, after all volumes of
 // the part. In double precision.
 glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object);
+
+// A part of tiles with that key, in the world.
+Part part_of(const Ref<TileSet>& tiles, const PartKey& key);
+
+// A box that holds the part in the world. Parts in volumes are deformed for it; tiles are not.
+Box bounds_in_world(const Part& part);
 
 // true also if nothing deforms the part: mesh() is there at once
 bool is_deformed(const Part& part);

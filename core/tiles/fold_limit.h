@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tiles/tile_patch.h"
+#include "core/patches/tile_patch.h"
 
 namespace trivar {
 

@@ -20,7 +20,7 @@ std::string facts(const Session& session)
     for (const auto& [id, object] : session.evaluated().objects)
         if (session.selected == 0 || selected.contain(id))
             for (const Part& part : with_points(object->parts, object->curves))
-                vertices += part.rest->vertex_count();
+                vertices += part.vertex_count();
     const std::size_t count = session.document().objects.size();
     const std::string what = session.selected != 0
                                  ? fmt::format("{} selected", session.selected.size())

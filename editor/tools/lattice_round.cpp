@@ -27,8 +27,10 @@ Box box_round(const Session& session, const std::vector<Id>& ids, Id parent)
     Box box;
     for (const auto& [id, each] : session.evaluated().objects)
         if (std::ranges::any_of(ids, [&](Id of) { return belongs_to(session.document(), id, of); }))
-            for (const Part& part : with_points(each->parts, each->curves))
-                box.add(bounding_box(*part.mesh(), world_to_parent * part.to_world));
+            for (Part& part : with_points(each->parts, each->curves)) {
+                part.to_world = world_to_parent * part.to_world;
+                box.add(bounds_in_world(part));
+            }
     return box;
 }
 

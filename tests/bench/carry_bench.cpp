@@ -60,7 +60,7 @@ void carried_models(benchmark::State& state)
         const Evaluation evaluated = evaluate(document);
         vertices = 0;
         for (const auto& [id, object] : evaluated.objects)
-            for (const Part& part : object->parts) vertices += part.rest->vertex_count();
+            for (const Part& part : object->parts) vertices += part.vertex_count();
         for (const Timings::Stage& stage : evaluated.timings.stages)
             if (stage.name == "rays") ++rays;
     };

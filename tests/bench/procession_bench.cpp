@@ -37,7 +37,7 @@ void procession(benchmark::State& state, bool deformed)
         vertices = 0;
         meshes = evaluated.objects.at(2)->parts.size();
         for (const Part& part : evaluated.objects.at(2)->parts)
-            vertices += part.rest->vertex_count();
+            vertices += part.vertex_count();
     };
     show();
     for (auto _ : state) show();

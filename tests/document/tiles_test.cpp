@@ -40,7 +40,7 @@ std::size_t tile_count(const Evaluation& evaluation)
             .parts.at(0)
             .rest->vertex_count();
     std::size_t all = 0;
-    for (const Part& part : shown_in(evaluation, stud_id).parts) all += part.rest->vertex_count();
+    for (const Part& part : shown_in(evaluation, stud_id).parts) all += part.vertex_count();
     EXPECT_EQ(all % per_tile, 0u);
     return all / per_tile;
 }

@@ -59,7 +59,7 @@ void check_shown(const Document& document, const std::string& path)
     Evaluator evaluator(std::make_shared<const AssetStore>(folder));
     for (const double frame : {1.0 * document.time.first_frame, 1.0 * document.time.last_frame}) {
         Evaluation shown = evaluator(document, frame);
-        deform_parts(shown);
+        deform_parts(shown, true);
         for (const auto& [id, object] : shown.objects) {
             check_sentences(object->notices);
             for (const Part& part : object->parts)

@@ -27,6 +27,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/text"},
     {"core/files"},
     {"core/simplify"},
+    {"core/patches"},
     {"core/ffd"},
     {"core/refinement"},
     {"core/placement"},

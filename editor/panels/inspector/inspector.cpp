@@ -108,8 +108,8 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     for (const auto& [each_id, effects] : session.evaluated().objects) {
         if (!belongs_to(session.document(), each_id, id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.rest->face_count();
-            vertices += part.rest->vertex_count();
+            faces += part.face_count();
+            vertices += part.vertex_count();
         }
         for (const CurvePart& part : effects->curves) curves += part.curves->line_count();
     }

@@ -79,8 +79,8 @@ void facts(Editor& editor, const ui::Theme& theme)
     for (const auto& [id, effects] : session.evaluated().objects) {
         if (!members.contain(id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.rest->face_count();
-            vertices += part.rest->vertex_count();
+            faces += part.face_count();
+            vertices += part.vertex_count();
         }
         for (const CurvePart& part : effects->curves) curves += part.curves->line_count();
     }

@@ -43,7 +43,7 @@ struct TilesRig : Rig {
     {
         std::size_t all = 0;
         for (const Part& part : editor.session.evaluated().objects.at(id)->parts)
-            all += part.rest->vertex_count();
+            all += part.vertex_count();
         return all;
     }
 };

@@ -40,7 +40,7 @@ struct RefinedViews : ::testing::Test {
     {
         std::size_t count = 0;
         for (const Part& part : view().seen().objects.at(2)->parts)
-            count += part.rest->vertex_count();
+            count += part.vertex_count();
         return count;
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tiles/tile_patch.h"
+#include "core/patches/tile_patch.h"
 
 namespace trivar {
 namespace {

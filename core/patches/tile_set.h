@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/lazy.h"
+#include "core/base/ref.h"
+#include "core/patches/tile_kernel.h"
+#include "core/patches/tile_levels.h"
+
+namespace trivar {
+
+// A TileCell is the box of a model that becomes the tile: its middle stands on the middle of the
+// patch, its longer side along x or y fills the patch, and its floor lies on the base.
+struct TileCell {
+    glm::dvec3 middle_of_floor{0};
+    double side = 1; // metres
+    double top = 1;  // height over the floor
+    bool operator==(const TileCell&) const = default;
+};
+
+// The mesh in the unit cell: x and y fill the unit square, z is in sides and 0 on the floor.
+// `to_model` takes the mesh to the cell's model; a mirroring one turns the faces round. O(#V).
+Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& cell);
+
+// A TileModel is one tile in its unit cell, for any number of places.
+struct TileModel {
+    Ref<Mesh> mesh;
+    Box box;                             // of the mesh
+    Lazy<std::vector<TileLevel>> levels; // levels_of() the mesh
+};
+Ref<TileModel> tile_model(Mesh in_unit_cell);
+
+// A TileSet is a mesh repeated over patches. The processor bends all of them when somebody first
+// asks for the mesh; where the graphics card draws, nobody does.
+struct TileSet {
+    struct Extent {
+        Box hull;           // holds every point of the tile
+        double stretch = 0; // stretch_bound()
+    };
+    Ref<TileModel> model;
+    Ref<std::vector<PlacedTile>> tiles;
+    std::vector<Extent> extents; // #tiles
+    Box box;                     // of all vertices, in double precision
+    Lazy<Ref<Mesh>> mesh;
+    std::size_t vertex_count() const { return model->mesh->vertex_count() * tiles->size(); }
+    std::size_t face_count() const { return model->mesh->face_count() * tiles->size(); }
+};
+// Bends only the few tiles whose hulls reach out of the box of the others. O(#tiles), about 2
+// microseconds each, in parallel.
+Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles);
+
+// One mesh of all tiles. In parallel; the same bits for any number of threads. O(#tiles #V).
+Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles);
+
+// The vertices of every tile that are furthest out along 26 directions of its cell, in the world:
+// what frames them all. In double precision; at most 26 per tile.
+std::vector<glm::dvec3> outer_points(const TileModel& model, std::span<const PlacedTile> tiles);
+
+} // namespace trivar
