@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/tiles/layout.h"
-#include "core/tiles/tile_patch.h"
+#include "core/patches/tile_patch.h"
 
 namespace trivar {
 

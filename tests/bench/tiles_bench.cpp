@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/primitives.h"
-#include "core/tiles/bent_tiles.h"
+#include "core/patches/tile_set.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/fold_limit.h"
 
@@ -90,23 +90,85 @@ void tiles_guard(benchmark::State& state)
     per_tile(state);
 }
 
-void tiles_bent(benchmark::State& state)
+Ref<std::vector<PlacedTile>> placed_tiles()
 {
     const TiledTorus& all = tiled_torus();
-    std::vector<PlacedTile> placed;
+    std::vector<PlacedTile> out;
     for (const TileChart& chart : all.charts)
-        placed.push_back({patch_of(all.base, all.pose, chart), tile_size, 0});
-    const Mesh stud = sphere_mesh(0.5, 16, 8);
-    for (auto _ : state)
-        benchmark::DoNotOptimize(bent_tiles(stud, glm::dmat4(1), {{0, 0, -0.5}, 1, 1}, placed));
+        out.push_back({patch_of(all.base, all.pose, chart), tile_size, 0});
+    return make_ref(std::move(out));
+}
+
+Mesh unit_of(const Mesh& stud)
+{
+    return in_unit_cell(stud, glm::dmat4(1), {{0, 0, -0.5}, 1, 1});
+}
+
+void tiles_hulls(benchmark::State& state)
+{
+    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Ref<TileModel> model = tile_model(unit_of(sphere_mesh(0.5, 16, 8)));
+    for (auto _ : state) benchmark::DoNotOptimize(tile_set(model, placed));
+    per_tile(state);
+}
+
+// What core/patches/tile_kernel.h is held against: vertex after vertex by the definition, in double
+// precision.
+void bend_plainly(const Mesh& unit, const PlacedTile& tile, glm::vec3* positions,
+                  glm::vec3* normals)
+{
+    for (std::size_t v = 0; v < unit.vertex_count(); ++v) {
+        const glm::dvec3 at(unit.positions[v]), n(unit.normals[v]);
+        const TilePoint t = tile_point(tile.patch, {at.x, at.y, tile.height * at.z + tile.base});
+        const glm::dvec3 z = tile.height * t.z;
+        positions[v] = t.p;
+        normals[v] = glm::normalize(n.x * glm::cross(t.y, z) + n.y * glm::cross(z, t.x) +
+                                    n.z * glm::cross(t.x, t.y));
+    }
+}
+
+// Positions and normals of 400 tiles of 5,041 vertices, one thread, into memory that is there.
+void tiles_vertices(benchmark::State& state, bool plainly)
+{
+    const Mesh unit = unit_of(sphere_mesh(0.5, 70, 71));
+    const TileVertices vertices(unit);
+    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    constexpr std::size_t count = 400;
+    std::vector<glm::vec3> positions(count * unit.vertex_count()), normals(positions.size());
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const PlacedTile& tile = (*placed)[i];
+            glm::vec3* const p = positions.data() + i * unit.vertex_count();
+            glm::vec3* const n = normals.data() + i * unit.vertex_count();
+            if (plainly) {
+                bend_plainly(unit, tile, p, n);
+            } else {
+                const TilePowers powers = powers_of(tile);
+                bend_vertices(vertices, powers, glm::vec3(powers.origin), {p, n, nullptr});
+            }
+        }
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(positions.size()));
+}
+
+// The mesh of all tiles, with its faces.
+void tiles_bent(benchmark::State& state)
+{
+    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Mesh unit = unit_of(sphere_mesh(0.5, 16, 8));
+    for (auto _ : state) benchmark::DoNotOptimize(bent_tiles(unit, *placed));
     state.SetItemsProcessed(state.iterations() *
-                            static_cast<std::int64_t>(placed.size() * stud.vertex_count()));
+                            static_cast<std::int64_t>(placed->size() * unit.vertex_count()));
 }
 
 BENCHMARK(tiles_layout)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_charts)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_patches)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_guard)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(tiles_hulls)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_vertices, plain_loop, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_vertices, kernel, false)->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
