@@ -100,7 +100,7 @@ Model tile_leaf()
 Model tile_feather()
 {
     Model m;
-    const int a = m.material("vane", vec3(1), .7f), b = m.material("quill", srgb(0xeadfc6), .4f);
+    const int a = m.material("vane", vec3(1), .7f), b = m.material("quill", vec3(1), .4f);
     constexpr int barbs = 58;
     const Blade blade{.15f, .20f,
                       Curve({{0, .03f},
@@ -147,7 +147,11 @@ Model tile_feather()
         const float u = i / 8.f * .97f;
         quill.push_back({mix(.15f, 1, u), .5f, blade.height(u) + .010f, mix(.020f, .004f, u)});
     }
-    m.root().parts.push_back(tube(curve(quill, 2), 7, false, 1).mat(b));
+    Mesh shaft = tube(curve(quill, 2), 7, false, 1);
+    shaft.paint([](vec3 p) {
+        return glm::mix(srgb(0xeadfc6), srgb(0x7d5a3a), smooth_step(.15f, .8f, p.x));
+    });
+    m.root().parts.push_back(shaft.mat(b));
     for (int i = 0; i < 8; i++) { // down
         const float side = i % 2 ? 1.f : -1.f, x = .10f + .018f * i,
                     w = .10f + .035f * noise({i * 1.7f, 0, 0}), z = .034f + .004f * i;

@@ -40,7 +40,7 @@ Model tile_cobble()
 Model tile_shingle()
 {
     Model m;
-    const int a = m.material("slate", vec3(1), .55f);
+    const int a = m.material("slate", vec3(1), .7f);
     const auto broken = [](float x) { // how much of the lower end is gone
         return .055f * smooth_step(.14f, .0f, x) +
                .085f * smooth_step(.13f, .02f, std::abs(x - .70f)) +
