@@ -52,7 +52,7 @@ const std::vector<OwnModel>& own_models()
                                            {"Feather", "tile_feather", tile},
                                            {"Leaf", "tile_leaf", tile},
                                            {"Grass", "tile_grass", tile},
-                                           {"Cobblestone", "tile_cobble", tile},
+                                           {"Cobble", "tile_cobble", tile},
                                            {"Shingle", "tile_shingle", tile},
                                            {"Stud", "tile_stud", tile},
                                            {"Rivet", "tile_rivet", tile},
