@@ -15,7 +15,7 @@ namespace trivar {
 // Preferences are what a person has arranged for all scenes. Sizes are pixels at scale 1.
 struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
-    double dock = 332, outliner = 256, timeline = 184;
+    double dock = 320, outliner = 256, timeline = 184;
     bool show_dock = true, timeline_open = false, hints = true;
     std::string at_start = "card"; // over an empty scene; or "last", the last scene, or "empty"
     bool ask_to_keep = true;       // what becomes of a scene without a name

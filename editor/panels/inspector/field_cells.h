@@ -17,7 +17,7 @@ struct FieldCells {
     // For so many fields in a row of that width, pixels.
     FieldCells(const ui::Theme& theme, float row_width, int count)
     {
-        constexpr float least = 56; // at scale 1: "-123.4" beside the letter of its axis
+        constexpr float least = 53; // at scale 1: "-123.4" beside the letter of its axis
         const float gap = theme.px(4), n = static_cast<float>(count);
         width = std::floor((row_width - (n - 1) * gap) / n);
         step = {width + gap, 0};
