@@ -2,7 +2,7 @@
 #include "core/mesh/subdivide.h"
 
 #include "core/base/rejected.h"
-#include "core/mesh/repair.h"
+#include "core/mesh/cage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,63 +68,21 @@ Attribute<V> channel(const Mesh& mesh, const std::vector<Source>& source)
     return result;
 }
 
-Mesh with_every_point_used(Mesh mesh)
-{
-    std::vector<std::uint32_t> number(point_count(mesh), ~0u), points(mesh.vertex_count());
-    std::uint32_t count = 0;
-    for (std::uint32_t v = 0; v < points.size(); ++v) {
-        std::uint32_t& known = number[mesh.point(v)];
-        if (known == ~0u) known = count++;
-        points[v] = known;
-    }
-    mesh.points = std::move(points);
-    return mesh;
-}
-
-// A Topology is the cage as OpenSubdiv reads it: points for vertices, one face-varying channel per
-// attribute.
-struct Topology {
-    std::vector<int> face_sizes, corner_points, crease_ends, corner_vertices;
-    std::vector<float> crease_sharpness, corner_sharpness;
-};
-
-Topology topology(const Mesh& cage)
-{
-    Topology t;
-    for (std::size_t f = 0; f < cage.face_count(); ++f)
-        t.face_sizes.push_back(static_cast<int>(cage.face_begin[f + 1] - cage.face_begin[f]));
-    for (const std::uint32_t v : cage.corners)
-        t.corner_points.push_back(static_cast<int>(cage.point(v)));
-    for (const Mesh::Crease& crease : cage.creases) {
-        const int a = static_cast<int>(cage.point(crease.a)),
-                  b = static_cast<int>(cage.point(crease.b));
-        const float sharpness = std::clamp(crease.sharpness, 0.0f, 10.0f);
-        if (a == b) {
-            t.corner_vertices.push_back(a);
-            t.corner_sharpness.push_back(sharpness);
-        } else {
-            t.crease_ends.insert(t.crease_ends.end(), {a, b});
-            t.crease_sharpness.push_back(sharpness);
-        }
-    }
-    return t;
-}
-
-std::unique_ptr<Far::TopologyRefiner> refiner(const Mesh& cage, const Topology& t,
+std::unique_ptr<Far::TopologyRefiner> refiner(const Cage& cage,
                                               const std::vector<const std::vector<int>*>& channels)
 {
     using Descriptor = Far::TopologyDescriptor;
     Descriptor descriptor;
-    descriptor.numVertices = static_cast<int>(point_count(cage));
-    descriptor.numFaces = static_cast<int>(t.face_sizes.size());
-    descriptor.numVertsPerFace = t.face_sizes.data();
-    descriptor.vertIndicesPerFace = t.corner_points.data();
-    descriptor.numCreases = static_cast<int>(t.crease_sharpness.size());
-    descriptor.creaseVertexIndexPairs = t.crease_ends.data();
-    descriptor.creaseWeights = t.crease_sharpness.data();
-    descriptor.numCorners = static_cast<int>(t.corner_sharpness.size());
-    descriptor.cornerVertexIndices = t.corner_vertices.data();
-    descriptor.cornerWeights = t.corner_sharpness.data();
+    descriptor.numVertices = static_cast<int>(cage.points.size());
+    descriptor.numFaces = static_cast<int>(cage.face_sizes.size());
+    descriptor.numVertsPerFace = cage.face_sizes.data();
+    descriptor.vertIndicesPerFace = cage.corners.data();
+    descriptor.numCreases = static_cast<int>(cage.crease_sharpness.size());
+    descriptor.creaseVertexIndexPairs = cage.crease_ends.data();
+    descriptor.creaseWeights = cage.crease_sharpness.data();
+    descriptor.numCorners = static_cast<int>(cage.point_sharpness.size());
+    descriptor.cornerVertexIndices = cage.sharp_points.data();
+    descriptor.cornerWeights = cage.point_sharpness.data();
     std::vector<Descriptor::FVarChannel> fvar(channels.size());
     for (std::size_t i = 0; i < channels.size(); ++i) {
         fvar[i].numValues = 1 + *std::max_element(channels[i]->begin(), channels[i]->end());
@@ -296,7 +254,7 @@ Mesh subdivide(const Mesh& cage, int levels, const Progress& progress)
     if (faces > max_faces)
         throw Rejected(fmt::format("{} levels would make {:.0f} faces; at most {:.0f} are allowed",
                                    levels, faces, max_faces));
-    const Mesh clean = with_every_point_used(repaired(cage).mesh);
+    const Mesh clean = ready_to_subdivide(cage);
 
     report(progress, 0, "Subdividing");
     std::vector<Attribute<glm::dvec2>> uvs;
@@ -306,8 +264,7 @@ Mesh subdivide(const Mesh& cage, int levels, const Progress& progress)
     std::vector<const std::vector<int>*> channels;
     for (const auto& set : uvs) channels.push_back(&set.corners);
     for (const auto& set : colors) channels.push_back(&set.corners);
-    const Topology tags = topology(clean);
-    const auto refined_topology = refiner(clean, tags, channels);
+    const auto refined_topology = refiner(cage_of(clean), channels);
     if (!refined_topology) throw Rejected("the cage's faces do not form a surface");
     Far::TopologyRefiner::UniformOptions options(levels);
     options.fullTopologyInLastLevel = true;

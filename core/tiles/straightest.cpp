@@ -8,22 +8,7 @@ namespace {
 
 constexpr int most_crossed = 100'000;
 
-glm::dvec3 in_plane(const glm::dvec3& t, const glm::dvec3& normal)
-{
-    const glm::dvec3 flat = t - glm::dot(t, normal) * normal;
-    const double length = glm::length(flat);
-    return length > 0 ? flat / length : glm::dvec3(0);
-}
-
 } // namespace
-
-glm::dvec3 turned_from_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& t)
-{
-    const glm::dvec3 w = glm::cross(a, b);
-    const double cosine = glm::dot(a, b);
-    if (cosine < -0.999999) return -t; // any half turn is as small
-    return t + glm::cross(w, t) + glm::cross(w, glm::cross(w, t)) / (1 + cosine);
-}
 
 SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const glm::dvec3& way)
 {
@@ -31,7 +16,7 @@ SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const gl
     double rest = glm::length(way);
     if (!(rest > 0)) return ray;
     const glm::dvec3& first = base.face_normal(start.triangle);
-    ray.direction = in_plane(turned_from_to(base.normal(start), first, way / rest), first);
+    ray.direction = in_tangent_plane(turned_from_to(base.normal(start), first, way / rest), first);
     if (ray.direction == glm::dvec3(0)) {
         ray.left = rest;
         return ray;
@@ -62,7 +47,7 @@ SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const gl
         const std::uint32_t behind = base.across(ray.at.triangle, out);
         if (behind == TileBase::none) break;
         const glm::dvec3& next = base.face_normal(behind / 3);
-        const glm::dvec3 turned = in_plane(turned_from_to(n, next, ray.direction), next);
+        const glm::dvec3 turned = in_tangent_plane(turned_from_to(n, next, ray.direction), next);
         if (turned == glm::dvec3(0)) break; // a triangle without area cannot be crossed
         ray.direction = turned;
         ray.at.triangle = behind / 3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/limit/tangent.h"
 #include "core/tiles/tile_base.h"
 
 namespace trivar {
@@ -12,9 +13,6 @@ struct SurfaceRay {
         0};          // unit, in the plane of the triangle; zero where there was no way to go
     double left = 0; // length that a border cut off
 };
-
-// Rotates t as the smallest rotation that takes the unit vector a to the unit vector b.
-glm::dvec3 turned_from_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& t);
 
 // The straightest way from a place along a vector of the plane of its normal, whose length is the
 // way's: straight in each triangle, and over each edge as if both triangles were unfolded (Polthier

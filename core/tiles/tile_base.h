@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/limit/surface_point.h"
 #include "core/placement/ray_scene.h"
 
 #include <array>
@@ -18,13 +19,6 @@ struct SurfacePlace {
 
 // The same place, moved into the triangle where it is a hair outside.
 SurfacePlace inside(SurfacePlace at);
-
-// A SurfacePoint is the same point in space, from which its place is found again on other
-// triangles.
-struct SurfacePoint {
-    glm::dvec3 p{0}, normal{0, 0, 1}; // in the space of the base's model, metres; unit
-    bool operator==(const SurfacePoint&) const = default;
-};
 
 // A TileBase is the surface that tiles are painted on, at rest: the triangles of all its meshes,
 // their neighbours and normals. Edges with other than two faces, which run along it in opposite

@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/patches"},
     {"core/ffd"},
     {"core/refinement"},
-    {"core/placement"},
+    {"core/placement", "core/limit"},
     {"core/tiles"},
     {"core/document"},
     {"core/commands", "core/evaluation"},
