@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/cell_counts.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+// Sets of numbers that are joined; the least number of each stands for it.
+class JoinedSets {
+public:
+    explicit JoinedSets(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0u); }
+    std::size_t find(std::size_t a)
+    {
+        while (up_[a] != a) a = up_[a] = up_[up_[a]];
+        return a;
+    }
+    void join(std::size_t a, std::size_t b)
+    {
+        a = find(a);
+        b = find(b);
+        up_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::size_t> up_;
+};
+
+// Of a line in the middle of a chart, along u or along v.
+double middle_length(const ChartSurface& surface, std::uint32_t chart, int axis)
+{
+    constexpr int pieces = 8;
+    double length = 0;
+    glm::dvec3 last(0);
+    for (int k = 0; k <= pieces; ++k) {
+        const double t = static_cast<double>(k) / pieces;
+        const glm::dvec3 p =
+            surface.position({chart, axis == 0 ? glm::dvec2(t, 0.5) : glm::dvec2(0.5, t)});
+        if (k > 0) length += glm::distance(p, last);
+        last = p;
+    }
+    return length;
+}
+
+void check_count(double cells, std::size_t most)
+{
+    if (!(cells <= static_cast<double>(most)))
+        throw Rejected(fmt::format(
+            "it would take {:.0f} tiles to cover it; at most {} are laid, so make them larger",
+            cells, most));
+}
+
+} // namespace
+
+std::vector<int> row_turns(const ChartNet& net)
+{
+    constexpr int unknown = -1;
+    std::vector<int> turns(net.size(), unknown);
+    for (std::uint32_t seed = 0; seed < net.size(); ++seed) {
+        if (turns[seed] != unknown) continue;
+        turns[seed] = 0;
+        std::vector<std::uint32_t> queue{seed};
+        for (std::size_t k = 0; k < queue.size(); ++k)
+            for (int e = 0; e < 4; ++e) {
+                const ChartNet::Side& other = net.across(queue[k], e);
+                if (other.chart == ChartNet::none || turns[other.chart] != unknown) continue;
+                turns[other.chart] = (turns[queue[k]] + other.edge - e + 2) & 3;
+                queue.push_back(other.chart);
+            }
+    }
+    return turns;
+}
+
+std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const int> turns,
+                                    const glm::dvec2& size, bool even, std::size_t most)
+{
+    const ChartNet& net = surface.net();
+    const auto charts = static_cast<std::uint32_t>(net.size());
+    const auto side = [](std::uint32_t chart, int edge) {
+        return 4 * std::size_t{chart} + static_cast<std::size_t>(edge);
+    };
+    JoinedSets chords(4 * net.size());
+    for (std::uint32_t c = 0; c < charts; ++c) {
+        chords.join(side(c, 0), side(c, 2));
+        chords.join(side(c, 1), side(c, 3));
+        for (int e = 0; e < 4; ++e)
+            if (const ChartNet::Side& other = net.across(c, e); other.chart != ChartNet::none)
+                chords.join(side(c, e), side(other.chart, other.edge));
+    }
+    std::vector<double> sum(4 * net.size(), 0), weight(4 * net.size(), 0);
+    for (std::uint32_t c = 0; c < charts; ++c)
+        for (int axis = 0; axis < 2; ++axis) {
+            const bool along_row = (turns[c] + axis) % 2 == 0;
+            const std::size_t chord = chords.find(side(c, axis));
+            sum[chord] += middle_length(surface, c, axis) / (along_row ? size.x : size.y);
+            weight[chord] += 1;
+        }
+    const auto wanted = [&](std::uint32_t chart, int axis) {
+        const std::size_t chord = chords.find(side(chart, axis));
+        const double number = sum[chord] / weight[chord];
+        if (!(number < 1e9)) return 1e9;
+        return even ? std::max(2.0, 2 * std::round(number / 2)) : std::max(1.0, std::round(number));
+    };
+    double cells = 0;
+    for (std::uint32_t c = 0; c < charts; ++c) cells += wanted(c, 0) * wanted(c, 1);
+    check_count(cells, most);
+    std::vector<glm::ivec2> counts;
+    for (std::uint32_t c = 0; c < charts; ++c) counts.emplace_back(wanted(c, 0), wanted(c, 1));
+    return counts;
+}
+
+std::vector<glm::ivec2> cell_counts(const ChartNet& net, int per_edge, std::size_t most)
+{
+    check_count(static_cast<double>(net.size()) * per_edge * per_edge, most);
+    return std::vector<glm::ivec2>(net.size(), glm::ivec2(per_edge));
+}
+
+} // namespace trivar

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/limit/chart_surface.h"
+
+namespace trivar {
+
+// Tells how rows of tiles run over the charts: by how many quarter turns the direction of its rows
+// is turned from u. Rows go on from chart to chart along a tree of edges; over other edges they may
+// turn. O(#charts).
+std::vector<int> row_turns(const ChartNet& net);
+
+// Counts the cells along u and v of each chart, the same on both sides of every edge: opposite
+// edges of charts, and the two sides of an edge, form chords with one number each. That is the mean
+// length of the middle lines along it by the size of a cell, along rows or across them; `even`
+// rounds to even numbers. Throws Rejected for more than `most` cells. O(#charts log #charts).
+std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const int> turns,
+                                    const glm::dvec2& size, bool even, std::size_t most);
+
+// Gives every edge the same number. Throws Rejected for more than `most` cells.
+std::vector<glm::ivec2> cell_counts(const ChartNet& net, int per_edge, std::size_t most);
+
+} // namespace trivar

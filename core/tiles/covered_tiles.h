@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/mesh/mesh.h"
+#include "core/tiles/covering.h"
+
+namespace trivar {
+
+// A CoveringPose is a covering as its base stands at a frame, with how high its tiles are.
+struct CoveringPose {
+    std::vector<SurfacePoint> points; // of the covering's nodes, in the world
+    // Metres in the world of what is as high as the tile's model is long: at every node that is a
+    // corner of cells. Between corners it is bilinear, so that tiles that meet are as high there.
+    std::vector<double> heights;
+    // Of the charts: seen from outside, the base is a mirror image of itself at rest there.
+    std::vector<char> mirrored;
+    // Of the tiles: a factor of their own; empty: 1.
+    std::vector<double> factors = {};
+};
+
+// A CoverCell is the box of a model that becomes the tile; it is stretched along x and y until it
+// fills the cell.
+struct CoverCell {
+    glm::dvec3 lo{0}, size{1}; // metres
+    double sink = 0;           // how deep it stands in the base, as a share of its height
+    double scale = 1;          // factor of its length and width, about its middle
+    int turns = 0;             // quarter turns about its middle
+    bool operator==(const CoverCell&) const = default;
+};
+
+// Makes one mesh of all tiles of a covering: copies of a mesh, each bent over its cells. Normals
+// are exact, by cofactors. A vertex on a side of its tile has the same bits as that of the tile
+// beyond it, where both are as far along the side and as high. In double precision and in parallel;
+// the same bits for any number of threads. About 0.2 microseconds per vertex.
+Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
+                   const Covering& covering, const CoveringPose& pose);
+
+// Bounds the height up to which a cell does not fold (core/tiles/fold_limit.h), in the world.
+double fold_limit_of(const Covering& covering, std::uint32_t cell, const CoveringPose& pose);
+
+} // namespace trivar
