@@ -54,6 +54,15 @@ void Buffer::write(std::span<const std::byte> bytes)
     bytes_ = bytes.size();
 }
 
+void Buffer::write_part(std::size_t at, std::span<const std::byte> bytes) const
+{
+    assert(at + bytes.size() <= bytes_);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(at),
+                    static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
 void Buffer::reserve(std::size_t bytes)
 {
     if (name_ && bytes_ == bytes) return;

@@ -18,6 +18,8 @@ public:
     // Replaces the contents; the old storage is orphaned, so nothing waits for draws in progress.
     // Throws Rejected where the device has no room for large contents.
     void write(std::span<const std::byte> bytes);
+    // Replaces a part of the contents, which must have been written or reserved before.
+    void write_part(std::size_t at, std::span<const std::byte> bytes) const;
     // Makes room for `bytes` bytes, unless there is that much already; the contents are undefined.
     // Throws Rejected where the device has no room.
     void reserve(std::size_t bytes);

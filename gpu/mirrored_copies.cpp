@@ -23,6 +23,7 @@ constexpr unsigned value_location = 7;  // mesh.vert
 constexpr unsigned matrix_location = 8; // place.glsl, as those that follow
 constexpr unsigned normal_location = 11;
 constexpr unsigned id_location = 14;
+constexpr unsigned tile_location = 13; // tile.glsl
 
 bool all_finite(const glm::dmat4& m)
 {
@@ -46,6 +47,11 @@ Row row_of(const Copy& copy, const ToScene& there)
 
 void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_values) const
 {
+    if (patches) {
+        constexpr int step = sizeof(std::uint32_t);
+        vertices.integers(tile_location, rows, 1, step, static_cast<std::size_t>(first) * step, 1);
+        return;
+    }
     constexpr int stride = sizeof(Row);
     const std::size_t from = static_cast<std::size_t>(first) * sizeof(Row);
     for (unsigned i = 0; i < 3; ++i) {
@@ -56,6 +62,14 @@ void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_val
     vertices.integers(id_location, rows, 1, stride, from + offsetof(Row, id), 1);
     if (shows_values)
         vertices.attribute(value_location, rows, 1, stride, from + offsetof(Row, value), 1);
+}
+
+MirroredCopies uploaded(std::span<const std::uint32_t> tiles)
+{
+    MirroredCopies out;
+    out.upright = static_cast<int>(tiles.size());
+    out.rows.write(std::as_bytes(tiles));
+    return out;
 }
 
 MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at)

@@ -6,9 +6,12 @@
 #include "gpu/vertex_array.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace trivar::gpu {
+
+class TilePatches;
 
 // CopiesAt says where the copies of an instance stand together; see to_scene().
 struct CopiesAt {
@@ -24,11 +27,17 @@ struct MirroredCopies {
     double scale = 1;              // mean size of a copy relative to the mesh
     bool valued = false;           // every copy has a value
     std::uint64_t serial = 0;      // unique for each upload
+    // Not null: the copies are tiles, bent over these patches, and a row is the number of a tile.
+    std::shared_ptr<const TilePatches> patches;
+    bool footprints = false; // of the tiles: what lies beyond the unit square goes on straight
 
     // Binds the rows from `first` on to the attributes of place.glsl; if `shows_values`, their
     // values to those of values.glsl.
     void feed(const VertexArray& vertices, int first, bool shows_values) const;
 };
+
+// The rows of tiles, which patches and a serial then complete.
+MirroredCopies uploaded(std::span<const std::uint32_t> tiles);
 
 // Leaves out copies whose matrix is not finite, as all functions here do.
 MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at);

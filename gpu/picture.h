@@ -6,6 +6,7 @@
 #include "core/document/render_settings.h"
 #include "core/mesh/part_key.h"
 #include "core/mesh/pose.h"
+#include "core/patches/tile_set.h"
 #include "gpu/copy.h"
 #include "gpu/curve.h"
 #include "gpu/ffd/stage.h"
@@ -33,6 +34,10 @@ struct Instance {
     Ref<std::vector<Copy>> copies = {};
     // The places in `copies` that have an outline although the instance is not highlighted.
     std::vector<std::uint32_t> outlined_copies = {};
+    // The patches over which the vertex stage bends `mesh`, which is that of their model, before
+    // to_world: one call draws what is seen of the tiles, small ones with fewer triangles. Null: it
+    // is not bent so. Then neither copies nor a pose nor stages are read.
+    Ref<TileSet> tiles = {};
     // The pose that is applied to `mesh` before the stages; its result is not read. Null: none.
     Ref<PosedMesh> posed = {};
     // The volumes that deform `mesh`, one after another, before to_world; `rest` is then ignored.

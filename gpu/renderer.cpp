@@ -85,8 +85,13 @@ struct Renderer::State {
                 vertices);
         else
             tools.deformed().update(picture, tools.mirror());
+        const auto choose_tiles = [&] { tools.tiles().update(picture, camera, tools.mirror()); };
+        if (TileMirror::any(picture))
+            clock.pass("cull tiles", choose_tiles);
+        else
+            choose_tiles();
         clock.pass("upload", [&] {
-            scene = scene_of(picture, tools.mirror(), tools.deformed());
+            scene = scene_of(picture, tools.mirror(), tools.deformed(), tools.tiles());
             brushes.see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
@@ -282,7 +287,8 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
 
 std::size_t Renderer::uploaded_bytes() const
 {
-    return state_->brushes.tools.mirror().bytes();
+    Tools& tools = state_->brushes.tools;
+    return tools.mirror().bytes() + tools.tiles().bytes();
 }
 
 const std::string& Renderer::notice() const
@@ -294,6 +300,11 @@ const std::string& Renderer::notice() const
 std::string Renderer::shader_trouble() const
 {
     return state_->brushes.tools.shader_trouble();
+}
+
+const TileCounts& Renderer::tile_counts() const
+{
+    return state_->brushes.tools.tiles().counts();
 }
 
 const Timings& Renderer::timings() const

@@ -4,6 +4,7 @@
 #include "core/base/timing.h"
 #include "core/mesh/deep_image.h"
 #include "gpu/picture.h"
+#include "gpu/tiles/tile_counts.h"
 
 #include <memory>
 #include <vector>
@@ -49,6 +50,7 @@ public:
 
     // The times of the passes of the last picture (by fences on software GL).
     const Timings& timings() const;
+    const TileCounts& tile_counts() const; // of the last picture that was begun
     // A sentence that says what of the last picture was not drawn as asked; empty: everything was.
     const std::string& notice() const;
     // A sentence with file and line that says why a shader of the picture is not the given one;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 namespace trivar::gpu {
 namespace {
@@ -32,10 +33,13 @@ Box box_of(const Instance& instance, Mirror& mirror, const DeformedMesh* deforme
 {
     const bool some = instance.mesh && instance.mesh->face_count() > 0;
     if (!some || instance.opacity <= 0) return {};
-    const Box box = !deformed ? mirror.box_world(instance.mesh, instance.to_world, instance.copies)
-                    : instance.copies
-                        ? transformed(deformed->box, instance.to_world, *instance.copies)
-                        : transformed(deformed->box, instance.to_world);
+    const Box box =
+        instance.tiles    ? instance.to_world == glm::dmat4(1)
+                                ? instance.tiles->box
+                                : transformed(instance.tiles->box, instance.to_world)
+           : !deformed ? mirror.box_world(instance.mesh, instance.to_world, instance.copies)
+        : instance.copies ? transformed(deformed->box, instance.to_world, *instance.copies)
+                          : transformed(deformed->box, instance.to_world);
     return drawable(box) ? box : Box{};
 }
 
@@ -108,6 +112,48 @@ std::vector<Copy> outlined_copies(const Instance& instance)
     return out;
 }
 
+// An item for the tiles of each level that are seen, and one for those that cast shadows.
+void add_tiles(Scene& scene, const Instance& instance, const Picture& picture, const Box& box,
+               Mirror& mirror, const DrawnTiles& tiles)
+{
+    const auto item_with = [&](const Ref<Mesh>& mesh, const MirroredCopies& copies) {
+        Instance level = instance;
+        level.mesh = mesh;
+        level.rest = nullptr;
+        level.values = nullptr;
+        SceneItem item = item_of(level, picture, box, scene.origin_world, mirror, nullptr);
+        const glm::dvec3& origin = tiles.patches->origin();
+        const ToScene there = to_scene(instance.to_world, origin, scene.origin_world);
+        item.to_scene = there.points;
+        item.normal_to_scene = there.normals;
+        if (item.rest) {
+            const double radius = glm::length(instance.tiles->box.size()) / 2;
+            item.rest_middle =
+                glm::vec4(instance.tiles->box.center() - origin, radius > 0 ? 1 / radius : 1);
+        }
+        item.extent = static_cast<float>(tiles.size);
+        item.copies = &copies;
+        item.copy_count = copies.upright;
+        return item;
+    };
+    const auto first = static_cast<std::ptrdiff_t>(scene.items.size());
+    for (const DrawnTiles::Level& level : tiles.levels)
+        if (level.seen.upright > 0) {
+            scene.items.push_back(item_with(level.mesh, level.seen));
+            scene.items.back().casts = false;
+        }
+    if (instance.highlighted) {
+        scene.outlined.insert(scene.outlined.end(), scene.items.begin() + first, scene.items.end());
+        if (tiles.footprints.upright > 0)
+            scene.outlined.push_back(item_with(tiles.footprint, tiles.footprints));
+    }
+    for (const DrawnTiles::Level& level : tiles.levels)
+        if (level.casting.upright > 0) {
+            scene.items.push_back(item_with(level.mesh, level.casting));
+            scene.items.back().seen = false;
+        }
+}
+
 // What is drawn of an instance, and what has an outline of it.
 void add_instance(Scene& scene, const Instance& instance, const Picture& picture, const Box& box,
                   Mirror& mirror, const DeformedMesh* deformed)
@@ -167,13 +213,14 @@ CasterKey casters_of(const Scene& scene)
     CasterKey key;
     key.ground_z = scene.ground_z;
     for (const SceneItem& item : scene.items)
-        if (item.opacity >= 1)
+        if (item.opacity >= 1 && item.casts)
             key.casters.push_back({item.mesh->serial, item.to_scene, item.materials,
                                    item.copies ? item.copies->serial : 0, item.first_copy});
     return key;
 }
 
-Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed)
+Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
+               const TileMirror& tiles)
 {
     Scene scene;
     std::vector<Box> boxes;
@@ -202,7 +249,15 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
     if (picture.grid)
         scene.ground_z = std::min(scene.ground_z, static_cast<float>(-scene.origin_world.z));
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (!boxes[i].empty())
+        if (boxes[i].empty())
+            continue;
+        else if (const DrawnTiles* drawn = tiles.of(i))
+            add_tiles(scene, picture.instances[i], picture, boxes[i], mirror, *drawn);
+        else if (picture.instances[i].tiles) {
+            Instance whole = picture.instances[i];
+            whole.mesh = *std::exchange(whole.tiles, nullptr)->mesh;
+            add_instance(scene, whole, picture, boxes[i], mirror, nullptr);
+        } else
             add_instance(scene, picture.instances[i], picture, boxes[i], mirror, deformed.of(i));
     const ValueColors values = picture.value_colors.value_or(ValueColors{});
     scene.map_colors = map_colors(values);

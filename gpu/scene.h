@@ -5,6 +5,7 @@
 #include "gpu/ffd/deformed_meshes.h"
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
+#include "gpu/tiles/tile_mirror.h"
 
 namespace trivar::gpu {
 
@@ -29,6 +30,9 @@ struct SceneItem {
     const Buffer* rest;                    // the positions that solid materials follow, or null
     glm::vec4 rest_middle;                 // of `rest`, and 1 / radius
     const DeformedMesh* deformed_as_drawn; // null: it is not deformed in one phase
+    // Passes that show it, and maps of shadows, draw it; of tiles these are different items, as
+    // maps want also what the camera does not see.
+    bool seen = true, casts = true;
 
     const Material& material(std::uint32_t index) const;
     // Whether a part lets things behind it shine through.
@@ -71,6 +75,7 @@ CasterKey casters_of(const Scene& scene);
 
 // Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is not
 // finite are left out.
-Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed);
+Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
+               const TileMirror& tiles);
 
 } // namespace trivar::gpu

@@ -139,8 +139,10 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
     }
     const float ways_height =
         s.ways.empty() ? 0 : theme.px(row_px) * static_cast<float>(s.ways.size() + 1);
+    const float drawn_height = s.drawn.empty() ? 0 : theme.px(row_px);
     const auto height = [&] {
-        float sum = ways_height + graph_height + foot_height + theme.px(2 * margin_px);
+        float sum =
+            drawn_height + ways_height + graph_height + foot_height + theme.px(2 * margin_px);
         for (const Group& group : groups) sum += height_of(theme, group);
         return sum;
     };
@@ -161,6 +163,7 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
                Align::right);
     draw_timing_graph(theme, s.history, graph, chosen);
     rows.y = graph.hi.y + theme.px(gap_px);
+    if (!s.drawn.empty()) paint_text(theme.font.small, rows.next(), c.text_2, s.drawn);
     if (!s.ways.empty())
         draw_ways(s.ways, rows, view); // first: what is below has more or less rows
     for (const Group& group : groups) draw_group(group, rows);

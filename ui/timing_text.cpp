@@ -35,6 +35,7 @@ std::string timing_text(const TimingSources& s)
                                 "Deformed by " + way.name, *way.time_ms, way.vertices,
                                 static_cast<double>(way.vertices) / *way.time_ms / 1000,
                                 way.off.empty() ? "" : ", off by " + way.off);
+    if (!s.drawn.empty()) text += s.drawn + "\n";
     constexpr double mega = 1024 * 1024;
     return text + fmt::format("{:<24}{:>10.1f} MB\n{:<24}{:>10.1f} MB\n", "Memory of the program",
                               static_cast<double>(s.program_bytes) / mega, "Meshes and textures",

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <optional>
 
@@ -83,6 +84,15 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     return helpers;
 }
 
+// How many tiles are seen, and with how many vertices; empty: there are none.
+std::string drawn_words(const gpu::TileCounts& counts)
+{
+    if (counts.tiles == 0) return {};
+    return fmt::format("{} of {} tiles seen, with {} of {} vertices", ui::with_commas(counts.drawn),
+                       ui::with_commas(counts.tiles), ui::with_commas(counts.vertices),
+                       ui::with_commas(counts.all_vertices));
+}
+
 // That most of the scene is left out, and how it comes back.
 std::string hidden_here_words(const Editor& editor)
 {
@@ -145,7 +155,10 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     if (shown.drafts().count() == 0) return;
     if (!editor.preferences.show_timing && !editor.timing.open) return;
     ui::TimingSources sources{shown.drafts(), session.timings(), shown.full_timings()};
-    sources.uploaded_bytes = shown.uploaded_bytes();
+    if (const gpu::Renderer* renderer = shown.renderer()) {
+        sources.uploaded_bytes = renderer->uploaded_bytes();
+        sources.drawn = drawn_words(renderer->tile_counts());
+    }
     if (editor.timing.open) {
         sources.program_bytes = resident_bytes();
         sources.ways = shown.ways().rows(session.evaluated(), deform_by(editor.preferences));

@@ -49,7 +49,10 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
             instance.materials = ref->materials;
             instance.id = id;
             instance.part = part.key;
-            if (by != gpu::DeformBy::processor) {
+            if (part.drawn_from_tiles()) {
+                instance.mesh = part.tiles->model->mesh;
+                instance.tiles = part.tiles;
+            } else if (by != gpu::DeformBy::processor) {
                 instance.mesh = part.rest;
                 instance.posed = part.posed;
                 if (part.bent) instance.stages = {{part.bent->volume, part.bent->embedding}};
@@ -74,9 +77,15 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
 
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 {
-    for (const Part& part : with_points(object.parts, object.curves))
+    for (const Part& part : with_points(object.parts, object.curves)) {
+        if (part.drawn_from_tiles()) {
+            for (const glm::dvec3& p : outer_points(*part.tiles->model, *part.tiles->tiles))
+                points.emplace_back(part.to_world * glm::dvec4(p, 1));
+            continue;
+        }
         for (const glm::vec3& p : part.mesh()->positions)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
+    }
 }
 
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)

@@ -13,7 +13,8 @@ namespace trivar {
 gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
 
-// Adds the vertices of an object and the points of its curves, in world space.
+// Adds the vertices of an object and the points of its curves, in world space; of tiles those that
+// are furthest out.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
 // The same, and for a lattice, which has no vertices, its control points: what a window shows.
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

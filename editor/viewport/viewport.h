@@ -81,7 +81,7 @@ public:
     const ui::TimingHistory& drafts() const { return drafts_; }
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
     const Timings& full_timings() const { return full_timings_; }     // of the last one
-    std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
+    const gpu::Renderer* renderer() const { return renderer_.get(); } // null: nothing was drawn
     long pictures() const { return pictures_; } // begun so far
     // What the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();

@@ -54,7 +54,7 @@ Ref<Mesh> with_normals(const Ref<Mesh>& mesh)
 
 bool deforms(const Instance& instance)
 {
-    return (!instance.stages.empty() || instance.posed) && instance.mesh &&
+    return !instance.tiles && (!instance.stages.empty() || instance.posed) && instance.mesh &&
            instance.mesh->face_count() > 0;
 }
 

@@ -49,6 +49,7 @@ void ContactMap::draw(Tools& tools, const Frame& frame, const Scene& scene, int 
         glClear(GL_DEPTH_BUFFER_BIT);
         MeshPass pass;
         pass.fragment = "depth";
+        pass.casters = true;
         pass.scene_to_clip = along_z(frame, height, up);
         pass.reads_material = false;
         pass.wanted = opaque;

@@ -129,6 +129,7 @@ void ShadowMap::draw(Tools& tools, const Scene& scene, const Quality& quality)
     glPolygonOffset(1.1f, 2);
     MeshPass pass;
     pass.fragment = "depth";
+    pass.casters = true;
     pass.scene_to_clip = fitted_;
     pass.reads_material = false;
     pass.wanted = opaque;

@@ -72,6 +72,16 @@ ProgramName full_screen_program(std::string fragment, std::vector<std::string> d
     return {"full", std::move(fragment), std::move(defines)};
 }
 
+void add_placing(std::vector<std::string>& defines, const SceneItem& item)
+{
+    if (!item.copies) return;
+    defines.emplace_back("COPIES");
+    if (!item.copies->patches) return;
+    defines.emplace_back("TILES");
+    if (item.copies->footprints) defines.emplace_back("FOOTPRINTS");
+    item.copies->patches->bind();
+}
+
 Tools::Tools()
 {
     using Edge = Sampler::Edge;
@@ -153,7 +163,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     else if (pass.plain_variant && !mask && !item.mesh->colored)
         name.defines.emplace_back("PLAIN");
     if (mask && !values && !fills) name.defines.emplace_back("MASKED");
-    if (item.copies) name.defines.emplace_back("COPIES");
+    add_placing(name.defines, item);
     if (item.deformed_as_drawn) {
         const std::vector<std::string>& more = item.deformed_as_drawn->defines;
         name.defines.insert(name.defines.end(), more.begin(), more.end());
@@ -193,7 +203,7 @@ void Tools::draw(std::span<const SceneItem> items, const MeshPass& pass)
     if (pass.without_backs) glCullFace(GL_BACK);
     for (const SceneItem& item : items)
         for (const MirroredMesh::Part& part : item.mesh->parts()) {
-            if (!pass.wanted(item, part)) continue;
+            if (!(pass.casters ? item.casts : item.seen) || !pass.wanted(item, part)) continue;
             if (pass.without_backs)
                 (pass.without_backs(item, part) ? glEnable : glDisable)(GL_CULL_FACE);
             draw(item, part, pass);

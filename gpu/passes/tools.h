@@ -5,6 +5,7 @@
 #include "gpu/framebuffer.h"
 #include "gpu/mirror.h"
 #include "gpu/program.h"
+#include "gpu/tiles/tile_mirror.h"
 
 #include <functional>
 
@@ -22,6 +23,7 @@ void set_state(const DrawState& state);
 // A MeshPass is one pass over the meshes of a scene.
 struct MeshPass {
     std::string fragment;             // the fragment program, used with mesh.vert
+    bool casters = false;             // draws what casts shadows, and not what is seen
     std::vector<std::string> defines; // for every variant
     glm::mat4 scene_to_clip;
     bool reads_material = true; // false: only cut-outs do
@@ -46,11 +48,12 @@ public:
     std::string shader_trouble() const;
     Mirror& mirror() { return mirror_; }
     DeformedMeshes& deformed() { return deformed_; }
+    TileMirror& tiles() { return tiles_; }
     void set_frame(const Frame& frame);
     // Runs the current program over the whole framebuffer, at the far plane.
     void full_screen() const;
     void draw(std::span<const SceneItem> items, const MeshPass& pass);
-    // Draws a part; the copies of an item, if it has any, are one draw.
+    // Draws a part; the copies or tiles of an item, if it has any, are one draw.
     void draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass);
 
 private:
@@ -58,12 +61,17 @@ private:
     Ref<ShaderTexts> texts_;
     Mirror mirror_;
     DeformedMeshes deformed_;
+    TileMirror tiles_;
     VertexArray nothing_;
     Buffer frame_;
     std::vector<Sampler> samplers_;              // by 2 repeat_u + repeat_v
     int bind_textures(const Material& material); // returns a bit for each that reads the second uv
     void set_material(const Program& program, const Material& material);
 };
+
+// What the vertex stage is told of where the item's copies stand; binds their patches, if they are
+// tiles.
+void add_placing(std::vector<std::string>& defines, const SceneItem& item);
 
 // Whether the part is opaque: not see-through.
 bool opaque(const SceneItem& item, const MirroredMesh::Part& part);

@@ -20,11 +20,10 @@ float edge_px(const SceneItem& item, const Frame& frame)
 
 } // namespace
 
-ProgramName wire_program(bool copies)
+ProgramName wire_program(std::vector<std::string> defines)
 {
-    ProgramName name{.vertex = "wire", .fragment = "wire", .defines = {}, .geometry = "wire"};
-    if (copies) name.defines.emplace_back("COPIES");
-    return name;
+    return {
+        .vertex = "wire", .fragment = "wire", .defines = std::move(defines), .geometry = "wire"};
 }
 
 void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
@@ -33,8 +32,10 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
     for (const SceneItem& item : scene.items) {
-        if (!item.edges || item.edges->indices->count == 0) continue;
-        const Program& program = tools.use(wire_program(item.copies));
+        if (!item.seen || !item.edges || item.edges->indices->count == 0) continue;
+        std::vector<std::string> placing;
+        add_placing(placing, item);
+        const Program& program = tools.use(wire_program(std::move(placing)));
         program.set("scene_to_clip", frame.view_clip);
         program.set("half_size_px", glm::vec2(frame.size_px) * 0.5f);
         program.set("formed", style.alone ? 1.0f : 0.0f);

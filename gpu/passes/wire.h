@@ -7,7 +7,8 @@
 
 namespace trivar::gpu {
 
-ProgramName wire_program(bool copies);
+// The program with what add_placing() tells of an item.
+ProgramName wire_program(std::vector<std::string> defines);
 
 // Draws the edges of the scene's faces over the lit surfaces, for items that have edges; fainter
 // where there are so many, or such short ones in the picture, that they would cover everything.

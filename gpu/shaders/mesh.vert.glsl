@@ -50,12 +50,22 @@ void main()
     n = v.normal;
     t = v.tangent.xyz;
 #endif
+#ifdef TILES
+    TileVertex bent = tile_vertex(position, normal, tangent.xyz);
+    p = bent.position;
+    n = bent.normal;
+    t = bent.tangent;
+#endif
     mat4 to_there = scene_from_mesh();
     at_scene = (to_there * vec4(p, 1.0)).xyz;
     at_normal = scene_from_normals() * n;
     at_color = color;
 #ifdef SOLID
+#ifdef TILES
+    at_rest = (p - rest_middle.xyz) * rest_middle.w; // of them all as they lie
+#else
     at_rest = (rest - rest_middle.xyz) * rest_middle.w;
+#endif
 #endif
 #ifdef VALUES
     at_value = value;

@@ -1,5 +1,12 @@
 // Where what is drawn stands: the instance, or one of its copies.
-#ifdef COPIES
+#ifdef TILES // are COPIES, too, but bent before the matrix of all of them takes them to the scene
+#include "tile.glsl"
+uniform mat4 to_scene;
+uniform mat3 normal_to_scene;
+const uint id_of_copy = 0u;
+mat4 scene_from_mesh() { return to_scene; }
+mat3 scene_from_normals() { return normal_to_scene; }
+#elif defined(COPIES)
 layout(location = 8) in vec4 copy_x; // rows of its matrix
 layout(location = 9) in vec4 copy_y;
 layout(location = 10) in vec4 copy_z;

@@ -9,7 +9,13 @@ out vec3 end_normal; // view
 void main()
 {
     const float PULL = 4e-5;
-    gl_Position = scene_to_clip * (scene_from_mesh() * vec4(position, 1.0));
+    vec3 p = position, n = normal;
+#ifdef TILES
+    TileVertex bent = tile_vertex(position, normal, vec3(0.0));
+    p = bent.position;
+    n = bent.normal;
+#endif
+    gl_Position = scene_to_clip * (scene_from_mesh() * vec4(p, 1.0));
     gl_Position.z -= PULL * gl_Position.w;
-    end_normal = mat3(frame.view) * (scene_from_normals() * normal);
+    end_normal = mat3(frame.view) * (scene_from_normals() * n);
 }

@@ -3,6 +3,8 @@
 #include "core/patches/tile_set.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/fold_limit.h"
+#include "gpu/context.h"
+#include "gpu/renderer.h"
 
 #include <benchmark/benchmark.h>
 
@@ -162,6 +164,54 @@ void tiles_bent(benchmark::State& state)
                             static_cast<std::int64_t>(placed->size() * unit.vertex_count()));
 }
 
+enum class Drawn { from_tiles, from_tiles_again, as_one_mesh };
+
+// A draft of the torus with tiles of 281 vertices, 3 million in all, while the camera turns round
+// it; or while the base moves, so that every patch is another.
+void tiles_picture(benchmark::State& state, Drawn drawn)
+{
+    const gpu::HeadlessContext context;
+    const Ref<TileModel> model = tile_model(unit_of(sphere_mesh(0.5, 20, 14)));
+    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    gpu::Picture picture;
+    picture.draft = true;
+    picture.samples = 1;
+    picture.camera.eye = {0, -3.2, 2};
+    gpu::Instance instance;
+    instance.materials = make_ref(std::vector<Material>(1));
+    instance.id = 1;
+    instance.mesh = model->mesh;
+    instance.tiles = tile_set(model, placed);
+    if (drawn == Drawn::as_one_mesh) {
+        instance.mesh = *instance.tiles->mesh;
+        instance.tiles = nullptr;
+    }
+    gpu::Instance base;
+    base.mesh = make_ref(TiledTorus::welded());
+    base.id = 2;
+    picture.instances = {instance, base};
+    gpu::Renderer renderer;
+    constexpr glm::ivec2 size_px{1280, 720};
+    renderer.draw(picture, size_px);
+    double angle = 0;
+    for (auto _ : state) {
+        angle += 0.02;
+        picture.camera.eye = {3.2 * std::sin(angle), -3.2 * std::cos(angle), 2};
+        if (drawn == Drawn::from_tiles_again) {
+            std::vector<PlacedTile> moved = *placed;
+            for (PlacedTile& tile : moved)
+                for (glm::dvec3& p : tile.patch.p) p.z += 0.1 * std::sin(angle);
+            picture.instances.front().tiles = tile_set(model, make_ref(std::move(moved)));
+        }
+        renderer.render(picture, size_px);
+    }
+    state.counters["tiles"] = static_cast<double>(placed->size());
+    state.counters["drawn"] = static_cast<double>(renderer.tile_counts().drawn);
+    state.counters["vertices"] = static_cast<double>(renderer.tile_counts().vertices);
+    state.counters["all_vertices"] =
+        static_cast<double>(placed->size() * model->mesh->vertex_count());
+}
+
 BENCHMARK(tiles_layout)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_charts)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_patches)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
@@ -170,6 +220,15 @@ BENCHMARK(tiles_hulls)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_vertices, plain_loop, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_vertices, kernel, false)->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_picture, turning, Drawn::from_tiles)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_picture, moving, Drawn::from_tiles_again)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_picture, one_mesh, Drawn::as_one_mesh)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace trivar

@@ -60,7 +60,10 @@ std::vector<ProgramName> every_program()
                                          {"TEXTURES 1"},
                                          {"TEXTURES 14"},
                                          {"TEXTURES 31"},
-                                         {"TEXTURES 31", "COPIES"}};
+                                         {"TEXTURES 31", "COPIES"},
+                                         {"COPIES", "TILES"},
+                                         {"MASKED", "COPIES", "TILES"},
+                                         {"TEXTURES 31", "COPIES", "TILES"}};
     for (const Defines& material : materials) {
         for (const char* fragment : {"depth", "ids", "mask"})
             out.push_back({"mesh", fragment, material});
@@ -70,7 +73,7 @@ std::vector<ProgramName> every_program()
     }
     for (const char* own : {"PLAIN", "VALUES", "SOLID 1", "SOLID 2"})
         for (const Defines& look : {Defines{}, Defines{"CLAY"}})
-            for (const Defines& more : {Defines{}, Defines{"COPIES"}})
+            for (const Defines& more : {Defines{}, Defines{"COPIES"}, Defines{"COPIES", "TILES"}})
                 out.push_back({"mesh", "surfaces", with(with(look, {own}), more)});
     for (const Quality& quality : {quality_for(1, true), quality_for(1, false),
                                    quality_for(4, false), quality_for(16, false)}) {
@@ -98,7 +101,9 @@ std::vector<ProgramName> every_program()
     for (const char* define : {"", "HELPERS", "IDS", "MASK"}) out.push_back(line_program(define));
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
-    for (const bool copies : {false, true}) out.push_back(wire_program(copies));
+    for (const Defines& placing : {Defines{}, Defines{"COPIES"}, Defines{"COPIES", "TILES"}})
+        out.push_back(wire_program(placing));
+    out.push_back({"mesh", "mask", {"COPIES", "TILES", "FOOTPRINTS"}});
     out.push_back({"", "", {}, "arithmetic"});
     for (const VertexOutputs outputs :
          {VertexOutputs::positions, VertexOutputs::normals, VertexOutputs::tangents})

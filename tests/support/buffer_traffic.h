@@ -13,7 +13,10 @@ namespace trivar::testing {
 // them, and a device that has no room. One at a time.
 class BufferTraffic {
 public:
-    BufferTraffic() : data_(epoxy_glBufferData), read_(epoxy_glGetBufferSubData)
+    BufferTraffic()
+        : data_(epoxy_glBufferData),
+          part_(epoxy_glBufferSubData),
+          read_(epoxy_glGetBufferSubData)
     {
         present_ = this;
         stand_between();
@@ -48,6 +51,7 @@ private:
     void step_aside() const
     {
         epoxy_glBufferData = data_;
+        epoxy_glBufferSubData = part_;
         epoxy_glGetBufferSubData = read_;
     }
     // Looked up when it is first called, a function of epoxy puts itself back in its place.
@@ -60,6 +64,12 @@ private:
             glBufferData(target, bytes > present_->room ? -1 : size, data, usage);
             stand_between();
         };
+        epoxy_glBufferSubData = [](GLenum target, GLintptr at, GLsizeiptr size, const void* data) {
+            present_->written.push_back(static_cast<std::size_t>(size));
+            present_->step_aside();
+            glBufferSubData(target, at, size, data);
+            stand_between();
+        };
         epoxy_glGetBufferSubData = [](GLenum target, GLintptr at, GLsizeiptr size, void* into) {
             present_->read_back += static_cast<std::size_t>(size);
             present_->step_aside();
@@ -69,6 +79,7 @@ private:
     }
     static inline BufferTraffic* present_ = nullptr;
     decltype(epoxy_glBufferData) data_;
+    decltype(epoxy_glBufferSubData) part_;
     decltype(epoxy_glGetBufferSubData) read_;
 };
 

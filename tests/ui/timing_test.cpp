@@ -53,11 +53,12 @@ TEST(TimingText, NamesEveryStageAndItsThroughput)
     evaluation.add("deform", 2, 100'000);
     const std::vector<TimedWay> ways{{"Processor", "", true, 2.0, 100'000, "0.00°"},
                                      {"One phase", "", false, {}, 0, ""}};
-    const std::string text = timing_text({history, evaluation, {}, 3 << 20, 2 << 20, ways});
+    const std::string text =
+        timing_text({history, evaluation, {}, 3 << 20, 2 << 20, ways, "3 of 5 tiles seen"});
     EXPECT_THAT(text, Not(HasSubstr("One phase")));
     for (const char* part :
          {"Median", "deform", "100000 vertices, 50.0 million a second", "Deformed by Processor",
-          "off by 0.00°", "surfaces", "light", "3.0 MB", "2.0 MB"})
+          "off by 0.00°", "surfaces", "light", "3.0 MB", "2.0 MB", "3 of 5 tiles seen"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

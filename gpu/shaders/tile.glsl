@@ -1,0 +1,65 @@
+// A vertex of a tile, bent over the patch of its place: core/patches/placed_tile.h says how. A tile
+// is 25 texels: its origin and scale, and four rows of coefficients for each component. FOOTPRINTS:
+// beyond the unit square the tile goes on straight.
+layout(location = 13) in uint tile;
+layout(binding = 14) uniform samplerBuffer tile_patches;
+#if __VERSION__ >= 400
+#define PRECISE precise // the same bits in every pass
+#else
+#define PRECISE
+#endif
+
+struct TileVertex {
+    vec3 position, normal, tangent;
+};
+
+// One component, with its derivatives: x the value, y by x, z by y.
+vec3 tile_component(int row, vec2 at)
+{
+    vec4 value, slope;
+    for (int j = 0; j < 4; ++j) {
+        vec4 c = texelFetch(tile_patches, row + j);
+        PRECISE float along = ((c.w * at.x + c.z) * at.x + c.y) * at.x + c.x;
+        value[j] = along;
+        slope[j] = (3.0 * c.w * at.x + 2.0 * c.z) * at.x + c.y;
+    }
+    PRECISE float here = ((value.w * at.y + value.z) * at.y + value.y) * at.y + value.x;
+    return vec3(here, ((slope.w * at.y + slope.z) * at.y + slope.y) * at.y + slope.x,
+                (3.0 * value.w * at.y + 2.0 * value.z) * at.y + value.y);
+}
+
+vec3 unit_or_up(vec3 v)
+{
+    float square = dot(v, v);
+    return square > 1e-36 ? v * inversesqrt(square) : vec3(0.0, 0.0, 1.0);
+}
+
+TileVertex tile_vertex(vec3 p, vec3 normal, vec3 tangent)
+{
+    int first = 25 * int(tile);
+    vec4 place = texelFetch(tile_patches, first);
+    vec2 at = p.xy;
+#ifdef FOOTPRINTS
+    at = clamp(at, 0.0, 1.0);
+#endif
+    PRECISE vec3 there;
+    vec3 by_x, by_y, by_z;
+    for (int k = 0; k < 3; ++k) {
+        vec3 base = tile_component(first + 1 + 4 * k, at);
+        vec3 up = tile_component(first + 13 + 4 * k, at);
+        there[k] = base.x + p.z * up.x;
+        by_x[k] = base.y + p.z * up.y;
+        by_y[k] = base.z + p.z * up.z;
+        by_z[k] = up.x;
+    }
+#ifdef FOOTPRINTS
+    there += (p.x - at.x) * by_x + (p.y - at.y) * by_y;
+#endif
+    TileVertex v;
+    PRECISE vec3 position = place.xyz + place.w * there;
+    v.position = position;
+    v.normal = unit_or_up(normal.x * cross(by_y, by_z) + normal.y * cross(by_z, by_x) +
+                          normal.z * cross(by_x, by_y));
+    v.tangent = unit_or_up(tangent.x * by_x + tangent.y * by_y + tangent.z * by_z);
+    return v;
+}

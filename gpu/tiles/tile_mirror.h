@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/mirror.h"
+#include "gpu/picture.h"
+#include "gpu/tiles/tile_counts.h"
+#include "gpu/tiles/tile_patches.h"
+#include "gpu/tiles/tile_view.h"
+
+#include <tuple>
+
+namespace trivar::gpu {
+
+// DrawnTiles are the tiles of an instance as they are drawn: each that is seen by one level of its
+// model, and each by one that casts its shadow.
+struct DrawnTiles {
+    struct Level {
+        Ref<Mesh> mesh;
+        MirroredCopies seen, casting;
+    };
+    std::vector<Level> levels;
+    std::shared_ptr<const TilePatches> patches;
+    // The ground of the tiles and round them, which closes the gaps in the outline of a layer;
+    // empty where it has none.
+    Ref<Mesh> footprint;
+    MirroredCopies footprints;
+    double size = 0; // of a tile, in the instance's units
+};
+
+// A TileMirror keeps the tiles of pictures on the GPU, by the id and part of their instances. Only
+// what changed is uploaded: patches that differ, and the numbers of tiles whose level is another.
+class TileMirror {
+public:
+    // Chooses what of the picture's tiles is drawn, as a camera sees them.
+    void update(const Picture& picture, const Camera& camera, Mirror& mirror);
+    // For the index of an instance of that picture; null: it has no tiles, or they do not fit into
+    // the device and are drawn as one mesh.
+    const DrawnTiles* of(std::size_t instance) const { return of_instance_.at(instance); }
+    const TileCounts& counts() const { return counts_; }
+    std::size_t bytes() const; // memory of all patches
+    static bool any(const Picture& picture);
+
+private:
+    using Numbers = std::vector<std::uint32_t>;
+    struct Entry {
+        Ref<TileSet> set;
+        std::uint64_t changes = 0; // of the patches
+        std::uint64_t picture = 0; // number of the last picture that showed it
+        std::shared_ptr<TilePatches> patches;
+        std::optional<TileView> view; // for which the levels were chosen
+        double caster_tolerance = 0;
+        std::vector<std::uint8_t> levels;   // by tile; as they were when it was last seen
+        std::vector<Numbers> seen, casting; // by level
+        DrawnTiles drawn;
+    };
+    // The key is id and part, and the number of instances before this one that have the same.
+    using Key = std::tuple<int, PartKey, int>;
+    void take(Entry& entry, const Ref<TileSet>& set);
+    void choose_seen(Entry& entry, const TileView& view);
+    void choose_casting(Entry& entry, const TileView& view, Mirror& mirror, bool anew);
+    std::map<Key, Entry> entries_;
+    std::vector<const DrawnTiles*> of_instance_;
+    std::uint64_t pictures_ = 0; // number of updates
+    Ref<Mesh> footprint_;
+    TileCounts counts_;
+};
+
+} // namespace trivar::gpu
