@@ -127,7 +127,7 @@ TEST_F(TilesOnCard, HaveTheirVerticesWhereTheProcessorBendsThem)
         rows.feed(mesh.vertices, 0, false);
         Programs programs;
         const Program& program =
-            programs.use(vertex_program({"COPIES", "TILES"}, Wanted::tangents));
+            programs.use(vertex_program({"COPIES", "TILES"}, VertexOutputs::tangents));
         program.set("to_scene", glm::mat4(1));
         program.set("normal_to_scene", glm::mat3(1));
         glm::mat4 behind_the_eye(0);
