@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/base/rejected.h"
+#include "core/base/single_precision.h"
 #include "core/ffd/axis_cells.h"
 
 #include <cassert>
@@ -84,13 +85,6 @@ float scale_for(double size)
     return size > 0 && std::isfinite(size) ? std::ldexp(1.0f, -std::ilogb(size)) : 1.0f;
 }
 
-// Rounds to single precision. It is a call because g++ 12.2 leaves the rounding out where it
-// vectorises the way there and back together.
-[[gnu::noinline]] glm::vec3 in_single(const glm::dvec3& v)
-{
-    return glm::vec3(v);
-}
-
 } // namespace
 
 PackedAxes packed_axes(const std::array<Knots, 3>& axes)
@@ -125,7 +119,7 @@ VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& packed,
     VolumeFrame out;
     out.stride = {axes[1].unwrapped_count() * axes[2].unwrapped_count(), axes[2].unwrapped_count(),
                   0, 0};
-    const glm::dvec3 middle(in_single(object.empty() ? glm::dvec3(0) : object.center()));
+    const glm::dvec3 middle(in_single_precision(object.empty() ? glm::dvec3(0) : object.center()));
     const glm::dvec4 at_middle = embedding.to_uvw * glm::dvec4(middle, 1);
     glm::dmat4 x_by_p(1);
     double steepest = 0;

@@ -2,6 +2,7 @@
 #include "gpu/ffd/deformed_meshes.h"
 
 #include "core/base/rejected.h"
+#include "core/base/single_precision.h"
 #include "gpu/context.h"
 
 #include <set>
@@ -208,7 +209,7 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
     Box box = from.bounds;
     for (const Stage& stage : stages) box = deformed_bounds(stage, box);
     // A number of few digits, so that taking it off and adding it again is exact.
-    drawn.origin_world = glm::dvec3(glm::vec3(box.center()));
+    drawn.origin_world = glm::dvec3(in_single_precision(box.center()));
     const bool one_phase = entry.by == DeformBy::one_phase && !entry.wire;
     const std::span<const Stage> first = one_phase ? stages.first(stages.size() - 1) : stages;
     if (!first.empty())
