@@ -11,13 +11,11 @@
 
 #include <hwy/highway.h>
 
+#include "core/base/triple-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace trivar {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Tag = hn::ScalableTag<float>;
-using Vec = hn::Vec<Tag>;
 
 // Orders known at compile time; 0: the order of the lattice.
 template <int U, int V, int W> struct Orders {
@@ -27,33 +25,11 @@ template <int U, int V, int W> struct Orders {
     HWY_INLINE int w() const { return W > 0 ? W : order[2]; }
 };
 
-struct Triple {
-    Vec x, y, z;
-};
-
 HWY_INLINE Triple load(const std::array<std::vector<float>, 3>& arrays, std::size_t i)
 {
     const Tag d;
     return {hn::LoadU(d, arrays[0].data() + i), hn::LoadU(d, arrays[1].data() + i),
             hn::LoadU(d, arrays[2].data() + i)};
-}
-
-HWY_INLINE Vec dot(const Triple& a, const Triple& b)
-{
-    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
-
-HWY_INLINE Triple cross(const Triple& a, const Triple& b)
-{
-    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
-}
-
-HWY_INLINE Triple combine(const Triple& a, Vec x, const Triple& b, Vec y, const Triple& c, Vec z)
-{
-    const auto sum = [&](Vec p, Vec q, Vec r)
-                         HWY_ATTR { return hn::MulAdd(p, x, hn::MulAdd(q, y, hn::Mul(r, z))); };
-    return {sum(a.x, b.x, c.x), sum(a.y, b.y, c.y), sum(a.z, b.z, c.z)};
 }
 
 // Returns v / |v|, or zero if |v|^2 is not above `least`, as for NaN.

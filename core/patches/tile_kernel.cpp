@@ -11,39 +11,15 @@
 
 #include <hwy/highway.h>
 
+#include "core/base/triple-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace trivar {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Tag = hn::ScalableTag<float>;
-using Vec = hn::Vec<Tag>;
-
-struct Triple {
-    Vec x, y, z;
-};
 
 HWY_INLINE Vec at(const std::vector<float>& values, std::size_t i)
 {
     return hn::LoadU(Tag(), values.data() + i);
-}
-
-HWY_INLINE Vec dot(const Triple& a, const Triple& b)
-{
-    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
-
-HWY_INLINE Triple cross(const Triple& a, const Triple& b)
-{
-    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
-}
-
-HWY_INLINE Triple combine(const Triple& a, Vec x, const Triple& b, Vec y, const Triple& c, Vec z)
-{
-    const auto sum = [&](Vec p, Vec q, Vec r)
-                         HWY_ATTR { return hn::MulAdd(p, x, hn::MulAdd(q, y, hn::Mul(r, z))); };
-    return {sum(a.x, b.x, c.x), sum(a.y, b.y, c.y), sum(a.z, b.z, c.z)};
 }
 
 // v / |v|, or up where v is zero or not a number.

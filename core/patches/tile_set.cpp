@@ -2,6 +2,7 @@
 #include "core/patches/tile_set.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_copies.h"
 
 #include <algorithm>
 #include <set>
@@ -9,33 +10,6 @@
 
 namespace trivar {
 namespace {
-
-// The values of each copy behind one another.
-template <class T> std::vector<T> repeated(const std::vector<T>& values, std::size_t times)
-{
-    std::vector<T> out;
-    out.reserve(values.size() * times);
-    for (std::size_t i = 0; i < times; ++i) out.insert(out.end(), values.begin(), values.end());
-    return out;
-}
-
-std::vector<std::uint32_t> shifted(const std::vector<std::uint32_t>& values, std::size_t times,
-                                   std::size_t step)
-{
-    std::vector<std::uint32_t> out;
-    out.reserve(values.size() * times);
-    for (std::size_t i = 0; i < times; ++i)
-        for (const std::uint32_t v : values)
-            out.push_back(static_cast<std::uint32_t>(v + i * step));
-    return out;
-}
-
-// Where a direction ends in space: unit, or up where there is none.
-glm::vec3 unit_in_cell(const glm::dvec3& direction)
-{
-    const double length = glm::length(direction);
-    return length > 0 ? glm::vec3(direction / length) : glm::vec3(0, 0, 1);
-}
 
 // The box of all vertices. Tiles whose hull lies inside of what is known already are not bent.
 Box box_of(const TileModel& model, std::span<const PlacedTile> tiles,
@@ -71,27 +45,12 @@ Box box_of(const TileModel& model, std::span<const PlacedTile> tiles,
 
 Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& cell)
 {
-    Mesh out = mesh;
+    glm::dmat4 to_unit(1.0 / cell.side);
+    to_unit[3] = glm::dvec4(glm::dvec3(0.5, 0.5, 0) - cell.middle_of_floor / cell.side, 1);
+    Mesh out = transformed(mesh, to_unit * to_model);
     out.influences.clear();
     out.morph_targets.clear();
     out.creases.clear();
-    const glm::dmat3 linear(to_model);
-    const bool mirrors = glm::determinant(linear) < 0;
-    // The cofactors, with the sign of the determinant, so that normals look outwards.
-    const glm::dmat3 cofactors =
-        (mirrors ? -1.0 : 1.0) * glm::dmat3(glm::cross(linear[1], linear[2]),
-                                            glm::cross(linear[2], linear[0]),
-                                            glm::cross(linear[0], linear[1]));
-    for (glm::vec3& p : out.positions) {
-        const glm::dvec3 there(to_model * glm::dvec4(p, 1));
-        p = (there - cell.middle_of_floor) / cell.side + glm::dvec3(0.5, 0.5, 0);
-    }
-    for (glm::vec3& n : out.normals) n = unit_in_cell(cofactors * glm::dvec3(n));
-    for (glm::vec4& t : out.tangents)
-        t = glm::vec4(unit_in_cell(linear * glm::dvec3(t)), mirrors ? -t.w : t.w);
-    for (std::size_t f = 0; mirrors && f < out.face_count(); ++f)
-        std::reverse(out.corners.begin() + out.face_begin[f],
-                     out.corners.begin() + out.face_begin[f + 1]);
     return out;
 }
 
@@ -121,20 +80,7 @@ Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedT
 Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
 {
     const std::size_t count = unit.vertex_count(), copies = tiles.size();
-    Mesh out;
-    out.positions.resize(count * copies);
-    out.normals.resize(unit.normals.size() * copies);
-    out.tangents.resize(unit.tangents.size() * copies);
-    out.colors = repeated(unit.colors, copies);
-    for (const auto& set : unit.uvs) out.uvs.push_back(repeated(set, copies));
-    out.points = shifted(unit.points, copies, point_count(unit));
-    out.corners = shifted(unit.corners, copies, count);
-    const std::vector<std::uint32_t> ends(unit.face_begin.begin() + 1, unit.face_begin.end());
-    for (const std::uint32_t end : shifted(ends, copies, unit.corners.size()))
-        out.face_begin.push_back(end);
-    out.face_material = repeated(unit.face_material, copies);
-    out.face_group = repeated(unit.face_group, copies);
-    out.group_names = unit.group_names;
+    Mesh out = copies_of(unit, copies, false);
     const TileVertices vertices(unit);
     parallel_blocks(copies, 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

@@ -2,8 +2,8 @@
 #include "core/tiles/covered_tiles.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_copies.h"
 #include "core/tiles/fold_limit.h"
-#include "core/tiles/mesh_copies.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/layout.h"
 
+#include "core/limit/tangent.h"
 #include "core/tiles/near_tiles.h"
 #include "core/tiles/straightest.h"
 
@@ -299,10 +300,7 @@ private:
         Tile moved = out_.tiles[nearest];
         gone_[nearest] = 1;
         // Its direction turns as its normal does, by the smallest rotation.
-        const glm::dvec3 n = base_.normal(moved.at);
-        const double opposite = 1 + glm::dot(n, to.n);
-        if (opposite > 1e-6) moved.x -= glm::dot(moved.x, to.n) / opposite * (n + to.n);
-        moved.x = tangent(moved.x, to.n);
+        moved.x = tangent(turned_from_to(base_.normal(moved.at), to.n, moved.x), to.n);
         moved.at = to.at;
         near_.add(to.p, static_cast<int>(out_.tiles.size()));
         out_.tiles.push_back(moved);

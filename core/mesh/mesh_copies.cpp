@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tiles/mesh_copies.h"
+#include "core/mesh/mesh_copies.h"
 
 #include <algorithm>
 
