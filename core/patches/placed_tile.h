@@ -28,13 +28,14 @@ struct TilePowers {
     glm::dvec3 origin{0};
     float scale = 1;
 };
-TilePowers powers_of(const PlacedTile& tile); // in double precision; about 0.3 microseconds
+// Converts in double precision. About 0.3 microseconds.
+TilePowers powers_of(const PlacedTile& tile);
 
-// A box that holds every point of the tile that comes from a point of `unit`, a box in the unit
-// cell: the hull of the control points over its x and y. About a microsecond.
+// Bounds the points of the tile that come from points of `unit`, a box in the unit cell, by the
+// hull of the control points over its x and y. In the world, metres. About a microsecond.
 Box hull_box(const PlacedTile& tile, const Box& unit);
 
-// A bound of how many times longer than in the unit cell any way in the tile is.
+// Bounds how many times longer than in the unit cell any way in the tile is. About a microsecond.
 double stretch_bound(const PlacedTile& tile, const Box& unit);
 
 } // namespace trivar

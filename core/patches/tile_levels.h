@@ -14,10 +14,10 @@ struct TileLevel {
     double error = 0; // how far it is from the first level, about, in sides
 };
 
-// From the mesh itself on, each with about half of the triangles of the one before, by
-// core/simplify; the errors never fall. They are measured at some hundred vertices of the mesh and
-// not proven: they decide how small a tile must be to be drawn so. About 20 microseconds per
-// triangle.
+// Makes levels by core/simplify, the first of them the mesh itself, each with about half of the
+// triangles of the one before; the errors never fall. They are measured at some hundred vertices of
+// the mesh and not proven: they decide how small a tile must be to be drawn so. About 20
+// microseconds per triangle.
 std::vector<TileLevel> levels_of(const Ref<Mesh>& mesh);
 
 } // namespace trivar

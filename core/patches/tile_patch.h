@@ -19,10 +19,10 @@ struct TilePatch {
     bool operator==(const TilePatch&) const = default;
 };
 
-// Where the nodes of a patch are along both axes.
+// The nodes of a patch stand at these parameters along both axes.
 inline constexpr std::array<double, 4> patch_nodes{0, 0.25, 0.75, 1};
 
-// The control points of the bicubic polynomial that has the given values at the nodes, values
+// Gives the control points of the bicubic polynomial that has the given values at the nodes, values
 // 4 j + i at (nodes[i], nodes[j]).
 std::array<glm::dvec3, 16> through_nodes(const std::array<glm::dvec3, 16>& values);
 
@@ -30,7 +30,7 @@ std::array<glm::dvec3, 16> through_nodes(const std::array<glm::dvec3, 16>& value
 struct TilePoint {
     glm::dvec3 p, x, y, z;
 };
-// In double precision, by the definition; x and y may lie outside the unit square.
+// Evaluates in double precision, by the definition; x and y may lie outside the unit square.
 TilePoint tile_point(const TilePatch& patch, const glm::dvec3& p_tile);
 
 } // namespace trivar

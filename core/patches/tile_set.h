@@ -17,8 +17,9 @@ struct TileCell {
     bool operator==(const TileCell&) const = default;
 };
 
-// The mesh in the unit cell: x and y fill the unit square, z is in sides and 0 on the floor.
-// `to_model` takes the mesh to the cell's model; a mirroring one turns the faces round. O(#V).
+// Moves a mesh into the unit cell: x and y fill the unit square, z is in sides and 0 on the floor.
+// `to_model` takes the mesh to the cell's model; a mirroring one turns the faces round. Skins,
+// morph targets and creases are left out. O(#V).
 Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& cell);
 
 // A TileModel is one tile in its unit cell, for any number of places.
@@ -29,8 +30,8 @@ struct TileModel {
 };
 Ref<TileModel> tile_model(Mesh in_unit_cell);
 
-// A TileSet is a mesh repeated over patches. The processor bends all of them when somebody first
-// asks for the mesh; where the graphics card draws, nobody does.
+// A TileSet is a mesh repeated over patches. The processor bends all of them when the mesh is first
+// read, which does not happen where the graphics card draws.
 struct TileSet {
     struct Extent {
         Box hull;           // holds every point of the tile
@@ -44,15 +45,15 @@ struct TileSet {
     std::size_t vertex_count() const { return model->mesh->vertex_count() * tiles->size(); }
     std::size_t face_count() const { return model->mesh->face_count() * tiles->size(); }
 };
-// Bends only the few tiles whose hulls reach out of the box of the others. O(#tiles), about 2
-// microseconds each, in parallel.
+// Bounds all tiles, and bends only the few whose hulls reach out of the box of the others. In
+// parallel. About 2 microseconds per tile.
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles);
 
-// One mesh of all tiles. In parallel; the same bits for any number of threads. O(#tiles #V).
+// Makes one mesh of all tiles. In parallel; the same bits for any number of threads. O(#tiles #V).
 Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles);
 
-// The vertices of every tile that are furthest out along 26 directions of its cell, in the world:
-// what frames them all. In double precision; at most 26 per tile.
+// Finds the vertices of every tile that are furthest out along 26 directions of its cell, by which
+// a view frames them. In the world, metres, double precision; at most 26 per tile.
 std::vector<glm::dvec3> outer_points(const TileModel& model, std::span<const PlacedTile> tiles);
 
 } // namespace trivar

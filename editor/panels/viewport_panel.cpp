@@ -272,7 +272,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
     if (const auto file = tool.take_wanted_model())
-        editor.files.import(*file, false, [&](Id id) { tool.take_up(session, id); });
+        editor.files.import(*file, false, [&tool, &session](Id id) { tool.take_up(session, id); });
     if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
