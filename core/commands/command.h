@@ -9,6 +9,7 @@
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
+#include "core/commands/mix_tiles.h"
 #include "core/commands/paste.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
@@ -45,7 +46,7 @@ using AnyCommand =
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-                 RemoveTileStrokes, SetTiles, ClearTiles>;
+                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

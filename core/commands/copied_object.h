@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/copied_tiling.h"
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
@@ -11,7 +12,6 @@
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
 #include "core/commands/text.h"
-#include "core/commands/tiles.h"
 #include "core/commands/travel.h"
 
 #include <string>
@@ -19,13 +19,6 @@
 
 namespace trivar {
 
-// A KnownObject is an object of the scene on which something lies. Both number and name must fit,
-// so that another scene's object of that number is not taken for it.
-struct KnownObject {
-    Id object = 0;
-    std::string name;
-    bool operator==(const KnownObject&) const = default;
-};
 struct CopiedPlacement {
     Sketch sketch;
     PlacementParameters parameters;
@@ -35,13 +28,6 @@ struct CopiedPlacement {
     std::optional<Attachment> attach = {};
     std::optional<glm::dvec3> normal = {};
     bool operator==(const CopiedPlacement&) const = default;
-};
-
-struct CopiedTiling {
-    KnownObject base;
-    TileLook look;
-    std::vector<TileStroke> strokes;
-    bool operator==(const CopiedTiling&) const = default;
 };
 
 // A CopiedObject is an object by itself, with its number in the scene from which it was copied.
@@ -74,15 +60,6 @@ struct CopiedObject {
     bool operator==(const CopiedObject&) const = default;
 };
 
-template <> struct FieldsOf<KnownObject> {
-    static constexpr std::string_view told_as = "[base](#base)";
-    static void fields(auto& k, auto&& field)
-    {
-        field("object", k.object, "its id", required);
-        field("name", k.name,
-              "its name, so that another object of the same id is not mistaken for it", required);
-    }
-};
 template <> struct FieldsOf<CopiedPlacement> {
     static constexpr std::string_view told_as = "[placement](#placement)";
     static void fields(auto& p, auto&& field)
@@ -95,15 +72,6 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("normal", p.normal, "of the plane that cuts that object; left out: none does");
         field("attach", p.attach,
               "the hosts among onto that it is attached to, by the same numbers");
-    }
-};
-template <> struct FieldsOf<CopiedTiling> {
-    static constexpr std::string_view told_as = "[tiling](#tiling)";
-    static void fields(auto& t, auto&& field)
-    {
-        field("base", t.base, "what it is painted on: another copy, or an object of the scene");
-        field("look", t.look, "what holds for all tiles");
-        field("strokes", t.strokes, "the strokes, the first one first");
     }
 };
 template <> struct FieldsOf<CopiedObject> {

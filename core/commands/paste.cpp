@@ -167,7 +167,12 @@ Document painted(Document document, Id id, const CopiedTiling& copied, const Doc
         tiling.strokes.push_back(make_ref(stroke));
     }
     if (tiling.base == 0) return document;
-    return with_tiling(std::move(document), id, std::move(tiling));
+    std::vector<MixedTile> others;
+    for (const CopiedMixedTile& each : copied.others)
+        if (const Id other = here(each.tile, before, made); other != 0)
+            others.push_back({other, each.weight});
+    document = with_tiling(std::move(document), id, std::move(tiling));
+    return with_mix(std::move(document), id, copied.weight, std::move(others));
 }
 
 // Adds tracks, except those of parameters that the copy does not have.
@@ -201,9 +206,14 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
     if (each.tiles && document.objects.contains(each.tiles->base)) {
         const Id base = each.tiles->base;
-        copy.tiling = {{base, object(document, base).name}, each.tiles->look, {}};
+        copy.tiling = CopiedTiling{{base, object(document, base).name}, each.tiles->look, {}};
         for (const Ref<TileStroke>& stroke : each.tiles->strokes)
             copy.tiling->strokes.push_back(*stroke);
+        copy.tiling->weight = each.tiles->weight;
+        for (const MixedTile& mixed : each.tiles->others)
+            if (document.objects.contains(mixed.object))
+                copy.tiling->others.push_back(
+                    {{mixed.object, object(document, mixed.object).name}, mixed.weight});
     }
     if (!each.stroke) return copy;
     copy.placement = {each.stroke->sketch,

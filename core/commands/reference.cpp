@@ -212,6 +212,10 @@ std::string commands_markdown()
         "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(fields_of(VolumePart{}));
     text += "## tiling\n\nHow copies of a copied object are painted.\n\n" +
             field_table(fields_of(CopiedTiling{}));
+    text += "## mixed tile\n\nAn object among the tiles of a layer.\n\n" +
+            field_table(fields_of(MixedTile{}));
+    text += "## copied mixed tile\n\nThe same, as it is copied.\n\n" +
+            field_table(fields_of(CopiedMixedTile{}));
     text += "## tile stroke\n\nA stroke with which tiles were painted.\n\n" +
             field_table(fields_of(TileStroke{}));
     text +=

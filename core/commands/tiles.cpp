@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
 #include "core/commands/field_words.h"
+#include "core/commands/mix_tiles.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -92,7 +93,12 @@ Document applied(Document document, const PaintTiles& command)
     Tiling tiling = object(document, command.object).tiles.value_or(Tiling{});
     tiling.base = command.base;
     tiling.strokes.push_back(make_ref(command.stroke));
-    return with_tiling(std::move(document), command.object, std::move(tiling));
+    std::vector<MixedTile> others = tiling.others;
+    const double weight = tiling.weight;
+    document = with_tiling(std::move(document), command.object, std::move(tiling));
+    if (command.others.empty()) return document;
+    others.insert(others.end(), command.others.begin(), command.others.end());
+    return applied(std::move(document), MixTiles{command.object, weight, std::move(others)});
 }
 
 StepTitle title(const PaintTiles& c, const StepDocuments& step)

@@ -27,12 +27,15 @@ struct PaintTiles {
     Id object = 0;
     Id base = 0;
     TileStroke stroke;
+    std::vector<MixedTile> others = {};
     bool operator==(const PaintTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of what becomes the tile", required);
         field("base", c.base, "id of what is painted on", required);
         FieldsOf<TileStroke>::fields(c.stroke, field);
+        field("others", c.others,
+              "with what the layer is mixed from now on, besides; they are hidden");
     }
 };
 Document applied(Document document, const PaintTiles& command);

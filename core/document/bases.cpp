@@ -7,13 +7,20 @@ std::vector<Id> bases_of(const Object& object)
 {
     std::vector<Id> out;
     if (object.stroke) out = object.stroke->onto;
-    if (object.tiles && object.tiles->base != 0) out.push_back(object.tiles->base);
+    if (!object.tiles) return out;
+    if (object.tiles->base != 0) out.push_back(object.tiles->base);
+    for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
     return out;
 }
 
 Object with_bases(Object object, const std::function<Id(Id)>& other)
 {
-    if (object.tiles && object.tiles->base != 0) object.tiles->base = other(object.tiles->base);
+    if (object.tiles) {
+        if (object.tiles->base != 0) object.tiles->base = other(object.tiles->base);
+        std::vector<MixedTile>& others = object.tiles->others;
+        for (MixedTile& each : others) each.object = other(each.object);
+        std::erase_if(others, [](const MixedTile& each) { return each.object == 0; });
+    }
     if (!object.stroke) return object;
     std::vector<Id>& onto = object.stroke->onto;
     for (Id& id : onto) id = other(id);

@@ -7,12 +7,13 @@
 
 namespace trivar {
 
-// The objects on whose shapes an object's own depends: what its stroke lies on, and what its tiles
-// are painted on. An id may come twice.
+// The objects on whose shapes an object's own depends: what its stroke lies on, what its tiles are
+// painted on, and what these are mixed with. An id may come twice.
 std::vector<Id> bases_of(const Object& object);
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the
-// rest, and its stroke stays in the world if nothing else carries it.
+// rest, and its stroke stays in the world if nothing else carries it; its tiles are mixed with the
+// rest.
 Object with_bases(Object object, const std::function<Id(Id)>& other);
 
 } // namespace trivar

@@ -87,12 +87,21 @@ struct Simplifying {
     bool operator==(const Simplifying&) const = default;
 };
 
+// A MixedTile is another object whose copies stand among the tiles of a layer.
+struct MixedTile {
+    Id object = 0;
+    double weight = 1; // how often it is there, beside the weights of the others
+    bool operator==(const MixedTile&) const = default;
+};
+
 // Tiling makes an object a layer of tiles: copies of it, painted on another object. The layer's own
 // rotation and scale turn each tile.
 struct Tiling {
     Id base = 0; // what it is painted on; 0: that is gone
     TileLook look;
     std::vector<Ref<TileStroke>> strokes; // in their order
+    double weight = 1;                    // of the object itself in a mix of several
+    std::vector<MixedTile> others = {};   // what it is mixed with
     bool operator==(const Tiling&) const = default;
 };
 

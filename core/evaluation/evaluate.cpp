@@ -92,6 +92,11 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
     for (const Clip& clip : stage->shape->model->clips) result.clips.push_back(clip.name);
     const Ref<std::vector<Material>>& own = stage->shape->materials;
     result.materials = object.surfacing ? surfaced(*own, *object.surfacing) : own;
+    if (stage->mixed_materials) {
+        std::vector<Material> all = *result.materials;
+        all.insert(all.end(), stage->mixed_materials->begin(), stage->mixed_materials->end());
+        result.materials = make_ref(std::move(all));
+    }
     const bool shows_volume = std::holds_alternative<LatticeShape>(object.source);
     result.bounds = Lazy<Box>([stage, shows_volume] {
         Box box;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/evaluate.h"
+#include "core/mesh/mesh_materials.h"
 
 namespace trivar {
 namespace {
@@ -7,10 +8,7 @@ namespace {
 Ref<Mesh> with_materials_from(const Ref<Mesh>& mesh, std::uint32_t first)
 {
     if (first == 0) return mesh;
-    Mesh moved = *mesh;
-    moved.face_material.resize(moved.face_count(), 0);
-    for (std::uint32_t& material : moved.face_material) material += first;
-    return make_ref(std::move(moved));
+    return make_ref(with_materials_from(Mesh(*mesh), first));
 }
 
 Ref<Curves> with_materials_from(const Ref<Curves>& curves, std::uint32_t first)

@@ -53,6 +53,11 @@ struct RefiningEffects {
     Ref<RefinementResult> refined; // null: its triangles are those of the model
 };
 
+struct TilingEffects {
+    // of the other objects among its tiles, behind its own; null: none
+    Ref<std::vector<Material>> mixed_materials;
+};
+
 struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
 };
@@ -64,7 +69,8 @@ struct Stage : SimplifyingEffects,
                LatticeEffects,
                CarriageEffects,
                TravelEffects,
-               RefiningEffects {
+               RefiningEffects,
+               TilingEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be empty
     std::vector<CurvePart> curves;    // in the world; may be empty

@@ -2,7 +2,9 @@
 #include "core/evaluation/tiling.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_materials.h"
 #include "core/tiles/fold_limit.h"
+#include "core/tiles/tile_mix.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
@@ -52,15 +54,6 @@ BasePose pose_of(const TileBase& base, const std::vector<Part>& parts)
     return pose;
 }
 
-TileCell cell_of(const std::vector<Part>& parts, const glm::dmat4& turned)
-{
-    Box box;
-    for (const Part& part : parts) box.add(bounding_box(*part.rest, turned * part.to_world));
-    const glm::dvec3 size = box.size(), middle = box.center();
-    const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
-    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, size.z};
-}
-
 double side_in_world(const TilePatch& patch)
 {
     const auto at = [&](double x, double y) { return tile_point(patch, {x, y, 0}).p; };
@@ -72,10 +65,12 @@ struct TileCounts {
     int lowered = 0, folded = 0, at_borders = 0;
 };
 
-// Chooses the tiles that have room, each as high as it may be.
-std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
-                               const std::vector<TileChart>& charts, const BasePose& pose,
-                               const TileLook& look, const TileCell& cell, TileCounts& told)
+// Adds the tiles that have room, each as high as it may be, to those of their kind. `kinds` and
+// `cells` hold the kind of each tile and the cell of each kind.
+void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
+                 const TileLayout& layout, const std::vector<TileChart>& charts,
+                 const BasePose& pose, const TileLook& look, const std::vector<std::size_t>& kinds,
+                 const std::vector<TileCell>& cells, TileCounts& told)
 {
     enum class Fate : char { as_wanted, lowered, folded, at_border, not_grown };
     std::vector<PlacedTile> all(charts.size());
@@ -87,6 +82,7 @@ std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
                 continue;
             }
             PlacedTile& tile = all[i];
+            const TileCell& cell = cells[kinds[i]];
             const TileMotion motion =
                 motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
             if (motion.size < smallest) {
@@ -113,15 +109,13 @@ std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
             fates[i] = Fate::lowered;
         }
     });
-    std::vector<PlacedTile> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
         told.lowered += fates[i] == Fate::lowered;
         told.folded += fates[i] == Fate::folded;
         told.at_borders += fates[i] == Fate::at_border;
         if (fates[i] == Fate::as_wanted || fates[i] == Fate::lowered)
-            out.push_back(std::move(all[i]));
+            out[kinds[i]].push_back(std::move(all[i]));
     }
-    return out;
 }
 
 std::string tiles(int count)
@@ -214,40 +208,58 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
             return make_ref(std::move(out));
         });
     });
-    const glm::dmat4 turned(glm::dmat3(input.object.transform.matrix()));
-    return painted_({before, shown, charts, look, turned}, [&] {
-        const TileCell cell = cell_of(before->own_parts, turned);
+    std::vector<TileKind> kinds = tile_kinds(*before, input);
+    return painted_({before, shown, charts, look, kinds}, [&] {
+        std::vector<TileCell> cells;
+        std::vector<double> weights;
+        for (const TileKind& kind : kinds) {
+            cells.push_back(tile_cell(kind.parts(*before), kind.turned));
+            weights.push_back(kind.weight);
+        }
+        std::vector<std::size_t> kind_of_tile;
+        for (const Tile& tile : layout->tiles) kind_of_tile.push_back(kind_of(tile.seed, weights));
         TileCounts told;
-        std::vector<PlacedTile> all;
+        std::vector<std::vector<PlacedTile>> all(kinds.size());
         for (const auto& [member, parts] : members) {
             if (parts.size() != pieces.size()) continue; // a part is too far away
-            const std::vector<PlacedTile> there = timed(input.timings, "tiles", [&] {
-                return placed(*base, *layout, *charts, pose_of(*base, parts), look, cell, told);
+            timed(input.timings, "tiles", [&] {
+                place_tiles(all, *base, *layout, *charts, pose_of(*base, parts), look, kind_of_tile,
+                            cells, told);
             });
-            all.insert(all.end(), there.begin(), there.end());
         }
-        std::size_t vertices = 0, corners = 0;
-        for (const Part& part : before->own_parts) {
-            vertices += part.rest->vertex_count() * all.size();
-            corners += part.rest->corners.size() * all.size();
+        std::size_t count = 0, vertices = 0, corners = 0;
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            count += all[k].size();
+            for (const Part& part : kinds[k].parts(*before)) {
+                vertices += part.rest->vertex_count() * all[k].size();
+                corners += part.rest->corners.size() * all[k].size();
+            }
         }
         if (vertices > most_vertices || corners > most_corners)
             return refused(before,
                            fmt::format("its {} tiles would have {} vertices and {} corners of "
                                        "faces; at most {} and {} are drawn, so simplify the "
                                        "object or paint fewer tiles",
-                                       all.size(), vertices, corners, most_vertices, most_corners));
+                                       count, vertices, corners, most_vertices, most_corners));
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
-        const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all));
-        for (const Part& part : before->own_parts) {
-            if (places->empty() || part.rest->positions.empty()) continue;
-            const Ref<TileModel> model = models_({part.mesh(), turned * part.to_world, cell}, [&] {
-                return tile_model(in_unit_cell(*part.mesh(), turned * part.to_world, cell));
-            });
-            stage.parts.push_back(timed(input.timings, "tiles", [&] {
-                return part_of(tile_set(model, places), part.key);
-            }));
+        stage.mixed_materials = materials_of_others(kinds);
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            const TileKind& kind = kinds[k];
+            const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
+            for (const Part& part : kind.parts(*before)) {
+                if (places->empty() || part.rest->positions.empty()) continue;
+                const glm::dmat4 to_model = kind.turned * part.to_world;
+                const Ref<TileModel> model =
+                    models_({part.mesh(), to_model, cells[k], kind.first_material}, [&] {
+                        return tile_model(with_materials_from(
+                            in_unit_cell(*part.mesh(), to_model, cells[k]), kind.first_material));
+                    });
+                PartKey key = part.key;
+                key.mesh += kind.first_mesh;
+                stage.parts.push_back(timed(input.timings, "tiles",
+                                            [&] { return part_of(tile_set(model, places), key); }));
+            }
         }
         tell(stage, *layout, told);
         return make_ref(std::move(stage));

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
-#include "core/evaluation/step.h"
-#include "core/patches/tile_set.h"
+#include "core/evaluation/tile_kinds.h"
 #include "core/tiles/chart.h"
 
 namespace trivar {
@@ -32,19 +31,21 @@ private:
         Ref<EvaluatedObject> base;
         Ref<std::vector<TileChart>> charts;
         TileLook look;
-        glm::dmat4 turned;
+        std::vector<TileKind> kinds;
         bool operator==(const Key&) const = default;
     };
     struct ModelKey {
         Ref<Mesh> mesh;
         glm::dmat4 to_model;
         TileCell cell;
+        std::uint32_t first_material;
         bool operator==(const ModelKey&) const = default;
     };
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
     Recent<ChartKey, Ref<std::vector<TileChart>>> charts_;
-    Recent<ModelKey, Ref<TileModel>> models_{16}; // an object has a few meshes
+    Recent<ModelKey, Ref<TileModel>> models_{
+        64}; // an object has a few meshes, a mix of several more
     Recent<Key, Ref<Stage>> painted_;
 };
 

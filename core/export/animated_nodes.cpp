@@ -3,6 +3,7 @@
 
 #include "core/certificate/keys.h"
 #include "core/certificate/motion_bound.h"
+#include "core/mesh/mesh_materials.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -77,11 +78,8 @@ std::uint32_t AnimatedNodes::first_material(const Ref<std::vector<Material>>& ma
 
 int AnimatedNodes::mesh(const FilmStrip& strip, Mesh mesh)
 {
-    if (const std::uint32_t first = first_material(strip.materials); first > 0) {
-        mesh.face_material.resize(mesh.face_count(), 0);
-        for (std::uint32_t& material : mesh.face_material) material += first;
-    }
-    model_.meshes.push_back(make_ref(std::move(mesh)));
+    model_.meshes.push_back(
+        make_ref(with_materials_from(std::move(mesh), first_material(strip.materials))));
     return static_cast<int>(model_.meshes.size()) - 1;
 }
 

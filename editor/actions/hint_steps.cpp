@@ -91,7 +91,8 @@ std::optional<HintCard> hint_card(const Editor& editor)
                         "The strip follows the scene. Where its points are white, it spans a gap."};
     }
     if (editor.active_tool().busy()) return {};
-    if (editor.active_tool().chosen_model(session)) return {}; // the tiles have a card of their own
+    if (editor.active_tool().chosen_models(session))
+        return {}; // the tiles have a card of their own
     const BackgroundEvaluator::Status work = session.evaluator().status();
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
     std::size_t shapes = 0, texts = 0, placed = 0, lattices = 0;

@@ -68,35 +68,72 @@ Id TilesTool::tile(const Session& session) const
 
 bool TilesTool::begins_layer(const Session& session) const
 {
-    return !file_.empty() && session.selected == 0;
+    return !files_.empty() && session.selected == 0;
 }
 
 void TilesTool::take_up(Session& session, Id object)
 {
-    session.selected = object;
-    if (gesture_ && gesture_->layer == 0) gesture_->layer = object;
-    file_.clear();
+    reading_ = false;
+    if (mixing_ != 0) return mix(session, std::exchange(mixing_, 0), object);
+    if (gesture_ && gesture_->layer != 0) {
+        gesture_->others.push_back({object, 1});
+        session.selected = gesture_->layer;
+    } else {
+        session.selected = object;
+        if (gesture_) gesture_->layer = object;
+    }
+    if (wanted_.empty()) files_.clear();
 }
 
-std::optional<std::string> TilesTool::chosen_model(const Session& session) const
+void TilesTool::mix(Session& session, Id layer, Id other)
 {
-    if (begins_layer(session)) return file_;
+    const auto found = session.document().objects.find(layer);
+    if (found == session.document().objects.end() || !found->second->tiles) return;
+    MixTiles mixed{layer, found->second->tiles->weight, found->second->tiles->others};
+    mixed.others.push_back({other, 1});
+    session.run(mixed);
+    session.selected = layer;
+}
+
+std::optional<std::vector<std::string>> TilesTool::chosen_models(const Session& session) const
+{
+    if (begins_layer(session)) return files_;
+    std::vector<std::string> files;
+    const auto add = [&](Id id) {
+        const auto found = session.document().objects.find(id);
+        if (found == session.document().objects.end()) return;
+        if (const auto* file = std::get_if<ImportedFile>(&found->second->source))
+            files.push_back(file->path);
+    };
     const Id id = tile(session);
-    if (id == 0) return std::string();
-    const auto* file = std::get_if<ImportedFile>(&object(session.document(), id).source);
-    return file ? file->path : std::string();
+    if (id == 0) return files;
+    add(id);
+    if (const Object& o = object(session.document(), id); o.tiles)
+        for (const MixedTile& each : o.tiles->others) add(each.object);
+    return files;
 }
 
-void TilesTool::choose_model(Session& session, const std::string& file)
+void TilesTool::choose_model(Session& session, const std::string& file, bool also)
 {
-    file_ = file;
+    reading_ = false;
+    const Id layer = tile(session);
+    if (also && layer != 0 && object(session.document(), layer).tiles) {
+        mixing_ = layer;
+        wanted_ = {file};
+        return;
+    }
     session.selected = {};
+    if (!also) files_.clear();
+    if (std::erase(files_, file) == 0 || files_.empty()) files_.push_back(file);
 }
 
 std::optional<std::string> TilesTool::take_wanted_model()
 {
-    if (wanted_.empty()) return {};
-    return std::exchange(wanted_, {});
+    if (wanted_.empty() || reading_) return {};
+    const std::string next = wanted_.front();
+    wanted_.erase(wanted_.begin());
+    reading_ = true;
+    return next;
 }
 
 Id TilesTool::base_under(const Session& session, const ViewportInput& input) const
@@ -159,7 +196,8 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
 {
     const bool fresh = begins_layer(session);
     Gesture g{fresh ? 0 : tile(session), under_, settings_};
-    if (fresh) wanted_ = file_;
+    if (fresh) wanted_ = files_;
+    mixing_ = 0;
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
     g.stroke.seed = ++strokes_;
@@ -228,23 +266,22 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
                 add(*hit, move.time_s, move.pressure);
             }
     g.over = g.over || input.released || !input.down;
-    if (g.layer == 0) {
-        // Where reading failed a notice says why.
-        if (wanted_.empty() && !session.jobs().status()) gesture_.reset();
-        return;
-    }
+    // Where reading failed a notice says why.
+    if (reading_ && !session.jobs().status()) reading_ = false;
+    if (reading_ || !wanted_.empty()) return;
+    if (g.layer == 0) return gesture_.reset();
     if (g.over) return finish(session);
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke})) g.proposed = now;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others})) g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
 {
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    if (session.propose(PaintTiles{g.layer, g.base, g.stroke}))
+    if (session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others}))
         session.commit();
     else
         session.cancel();
@@ -255,6 +292,7 @@ void TilesTool::cancel(Session& session)
     if (!gesture_) return;
     gesture_.reset();
     wanted_.clear();
+    reading_ = false;
     session.cancel();
 }
 

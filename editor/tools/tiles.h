@@ -21,8 +21,8 @@ public:
     std::vector<ui::Chord> keys() const override { return {{'T'}}; }
     bool crosshair() const override { return hit_.has_value() || busy(); }
     void take_up(Session& session, Id object) override;
-    std::optional<std::string> chosen_model(const Session& session) const override;
-    void choose_model(Session& session, const std::string& file) override;
+    std::optional<std::vector<std::string>> chosen_models(const Session& session) const override;
+    void choose_model(Session& session, const std::string& file, bool also) override;
     std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value(); }
@@ -39,6 +39,7 @@ private:
         Id layer = 0; // 0: its model is being read
         Id base = 0;
         TileStroke stroke;
+        std::vector<MixedTile> others = {}; // with what the layer is mixed from then on
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
@@ -48,6 +49,7 @@ private:
     // What would be painted with of the scene, and onto what; 0: nothing.
     Id tile(const Session& session) const;
     Id base_under(const Session& session, const ViewportInput& input) const;
+    void mix(Session& session, Id layer, Id other);
     void find_place(const Session& session, const ViewportInput& input);
     void begin(Session& session, const ViewportInput& input);
     void go_on(Session& session, const ViewportInput& input);
@@ -58,9 +60,12 @@ private:
     double radius(const Session& session) const; // metres in the world
     double size(const Session& session) const;
 
-    // The file of the model that the next stroke begins a layer with, unless something is selected.
-    std::string file_;
-    std::string wanted_;           // the file that the gesture waits for, until somebody imports it
+    // The files of the models that the next stroke begins a layer with, mixed where there are
+    // several, unless something is selected.
+    std::vector<std::string> files_;
+    std::vector<std::string> wanted_; // those still to be read, the first one next
+    bool reading_ = false;            // one of them is being read
+    Id mixing_ = 0; // the layer that is mixed with what is read; 0: the gesture waits for it
     TileStroke settings_{};        // all but lengths
     double radius_ = 0, size_ = 0; // metres in the world; 0: in proportion to the base
     PaintedSurface surface_;

@@ -97,10 +97,17 @@ public:
     }
     // Whether the key was meant for a gesture that could not begin: then nobody else has it.
     virtual bool awaits(const ui::Chord&) const { return false; }
-    // Of a tool that works with a model that need not be in the scene: the file of that which it
-    // works with, empty where it is no file's or there is none; nothing: it is no such tool.
-    virtual std::optional<std::string> chosen_model(const Session&) const { return {}; }
-    virtual void choose_model(Session&, const std::string& file) { (void)file; }
+    // Of a tool that works with models that need not be in the scene: the files of those that it
+    // works with, none where they are no files' or there are none; nothing: it is no such tool.
+    virtual std::optional<std::vector<std::string>> chosen_models(const Session&) const
+    {
+        return {};
+    }
+    // `also`: besides those that are chosen already.
+    virtual void choose_model(Session&, const std::string& file, bool also)
+    {
+        (void)file, (void)also;
+    }
     // The file of a model that a gesture waits for, once. Whoever imports it calls take_up().
     virtual std::optional<std::string> take_wanted_model() { return {}; }
     virtual void cancel(Session& session) { (void)session; } // the gesture

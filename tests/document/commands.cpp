@@ -175,7 +175,8 @@ std::vector<Command> fitting_commands()
             EditTileStroke{.object = 8, .number = 1, .stroke = a_tile_stroke()},
             RemoveTileStrokes{.object = 8, .numbers = {1}},
             SetTiles{.objects = {8}, .look = {.height = 2}},
-            ClearTiles{.objects = {8}}};
+            ClearTiles{.objects = {8}},
+            MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}}};
 }
 
 Command random_command(std::mt19937& random)

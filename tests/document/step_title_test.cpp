@@ -87,6 +87,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Remove stroke 1 of Cylinder",
         "Tiles of Cylinder",
         "Make Cylinder a single object again",
+        "Mix the tiles of Cylinder with Ball",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

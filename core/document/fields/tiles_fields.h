@@ -83,12 +83,25 @@ template <> struct FieldsOf<TileLook> {
               "turns by which the phases of tiles differ at random", later_in_range(0, 1));
     }
 };
+template <> struct FieldsOf<MixedTile> {
+    static constexpr std::string_view told_as = "[mixed tile](#mixed-tile)",
+                                      weight_help =
+                                          "how often it is there, beside the weights of the others";
+    static void fields(auto& m, auto&& field)
+    {
+        field("object", m.object, "id of an object", required);
+        field("weight", m.weight, weight_help, in_range(0, 1000));
+    }
+};
 template <> struct FieldsOf<Tiling> {
     static void fields(auto& t, auto&& field)
     {
         field("base", t.base, "id of what it is painted on", any_value.without_keys());
         field("look", t.look, "what holds for all tiles", any_value.as_its_own());
         field("strokes", t.strokes, "the strokes, the first one first", any_value.without_keys());
+        field("weight", t.weight, "how often the object itself is there, in a mix of several",
+              later_in_range(0, 1000).resting_at(1).without_keys());
+        field("others", t.others, "the other objects among the tiles", later.without_keys());
     }
 };
 

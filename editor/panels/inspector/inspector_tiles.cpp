@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_tiles.h"
 
+#include "core/commands/mix_tiles.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/key_gutter.h"
@@ -58,6 +59,40 @@ void stroke_row(Session& session, const ui::Theme& theme, Id id, int number,
     ImGui::PopID();
 }
 
+// Rows for the objects of a mix, each with its weight and, but for the layer's own, a button that
+// takes it out.
+void mix_rows(Editor& editor, const ui::Theme& theme, Id layer, const Tiling& tiling)
+{
+    Session& session = editor.session;
+    MixTiles mixed{layer, tiling.weight, tiling.others};
+    ui::Edit edit = ui::Edit::none;
+    const float side = theme.size.row;
+    const auto weight_row = [&](Id id, double& weight, float taken) {
+        ImGui::PushID(static_cast<int>(id));
+        const ui::Row at = ui::label_row(theme, object(session.document(), id).name, false,
+                                         std::string(FieldsOf<MixedTile>::weight_help));
+        const ui::Edit one = ui::number_field(theme, "weight", weight,
+                                              {.lo = 0, .hi = 1000, .step = 0.1}, at.width - taken);
+        if (one != ui::Edit::none) edit = one;
+        ImGui::PopID();
+    };
+    weight_row(layer, mixed.weight, 0);
+    for (std::size_t i = 0; i < mixed.others.size(); ++i) {
+        const Id id = mixed.others[i].object;
+        weight_row(id, mixed.others[i].weight, side + theme.px(4));
+        ImGui::SameLine(0, theme.px(4));
+        ImGui::PushID(static_cast<int>(id));
+        if (ui::icon_button(theme, "take out", ui::icon::trash, {side, side},
+                            {"Take this object out of the mix", {}, {}})) {
+            MixTiles without{layer, tiling.weight, tiling.others};
+            without.others.erase(without.others.begin() + static_cast<long>(i));
+            session.run(without);
+        }
+        ImGui::PopID();
+    }
+    propose_edit(editor, edit, [&] { return mixed; });
+}
+
 } // namespace
 
 bool is_tile_layer(const Document& document, Id id)
@@ -92,6 +127,7 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
     }
+    if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
     for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
         stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
     ui::gap(theme, 8);

@@ -9,6 +9,7 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar {
@@ -32,14 +33,23 @@ std::vector<const OwnModel*> tile_models()
     return tiles;
 }
 
-// Says what the brush paints with.
-std::string painted_with(const Editor& editor, const std::vector<const OwnModel*>& tiles,
-                         const std::string& file)
+// Names what the brush paints with, in its order.
+std::vector<std::string> painted_with(const Editor& editor,
+                                      const std::vector<const OwnModel*>& tiles,
+                                      const std::vector<std::string>& files)
 {
-    for (const OwnModel* each : tiles)
-        if (file_name(file_of(editor.files, *each)) == file_name(file)) return each->name;
-    const std::string name = name_of(editor.session.document(), editor.session.selected);
-    return name.empty() ? file_name(file) : name;
+    std::vector<std::string> names;
+    for (const std::string& file : files) {
+        const auto own = std::ranges::find_if(tiles, [&](const OwnModel* each) {
+            return file_name(file_of(editor.files, *each)) == file_name(file);
+        });
+        names.push_back(own != tiles.end() ? (*own)->name : file_name(file));
+    }
+    if (names.empty())
+        if (const std::string name = name_of(editor.session.document(), editor.session.selected);
+            !name.empty())
+            names.push_back(name);
+    return names;
 }
 
 } // namespace
@@ -48,7 +58,7 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
                                           const FootCards& foot)
 {
     Tool& tool = editor.active_tool();
-    const std::optional<std::string> chosen = tool.chosen_model(editor.session);
+    const std::optional<std::vector<std::string>> chosen = tool.chosen_models(editor.session);
     if (!chosen) return {};
     const std::vector<const OwnModel*> tiles = tile_models();
     auto& library = editor.memory.of<TileLibrary>();
@@ -74,12 +84,13 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
     const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
                            {card.hi.x - theme.px(36), card.lo.y + theme.px(heading)}};
     ui::paint_text(theme.font.strong, head, c.text, "Tiles");
-    const std::string with = painted_with(editor, tiles, *chosen);
+    const std::vector<std::string> with = painted_with(editor, tiles, *chosen);
     const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
     const ui::Rect beside = {head.lo + glm::vec2(taken, 0), head.hi};
     ui::name_text(theme.font.small, beside, with.empty() ? c.text_3 : c.text_2,
-                  with.empty() ? "Choose one to paint with, or select an object"
-                               : "Painting with " + with);
+                  with.empty()
+                      ? "Choose one to paint with, or select an object"
+                      : fmt::format("Painting with {}; Shift adds another", fmt::join(with, ", ")));
     if (!there) return card;
     ImGui::SetCursorScreenPos({card.hi.x - theme.px(32), card.lo.y + theme.px(4)});
     if (ui::icon_button(theme, "fold tiles", open ? ui::icon::open : ui::icon::closed,
@@ -96,9 +107,10 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
         const glm::vec2 place(i % across, i / across);
         const ui::Rect r =
             ui::rect_at(glm::vec2(at.x, at.y) + place * (size + glm::vec2(gap)), size);
-        const bool now = with == tiles[i]->name;
+        const bool now = std::ranges::find(with, tiles[i]->name) != with.end();
         if (draw_model(editor, theme, r, *tiles[i], now))
-            tool.choose_model(editor.session, file_of(editor.files, *tiles[i]));
+            tool.choose_model(editor.session, file_of(editor.files, *tiles[i]),
+                              ImGui::GetIO().KeyShift);
     }
     ImGui::SetCursorScreenPos({at.x, at.y + rows * (size.y + gap)});
     ImGui::Dummy({1, 0});

@@ -160,8 +160,8 @@ TEST(TileLibrary, PaintsWithAModelThatWasNotInTheScene)
     TileLibraryRig rig;
     ASSERT_EQ(rig.editor.session.committed().objects.size(), 1u);
     rig.choose_first();
-    EXPECT_EQ(rig.editor.active_tool().chosen_model(rig.editor.session),
-              rig.folder.file("tile_thorn.glb"));
+    EXPECT_EQ(rig.editor.active_tool().chosen_models(rig.editor.session),
+              std::vector<std::string>{rig.folder.file("tile_thorn.glb")});
     const std::size_t before = rig.steps();
     rig.paint();
     EXPECT_EQ(rig.steps(), before + 2); // imports, and paints
@@ -178,10 +178,39 @@ TEST(TileLibrary, PaintsWithAModelThatWasNotInTheScene)
     EXPECT_NE(rig.editor.session.selected, layer);
 }
 
+TEST(TileLibrary, PaintsAMixOfSeveral)
+{
+    TileLibraryRig rig;
+    const std::string thorn = rig.folder.file("tile_thorn.glb"),
+                      other = rig.folder.file("other.glb"), third = rig.folder.file("third.glb");
+    std::filesystem::copy_file(thorn, other);
+    std::filesystem::copy_file(thorn, third);
+    Session& session = rig.editor.session;
+    Tool& tool = rig.editor.active_tool();
+    tool.choose_model(session, thorn, false);
+    tool.choose_model(session, third, true);
+    tool.choose_model(session, other, true);
+    tool.choose_model(session, third, true); // not after all
+    EXPECT_EQ(tool.chosen_models(session), (std::vector<std::string>{thorn, other}));
+    const std::size_t before = rig.steps();
+    rig.paint();
+    EXPECT_EQ(rig.steps(), before + 3); // two imports and a stroke
+    const Id layer = session.selected;
+    ASSERT_TRUE(rig.tiles(layer));
+    ASSERT_EQ(rig.tiles(layer)->others.size(), 1u);
+    EXPECT_TRUE(object(session.document(), rig.tiles(layer)->others[0].object).hidden);
+    EXPECT_EQ(tool.chosen_models(session)->size(), 2u);
+    // The layer takes one more.
+    tool.choose_model(session, third, true);
+    for (int i = 0; i < 10; ++i) rig.wait();
+    EXPECT_EQ(session.selected, layer);
+    EXPECT_EQ(rig.tiles(layer)->others.size(), 2u);
+}
+
 TEST(TileLibrary, ASelectedObjectTakesThePlaceOfWhatWasChosen)
 {
     TileLibraryRig rig;
-    rig.editor.active_tool().choose_model(rig.editor.session, "elsewhere/thorn.glb");
+    rig.editor.active_tool().choose_model(rig.editor.session, "elsewhere/thorn.glb", false);
     AddBox stud;
     stud.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}};
     ASSERT_TRUE(rig.editor.session.run(stud));
@@ -195,7 +224,8 @@ TEST(TileLibrary, AFileThatCannotBeReadLeavesEverythingAsItWas)
 {
     TileLibraryRig rig;
     const std::size_t before = rig.steps();
-    rig.editor.active_tool().choose_model(rig.editor.session, rig.folder.file("vanished.glb"));
+    rig.editor.active_tool().choose_model(rig.editor.session, rig.folder.file("vanished.glb"),
+                                          false);
     rig.paint();
     EXPECT_EQ(rig.steps(), before);
     EXPECT_FALSE(rig.editor.active_tool().busy());
