@@ -4,7 +4,9 @@
 #include "core/commands/place.h"
 #include "editor/actions/lent_tool.h"
 #include "editor/editor.h"
+#include "editor/words/file_words.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace trivar {
@@ -18,7 +20,7 @@ void add_model(Editor& editor, const OwnModel& model)
         if (use == ModelUse::laid) lend_place(editor, id);
         if (use == ModelUse::painted) editor.choose_tool("Tiles");
     };
-    editor.files.import(file_of(editor.files, model), false, then);
+    editor.files.import(file_of(editor.files, model), false, then, model.name);
 }
 
 } // namespace
@@ -66,6 +68,14 @@ const std::vector<OwnModel>& own_models()
                                            {"Hollow brick", "tile_brick_hollow", tile},
                                            {"Statue", "tile_statue", tile}};
     return all;
+}
+
+const OwnModel* own_model_named_as(const Files& files, const std::string& path)
+{
+    const auto own = std::ranges::find_if(own_models(), [&](const OwnModel& each) {
+        return file_name(file_of(files, each)) == file_name(path);
+    });
+    return own != own_models().end() ? &*own : nullptr;
 }
 
 std::string file_of(const Files& files, const OwnModel& model)

@@ -25,6 +25,8 @@ struct OwnModel {
 const std::vector<OwnModel>& own_models();
 // The file of the model, with its folder.
 std::string file_of(const Files& files, const OwnModel& model);
+// The model whose file has that name, in whatever folder; null: none.
+const OwnModel* own_model_named_as(const Files& files, const std::string& path);
 
 inline constexpr const char* models_menu = "Models"; // a menu of the menu Add
 

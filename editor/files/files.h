@@ -40,11 +40,12 @@ public:
     // Opens a copy, and the file stays unchanged; `then` is called when the copy is the scene.
     void open_copy(const std::string& path, std::function<void()> then);
     // Imports a model. The first model of a scene is framed, and with `frame_all` the whole scene.
-    // `then` is called with its id when it is there.
+    // `then` is called with its id when it is there. `name`: of the object; empty: the file's.
     void import(const std::string& path, bool frame_all = false,
-                std::function<void(Id)> then = nullptr)
+                std::function<void(Id)> then = nullptr, std::string name = {})
     {
-        read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}, std::move(then)}));
+        read_model_of(path, frame_all,
+                      std::make_shared<Batch>(Batch{1, {}, std::move(then), std::move(name)}));
     }
     // Writes what is visible, as committed; with a certificate where something is refined.
     void write_model_to(const std::string& path);
@@ -78,6 +79,7 @@ private:
         };
         std::vector<LostFile> lost;
         std::function<void(Id)> then = nullptr; // for each that came
+        std::string name = {};                  // of each object; empty: its file's
     };
     struct PendingQuestion {
         ui::Question question;

@@ -119,6 +119,7 @@ void Files::read_model_of(const std::string& path, bool frame_all,
           store = session_->assets()](const Progress& progress) -> Jobs::Finish {
              ImportModel import;
              import.file.path = fs::absolute(path).string();
+             import.name = batch->name;
              const Command command = prepare(import, *store, progress);
              const auto& ready = std::get<ImportModel>(command);
              const AssetStore::LoadedModel loaded = store->load(ready.file, progress);

@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "editor/actions/model_actions.h"
 #include "editor/actions/start_card.h"
 #include "editor/panels/camera_frame.h"
 #include "editor/panels/foot_cards.h"
@@ -271,8 +272,12 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
-    if (const auto file = tool.take_wanted_model())
-        editor.files.import(*file, false, [&tool, &session](Id id) { tool.take_up(session, id); });
+    if (const auto file = tool.take_wanted_model()) {
+        const OwnModel* own = own_model_named_as(editor.files, *file);
+        editor.files.import(
+            *file, false, [&tool, &session](Id id) { tool.take_up(session, id); },
+            own ? own->name : "");
+    }
     if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.

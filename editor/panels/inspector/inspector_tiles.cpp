@@ -76,6 +76,8 @@ void mix_rows(Editor& editor, const ui::Theme& theme, Id layer, const Tiling& ti
         if (one != ui::Edit::none) edit = one;
         ImGui::PopID();
     };
+    ui::fact_row(theme, "Mixed from", fmt::format("{} objects", mixed.others.size() + 1),
+                 theme.color.text, "each tile is one of them; the numbers say how often");
     weight_row(layer, mixed.weight, 0);
     for (std::size_t i = 0; i < mixed.others.size(); ++i) {
         const Id id = mixed.others[i].object;

@@ -4,11 +4,11 @@
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_names.h"
-#include "editor/words/file_words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -33,23 +33,25 @@ std::vector<const OwnModel*> tile_models()
     return tiles;
 }
 
-// Names what the brush paints with, in its order.
-std::vector<std::string> painted_with(const Editor& editor,
-                                      const std::vector<const OwnModel*>& tiles,
-                                      const std::vector<std::string>& files)
+// Names what the brush paints with, in its order: tiles of the library by their names, other
+// models by their files, and else what is selected.
+std::vector<std::string> painted_with(const Editor& editor, const std::vector<std::string>& files)
 {
     std::vector<std::string> names;
     for (const std::string& file : files) {
-        const auto own = std::ranges::find_if(tiles, [&](const OwnModel* each) {
-            return file_name(file_of(editor.files, *each)) == file_name(file);
-        });
-        names.push_back(own != tiles.end() ? (*own)->name : file_name(file));
+        const OwnModel* own = own_model_named_as(editor.files, file);
+        names.push_back(own ? own->name : std::filesystem::path(file).stem().string());
     }
-    if (names.empty())
-        if (const std::string name = name_of(editor.session.document(), editor.session.selected);
-            !name.empty())
-            names.push_back(name);
+    const std::string selected = name_of(editor.session.document(), editor.session.selected);
+    if (names.empty() && !selected.empty()) names.push_back(selected);
     return names;
+}
+
+// Whether another tile can be added to those that the brush paints with.
+bool takes_another(const Session& session)
+{
+    const auto found = session.document().objects.find(session.selected);
+    return found == session.document().objects.end() || found->second->tiles;
 }
 
 } // namespace
@@ -84,13 +86,13 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
     const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
                            {card.hi.x - theme.px(36), card.lo.y + theme.px(heading)}};
     ui::paint_text(theme.font.strong, head, c.text, "Tiles");
-    const std::vector<std::string> with = painted_with(editor, tiles, *chosen);
+    const std::vector<std::string> with = painted_with(editor, *chosen);
     const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
     const ui::Rect beside = {head.lo + glm::vec2(taken, 0), head.hi};
+    const char* more = takes_another(editor.session) ? "; Shift and a click add another" : "";
     ui::name_text(theme.font.small, beside, with.empty() ? c.text_3 : c.text_2,
-                  with.empty()
-                      ? "Choose one to paint with, or select an object"
-                      : fmt::format("Painting with {}; Shift adds another", fmt::join(with, ", ")));
+                  with.empty() ? "Choose one to paint with, or select an object"
+                               : fmt::format("Painting with {}{}", fmt::join(with, ", "), more));
     if (!there) return card;
     ImGui::SetCursorScreenPos({card.hi.x - theme.px(32), card.lo.y + theme.px(4)});
     if (ui::icon_button(theme, "fold tiles", open ? ui::icon::open : ui::icon::closed,
