@@ -7,10 +7,9 @@ namespace trivar::ui::icon {
 
 inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf01e",
                             *scale = "\uf065", *place = "\uf040", *press = "\uf192",
-                            *tiles = "\uf00a",
-                            *scene = "\uf0e8", *mesh = "\uf1b2", *volume = "\uf1b3",
-                            *camera = "\uf03d", *sliders = "\uf1de", *eye = "\uf06e",
-                            *hidden = "\uf070", *add = "\uf067", *minus = "\uf068",
+                            *tiles = "\uf00a", *scene = "\uf0e8", *mesh = "\uf1b2",
+                            *volume = "\uf1b3", *camera = "\uf03d", *sliders = "\uf1de",
+                            *eye = "\uf06e", *hidden = "\uf070", *add = "\uf067", *minus = "\uf068",
                             *trash = "\uf1f8", *close = "\uf00d", *check = "\uf00c",
                             *search = "\uf002", *open = "\uf107", *closed = "\uf105",
                             *undo = "\uf112", *redo = "\uf064", *history = "\uf1da",

@@ -19,7 +19,8 @@ Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& o
 // mesh is searched once for the samples' places.
 class Carriages {
 public:
-    // Null: the object is attached to nothing that is left. Equal input gives the same pointer, as for a Step.
+    // Null: the object is attached to nothing that is left. Equal input gives the same pointer, as
+    // for a Step.
     Ref<Carriage> operator()(const StepInput& input);
 
 private:

@@ -13,8 +13,8 @@ namespace trivar {
 struct EvaluatedObject : Stage {
     Id id = 0;
     Ref<std::vector<Material>> materials; // the materials that face_material indexes
-    Lazy<Box> bounds;                     // in the world; asking for them deforms the parts, but not tiles
-    std::vector<std::string> clips;       // the names of the clips in its file
+    Lazy<Box> bounds; // in the world; asking for them deforms the parts, but not tiles
+    std::vector<std::string> clips; // the names of the clips in its file
 };
 
 // An Evaluation holds the effects of a document. Objects that did not change keep their pointer.

@@ -12,7 +12,8 @@ namespace trivar {
 // not come down to it.
 std::optional<double> distance_to_ground(const Ray& ray);
 
-// A GroundPlane is the ground as something that strokes fall on. It belongs to no object: its id is 0.
+// A GroundPlane is the ground as something that strokes fall on. It belongs to no object: its id is
+// 0.
 class GroundPlane {
 public:
     GroundPlane();

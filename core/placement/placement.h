@@ -69,7 +69,7 @@ struct PlacementParameters {
     double contact_level = 0; // the w that lies on the scene: 0 the floor of the volume, 1 its roof
     // the model's axis; the model is turned first, then rolled, then reversed
     LengthAxis along = LengthAxis::x;
-    bool sharp = false; // the surface has the creases of the scene under it
+    bool sharp = false;     // the surface has the creases of the scene under it
     bool on_ground = false; // it falls on the ground too, the plane Z 0 of the world
     bool operator==(const PlacementParameters&) const = default;
 };

@@ -16,8 +16,8 @@ struct FollowedView {
 };
 
 // The camera for a window's view of that size: the kept view's in the document; or the given camera
-// where a hand has moved it, and then no view is followed any more. The render camera is followed so
-// that the whole of a picture of `picture_px` is seen; 0: of the shape in which it was kept.
+// where a hand has moved it, and then no view is followed any more. The render camera is followed
+// so that the whole of a picture of `picture_px` is seen; 0: of the shape in which it was kept.
 Camera followed(std::optional<FollowedView>& view, const Document& document, Camera camera,
                 glm::dvec2 size_px, glm::dvec2 picture_px = glm::dvec2(0));
 

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// A SelectTool selects what is under the mouse by a click; Shift or Ctrl click adds or removes it. A
-// drag that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with
+// A SelectTool selects what is under the mouse by a click; Shift or Ctrl click adds or removes it.
+// A drag that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with
 // Shift or Ctrl it adds.
 class SelectTool : public Tool {
 public:

@@ -84,9 +84,8 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
             ui::reshaped(*std::exchange(session.view.go_to, std::nullopt), size_px);
         session.view.follows.reset();
     }
-    session.view.camera =
-        followed(session.view.follows, session.document(), session.view.camera, size_px,
-                 session.view.picture_px);
+    session.view.camera = followed(session.view.follows, session.document(), session.view.camera,
+                                   size_px, session.view.picture_px);
 
     const bool moves_camera = emulates_middle() && !tool.busy();
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {

@@ -82,7 +82,7 @@ public:
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
     const Timings& full_timings() const { return full_timings_; }     // of the last one
     const gpu::Renderer* renderer() const { return renderer_.get(); } // null: nothing was drawn
-    long pictures() const { return pictures_; } // begun so far
+    long pictures() const { return pictures_; }                       // begun so far
     // What the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();
     // Why the present scene has no picture, and the renderer's shader_trouble(), if they changed

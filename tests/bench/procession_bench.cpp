@@ -36,8 +36,7 @@ void procession(benchmark::State& state, bool deformed)
         if (deformed) deform_parts(evaluated);
         vertices = 0;
         meshes = evaluated.objects.at(2)->parts.size();
-        for (const Part& part : evaluated.objects.at(2)->parts)
-            vertices += part.vertex_count();
+        for (const Part& part : evaluated.objects.at(2)->parts) vertices += part.vertex_count();
     };
     show();
     for (auto _ : state) show();

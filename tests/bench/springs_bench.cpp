@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/placement/spring_dynamics.h"
 #include "core/placement/springs.h"
+#include "tests/placement/spring_dynamics.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -32,7 +32,8 @@ TEST(GltfScenes, OfSeveralTheOneToBeShownIsReadAndSaid)
     EXPECT_THAT(model.notices, ElementsAre(HasSubstr("of its 2 scenes only the first was read")));
     EXPECT_EQ(bounding_box(model).size().x, 1);
     text["scene"] = 5;
-    EXPECT_THAT(read_gltf_text(text).notices, ElementsAre(HasSubstr("5, does not exist: the first")));
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(HasSubstr("5, does not exist: the first")));
 }
 
 TEST(GltfScenes, ThatShowNothingLeaveAllNodesToBeRead)

@@ -85,10 +85,7 @@ struct WithModels : testing::Rig {
         wait();
     }
     std::string tool() { return editor.active_tool().name(); }
-    bool is_laid(Id id) const
-    {
-        return object(editor.session.document(), id).stroke.has_value();
-    }
+    bool is_laid(Id id) const { return object(editor.session.document(), id).stroke.has_value(); }
     testing::TemporaryFolder folder;
 };
 

@@ -39,8 +39,7 @@ struct RefinedViews : ::testing::Test {
     std::size_t drawn_vertices()
     {
         std::size_t count = 0;
-        for (const Part& part : view().seen().objects.at(2)->parts)
-            count += part.vertex_count();
+        for (const Part& part : view().seen().objects.at(2)->parts) count += part.vertex_count();
         return count;
     }
 };
