@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/base/box.h"
-#include "core/mesh/clip.h"
+#include "core/mesh/node_parts.h"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace trivar {
@@ -22,8 +21,6 @@ std::vector<std::size_t> chosen_keys(std::size_t count,
 float not_after(double time_s);
 float not_before(double time_s);
 
-// The parts of an affine matrix; empty where parts cannot express it, for example where it shears.
-std::optional<NodeTransform> as_parts(const glm::dmat4& matrix);
 // The mixture of two transforms as a viewer makes it: rotations go the shorter way round.
 NodeTransform between_parts(const NodeTransform& a, const NodeTransform& b, double share);
 
