@@ -36,7 +36,10 @@ struct Mtl {
 Mtl read_mtl(const FileText& file);
 
 // These functions give the bytes of one file of each format.
-std::string write_glb(const Model& model);
+struct GlbOptions {
+    bool instances = false; // equal meshes once, and repeated_nodes() by EXT_mesh_gpu_instancing
+};
+std::string write_glb(const Model& model, GlbOptions options = {});
 struct ObjFiles {
     std::string obj, mtl, mtl_name; // the last one: of the file that the OBJ names
     std::vector<std::pair<std::string, Ref<Image>>> images; // file name to picture

@@ -32,6 +32,33 @@ void GlbAccessors::set_range(const std::vector<glm::vec3>& values)
     json["accessors"].back()["max"] = {plain(hi.x), plain(hi.y), plain(hi.z)};
 }
 
+int GlbAccessors::add_differences(const std::vector<glm::vec3>& values)
+{
+    std::vector<std::uint32_t> where;
+    std::vector<glm::vec3> what;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (values[v] != glm::vec3(0)) {
+            where.push_back(static_cast<std::uint32_t>(v));
+            what.push_back(values[v]);
+        }
+    constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // bytes per difference
+    if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
+        add(values, "VEC3");
+    } else {
+        GlbEntries accessor{{"componentType", float32}, {"count", values.size()}, {"type", "VEC3"}};
+        if (!where.empty()) {
+            const int indices = add_view(where.data(), where.size() * 4, 0);
+            accessor["sparse"] = {
+                {"count", where.size()},
+                {"indices", {{"bufferView", indices}, {"componentType", uint32}}},
+                {"values", {{"bufferView", add_view(what.data(), what.size() * 12, 0)}}}};
+        }
+        json["accessors"].push_back(std::move(accessor));
+    }
+    set_range(values);
+    return static_cast<int>(json["accessors"].size()) - 1;
+}
+
 GlbEntries GlbAccessors::attributes(const Mesh& mesh)
 {
     GlbEntries result;

@@ -42,6 +42,8 @@ struct GlbAccessors {
         json["accessors"].push_back(std::move(accessor));
         return static_cast<int>(json["accessors"].size()) - 1;
     }
+    // Adds the differences of a morph target, sparsely if that is shorter.
+    int add_differences(const std::vector<glm::vec3>& values);
     // Sets the least and the greatest value of the accessor that was added last.
     void set_range(const std::vector<glm::vec3>& values);
     // The attributes of all vertices except joints, weights and targets.

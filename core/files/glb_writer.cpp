@@ -2,7 +2,9 @@
 #include "core/files/formats.h"
 #include "core/files/glb_accessors.h"
 #include "core/files/glb_chunks.h"
+#include "core/files/glb_instances.h"
 #include "core/files/image.h"
+#include "core/files/repeated_nodes.h"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +16,7 @@ using Json = GlbEntries;
 
 class GlbWriter {
 public:
-    explicit GlbWriter(const Model& model) : model_(model) {}
+    GlbWriter(const Model& model, GlbOptions options) : model_(model), options_(options) {}
 
     std::string write()
     {
@@ -26,9 +28,8 @@ public:
         skinned_.resize(model_.meshes.size());
         for (const Node& node : model_.nodes)
             if (node.mesh >= 0 && node.skin >= 0) skinned_[static_cast<std::size_t>(node.mesh)] = 1;
-        std::vector<int> mesh_index;
-        for (std::size_t m = 0; m < model_.meshes.size(); ++m)
-            mesh_index.push_back(write_mesh(*model_.meshes[m], skinned_[m] != 0));
+        number_nodes();
+        const std::vector<int> mesh_index = write_meshes();
         std::vector<int> curves_index;
         for (const Ref<Curves>& curves : model_.curves)
             curves_index.push_back(write_curves(*curves));
@@ -36,11 +37,50 @@ public:
         for (const Skin& skin : model_.skins) write_skin(skin);
         for (const Clip& clip : model_.clips) write_clip(clip);
         if (!model_.extras.empty()) json_["extras"] = Json::parse(model_.extras);
-        if (emissive_strength_) json_["extensionsUsed"] = {"KHR_materials_emissive_strength"};
+        // Without it a viewer would show one tile in place of all.
+        for (const char* list : {"extensionsRequired", "extensionsUsed"})
+            if (!groups_.empty()) json_[list].push_back(instancing);
+        if (emissive_strength_)
+            json_["extensionsUsed"].push_back("KHR_materials_emissive_strength");
         return container();
     }
 
 private:
+    static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
+
+    // Numbers the nodes as the file has them: those of a group are one.
+    void number_nodes()
+    {
+        if (options_.instances) groups_ = repeated_nodes(model_);
+        constexpr std::size_t none = static_cast<std::size_t>(-1);
+        group_of_.assign(model_.nodes.size(), none);
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            for (const int n : groups_[g]) group_of_[static_cast<std::size_t>(n)] = g;
+        for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+            const bool repeats =
+                group_of_[n] != none && static_cast<std::size_t>(groups_[group_of_[n]][0]) != n;
+            number_.push_back(repeats ? none : node_count_++);
+        }
+    }
+    std::size_t number(int node) const { return number_[static_cast<std::size_t>(node)]; }
+    bool repeats(std::size_t node) const { return number_[node] == static_cast<std::size_t>(-1); }
+
+    // Writes the meshes; of equal ones the first where there are instances. Returns where they are.
+    std::vector<int> write_meshes()
+    {
+        std::vector<int> out;
+        std::map<std::pair<const Mesh*, bool>, int> known; // looked up only
+        for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
+            const Ref<Mesh>& mesh = model_.meshes[m];
+            const std::pair key{mesh.get(), skinned_[m] != 0};
+            if (const auto at = known.find(key); options_.instances && at != known.end())
+                out.push_back(at->second);
+            else
+                out.push_back(known[key] = write_mesh(*mesh, key.second));
+        }
+        return out;
+    }
+
     int add_indices(const std::vector<std::uint32_t>& indices)
     {
         const int view =
@@ -52,46 +92,17 @@ private:
         return static_cast<int>(json_["accessors"].size()) - 1;
     }
 
-    // Writes the differences of a morph target, sparsely if that is shorter.
-    int add_differences(const std::vector<glm::vec3>& values)
-    {
-        std::vector<std::uint32_t> where;
-        std::vector<glm::vec3> what;
-        for (std::size_t v = 0; v < values.size(); ++v)
-            if (values[v] != glm::vec3(0)) {
-                where.push_back(static_cast<std::uint32_t>(v));
-                what.push_back(values[v]);
-            }
-        constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // bytes per difference
-        if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
-            out_.add(values, "VEC3");
-        } else {
-            Json accessor{{"componentType", GlbAccessors::float32},
-                          {"count", values.size()},
-                          {"type", "VEC3"}};
-            if (!where.empty()) {
-                const int indices = out_.add_view(where.data(), where.size() * 4, 0);
-                accessor["sparse"] = {
-                    {"count", where.size()},
-                    {"indices", {{"bufferView", indices}, {"componentType", GlbAccessors::uint32}}},
-                    {"values", {{"bufferView", out_.add_view(what.data(), what.size() * 12, 0)}}}};
-            }
-            json_["accessors"].push_back(std::move(accessor));
-        }
-        out_.set_range(values);
-        return static_cast<int>(json_["accessors"].size()) - 1;
-    }
-
     Json targets(const Mesh& mesh)
     {
         Json out = Json::array();
         for (const Mesh::MorphTarget& target : mesh.morph_targets) {
             Json written = Json::object();
-            if (!target.positions.empty()) written["POSITION"] = add_differences(target.positions);
+            if (!target.positions.empty())
+                written["POSITION"] = out_.add_differences(target.positions);
             if (!target.normals.empty() && !mesh.normals.empty())
-                written["NORMAL"] = add_differences(target.normals);
+                written["NORMAL"] = out_.add_differences(target.normals);
             if (!target.tangents.empty() && !mesh.tangents.empty())
-                written["TANGENT"] = add_differences(target.tangents);
+                written["TANGENT"] = out_.add_differences(target.tangents);
             out.push_back(std::move(written));
         }
         return out;
@@ -115,7 +126,8 @@ private:
     void write_skin(const Skin& skin)
     {
         std::vector<glm::mat4> matrices(skin.mesh_to_joint.begin(), skin.mesh_to_joint.end());
-        Json written{{"joints", skin.joints}};
+        Json written{{"joints", Json::array()}};
+        for (const int joint : skin.joints) written["joints"].push_back(number(joint));
         if (!matrices.empty()) written["inverseBindMatrices"] = out_.add(matrices, "MAT4", 0);
         json_["skins"].push_back(std::move(written));
     }
@@ -146,7 +158,7 @@ private:
             json_["accessors"][static_cast<std::size_t>(times)]["max"] = {
                 plain(channel.times_s.back())};
             channels.push_back({{"sampler", samplers.size()},
-                                {"target", {{"node", channel.node}, {"path", paths[of]}}}});
+                                {"target", {{"node", number(channel.node)}, {"path", paths[of]}}}});
             samplers.push_back(
                 {{"input", times},
                  {"output",
@@ -213,6 +225,15 @@ private:
         into["scale"] = {p.scale.x, p.scale.y, p.scale.z};
     }
 
+    void put_instances(Json& into, const glm::dmat4& outside, const std::vector<int>& nodes)
+    {
+        WrittenInstances written = add_instances(out_, model_, nodes);
+        glm::dmat4 to_middle(1);
+        to_middle[3] = glm::dvec4(written.middle, 1);
+        put_matrix(into, outside * to_middle);
+        into["extensions"][instancing]["attributes"] = std::move(written.attributes);
+    }
+
     // Says which nodes a clip moves: they must be written as translation, rotation and scale.
     std::vector<bool> moved_nodes() const
     {
@@ -250,19 +271,22 @@ private:
         const std::vector<bool> moved = moved_nodes(), placeless = placeless_nodes(moved);
         Json nodes = Json::array(), holders = Json::array(), roots = Json::array();
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+            if (repeats(n)) continue;
             const Node& node = model_.nodes[n];
             Json written;
             if (!node.name.empty()) written["name"] = node.name;
             const glm::dmat4 outside = node.parent < 0 ? z_to_y : glm::dmat4(1);
-            std::size_t top = n; // child of the parent
+            std::size_t top = number_[n]; // child of the parent
             if (moved[n]) {
                 put_parts(written, node.rest);
                 if (const glm::dmat4 outer = outside * node.outer; outer != glm::dmat4(1)) {
-                    Json holder{{"children", Json::array({n})}};
+                    Json holder{{"children", Json::array({number_[n]})}};
                     put_matrix(holder, outer);
-                    top = model_.nodes.size() + holders.size();
+                    top = node_count_ + holders.size();
                     holders.push_back(std::move(holder));
                 }
+            } else if (group_of_[n] < groups_.size()) {
+                put_instances(written, outside, groups_[group_of_[n]]);
             } else if (!placeless[n]) {
                 put_matrix(written, outside * node.to_parent);
             }
@@ -284,7 +308,7 @@ private:
             if (curves >= 0) name_mesh(curves, node.name);
             if (curves >= 0 && mesh < 0) written["mesh"] = curves;
             if (curves >= 0 && mesh >= 0) { // a node shows one mesh, which may have targets
-                written["children"] = Json::array({model_.nodes.size() + holders.size()});
+                written["children"] = Json::array({node_count_ + holders.size()});
                 Json child{{"mesh", curves}};
                 if (!node.name.empty()) child["name"] = node.name;
                 holders.push_back(std::move(child));
@@ -294,7 +318,7 @@ private:
             if (node.parent < 0 || placeless[n])
                 roots.push_back(top);
             else
-                nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(top);
+                nodes[number(node.parent)]["children"].push_back(top);
         }
         if (nodes.empty()) return;
         for (Json& holder : holders) nodes.push_back(std::move(holder));
@@ -386,6 +410,11 @@ private:
     }
 
     const Model& model_;
+    GlbOptions options_;
+    std::vector<std::vector<int>> groups_; // nodes that are written as instances
+    // By node: its group, and its number in the file; none: another one of its group has it.
+    std::vector<std::size_t> group_of_, number_;
+    std::size_t node_count_ = 0; // in the file, before the holders
     GlbAccessors out_;
     Json& json_ = out_.json;
     std::string& binary_ = out_.binary;
@@ -397,9 +426,9 @@ private:
 
 } // namespace
 
-std::string write_glb(const Model& model)
+std::string write_glb(const Model& model, GlbOptions options)
 {
-    return GlbWriter(model).write();
+    return GlbWriter(model, options).write();
 }
 
 } // namespace trivar

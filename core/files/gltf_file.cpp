@@ -20,9 +20,9 @@ using GltfJson = nlohmann::json;
 
 constexpr std::uintmax_t max_side_file_bytes = std::uintmax_t{2} << 30;
 
-constexpr std::array<std::string_view, 4> supported_extensions{
+constexpr std::array<std::string_view, 5> supported_extensions{
     "KHR_mesh_quantization", "KHR_materials_emissive_strength", "KHR_texture_transform",
-    "EXT_texture_webp"};
+    "EXT_texture_webp", "EXT_mesh_gpu_instancing"};
 
 // Returns the memory limit of a file: 256 MB, plus 32 bytes per byte of the file.
 std::size_t memory_for(std::size_t file_bytes)

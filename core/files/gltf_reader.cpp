@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/files/gltf_clips.h"
+#include "core/files/gltf_instances.h"
 #include "core/files/gltf_materials.h"
 #include "core/files/gltf_mesh.h"
 #include "core/files/gltf_nodes.h"
@@ -79,12 +80,14 @@ Model read_gltf(const FileText& text, bool binary, const Progress& progress)
     GltfAccessors accessors(file);
     Model model;
     GltfNodes nodes = gltf_nodes(file, notices);
+    const std::size_t instances = add_gltf_instances(nodes, accessors, notices);
     model.nodes = std::move(nodes.nodes);
     report(progress, 0.2, "Reading materials");
     model.materials = gltf_materials(file, notices);
     CountedNotices of_meshes;
     GltfMeshes meshes(accessors, of_meshes);
     add_named_meshes(model, meshes, file, of_meshes, progress);
+    check_instances(model, instances, file.name());
     check_for_faces(model, file, of_meshes.sentences(file.name()));
     if (meshes.uses_plain_material() || model.materials.empty()) model.materials.emplace_back();
     add_gltf_skins(model, accessors, nodes.node_of, notices);

@@ -6,7 +6,6 @@
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
-#include "core/files/formats.h"
 #include "core/files/image.h"
 #include "core/files/writable.h"
 #include "core/mesh/extent.h"
@@ -82,7 +81,8 @@ std::string curves_left_out(const Model& model, const std::string& path)
                        extension_of(path), counted(lines, "line was", "lines were"));
 }
 
-void write_model(const Model& model, const std::string& path, const SourceFiles& sources)
+void write_model(const Model& model, const std::string& path, const SourceFiles& sources,
+                 GlbOptions glb)
 {
     check_model_name(path);
     sources.check(path);
@@ -91,7 +91,7 @@ void write_model(const Model& model, const std::string& path, const SourceFiles&
     check_writable(model, path);
     const std::string extension = extension_of(path);
     if (extension == ".glb")
-        write_bytes(path, write_glb(model));
+        write_bytes(path, write_glb(model, glb));
     else if (extension == ".obj")
         write_obj_files(model, path, sources);
     else if (extension == ".ply")

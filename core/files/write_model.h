@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/formats.h"
 #include "core/files/source_files.h"
 #include "core/mesh/model.h"
 
@@ -16,7 +17,8 @@ namespace trivar {
 // STL triangles. Throws Rejected, before anything is written where the model has nothing of what
 // the format can hold or is too large to be worked with, and where one of its files would take the
 // place of one of the sources.
-void write_model(const Model& model, const std::string& path, const SourceFiles& sources = {});
+void write_model(const Model& model, const std::string& path, const SourceFiles& sources = {},
+                 GlbOptions glb = {});
 
 // That a file that is named so has not the curves of the model; empty: it has all.
 std::string curves_left_out(const Model& model, const std::string& path);
