@@ -102,16 +102,17 @@ std::string to_json(const Certificate& c)
     CertificateJson not_laid = CertificateJson::array();
     for (const Certificate::UnlaidObject& n : c.not_laid)
         not_laid.push_back({{"object", n.object}, {"name", n.name}, {"why", n.why}});
-    const CertificateJson all{{"version", certificate_version},
-                              {"tolerance_m", c.tolerance},
-                              {"bound_m", finite_or_null(c.bound)},
-                              {"frame", c.frame},
-                              {"log", c.log},
-                              {"lines", c.lines},
-                              {"scene", c.scene},
-                              {"result", c.result},
-                              {"parts", std::move(parts)},
-                              {"not_laid", std::move(not_laid)}};
+    CertificateJson all{{"version", certificate_version},
+                        {"tolerance_m", c.tolerance},
+                        {"bound_m", finite_or_null(c.bound)},
+                        {"frame", c.frame},
+                        {"log", c.log},
+                        {"lines", c.lines},
+                        {"scene", c.scene},
+                        {"result", c.result},
+                        {"parts", std::move(parts)},
+                        {"not_laid", std::move(not_laid)}};
+    if (c.instances) all["instances_m"] = *c.instances;
     return CertificateJson{{"trivar_certificate", all}}.dump(
         -1, ' ', false, CertificateJson::error_handler_t::replace);
 }
@@ -131,6 +132,10 @@ Certificate certificate_from_json(const std::string& text)
         out.lines = all.contains("lines") ? whole_number<int>(all.at("lines")) : 0;
         if (out.lines < 0 || !(out.tolerance >= 0))
             throw Rejected("its certificate has a number below 0 where only 0 or more is possible");
+        if (all.contains("instances_m")) out.instances = all.at("instances_m").get<double>();
+        if (out.instances && !(*out.instances > 0))
+            throw Rejected("its certificate says that tiles are instances within a distance that "
+                           "is not possible");
         out.scene = all.at("scene").get<std::string>();
         out.result = all.at("result").get<std::string>();
         for (const CertificateJson& p : all.at("parts"))

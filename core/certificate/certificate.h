@@ -16,6 +16,8 @@ struct Certificate {
     int lines = 0;      // number of lines of the log that were applied; 0: all
     std::string scene;  // digest of the document
     std::string result; // digest of all deformed positions
+    // Within which tiles were written as instances, metres; none: nothing was.
+    std::optional<double> instances = {};
     struct PartClaim {
         Id object = 0;
         int part = 0; // of the object

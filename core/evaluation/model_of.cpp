@@ -38,6 +38,7 @@ Model model_of(const Evaluation& evaluated, const Document& document)
 {
     Model model;
     std::map<Ref<std::vector<Material>>, std::uint32_t> first_of;
+    std::map<std::pair<Ref<Mesh>, std::uint32_t>, Ref<Mesh>> moved; // copies share their mesh
     std::map<Id, int> groups;
     for (const auto& [id, ref] : evaluated.objects) {
         const auto [first, fresh] = first_of.try_emplace(
@@ -53,7 +54,9 @@ Model model_of(const Evaluation& evaluated, const Document& document)
                                    .parent = parent,
                                    .to_parent = part.to_world,
                                    .mesh = static_cast<int>(model.meshes.size())});
-            model.meshes.push_back(with_materials_from(part.mesh(), first->second));
+            Ref<Mesh>& mesh = moved[{part.mesh(), first->second}];
+            if (!mesh) mesh = with_materials_from(part.mesh(), first->second);
+            model.meshes.push_back(mesh);
         }
     }
     for (const auto& [id, ref] : evaluated.objects)

@@ -68,7 +68,10 @@ AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& a
         throw Rejected(path + ": there are no faces to write, so nothing is written");
     const Progress writing = part_of(progress, 0.2, 1);
     if (usd) {
-        write_usda(film, curves, per_second, path, writing);
+        InstancedFilm shown{film.strips, {}, {}, {}};
+        if (scene.instances) shown = instanced(film, scene.tolerance, part_of(progress, 0.2, 0.3));
+        out.tiles = sentences(shown.counts, scene.tolerance);
+        write_usda(film, shown, curves, per_second, path, writing);
         return out;
     }
     out.files =

@@ -18,13 +18,14 @@ struct AnimatedFile {
     std::vector<std::string> files;
     int frames = 0;
     std::optional<FilmCertificate> certificate;
+    std::vector<std::string> tiles; // what became of each layer of tiles, if there are instances
     std::vector<std::string> lacks; // what the scene lacks at some moment
     std::string left_out;           // a sentence on what the format cannot hold; empty: nothing
 };
 
 // Writes the frames of a scene to a file, or several, each completely or not at all. The tolerance
-// is for a .glb. No output replaces one of the sources. Throws Rejected, also where nothing is
-// visible, and Cancelled.
+// is for a .glb, and for instances in a .usda. No output replaces one of the sources. Throws
+// Rejected, also where nothing is visible, and Cancelled.
 AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                             const std::string& path, const Progress& progress = {},
                             const SourceFiles& sources = {});

@@ -14,6 +14,7 @@ struct AnimatedScene {
     double tolerance = default_tolerance; // metres
     std::string log;                      // the scene's file; empty: the scene has no name
     bool whole = false;                   // a scene that lacks something throws IncompleteScene
+    bool instances = false;               // of tiles and copies, in a .usda
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

@@ -4,6 +4,7 @@
 #include "core/base/finite.h"
 #include "core/commands/refine.h"
 #include "core/document/document_digest.h"
+#include "core/files/repeated_nodes.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -38,7 +39,6 @@ Certificate certificate_of(const Document& document, const Document& shown,
 {
     Certificate out;
     out.scene = digest(document);
-    out.result = digest(evaluated);
     int mesh = 0; // model_of() makes one mesh per part, in this order
     for (const auto& [id, ref] : evaluated.objects) {
         const Object& source = object(shown, id);
@@ -96,15 +96,24 @@ Document refined_to(Document document, double tolerance)
 
 Export export_of(const Evaluation& evaluated, const ExportedScene& scene)
 {
-    Export out{model_of(evaluated, scene.document), {}};
+    Export out;
+    RigidScene written{evaluated, {}};
+    if (scene.instances) {
+        written = with_rigid_tiles(evaluated, scene.document, *scene.instances);
+        out.tiles = std::move(written.counts);
+    }
+    out.model = model_of(written.evaluated, scene.document);
+    if (scene.instances) out.model = with_repeated_last(std::move(out.model));
     const bool refining = std::ranges::any_of(evaluated.objects, [&](const auto& each) {
         return object(scene.document, each.first).refining.has_value();
     });
     if (!refining && !(scene.tolerance > 0)) return out;
     const Document shown =
         scene.tolerance > 0 ? refined_to(scene.document, scene.tolerance) : scene.document;
-    Certificate certificate = certificate_of(scene.document, shown, evaluated, out.model);
+    Certificate certificate = certificate_of(scene.document, shown, written.evaluated, out.model);
+    certificate.result = digest(evaluated);
     certificate.tolerance = scene.tolerance;
+    certificate.instances = scene.instances;
     certificate.frame = scene.frame;
     certificate.lines = scene.lines;
     certificate.log = std::filesystem::path(scene.log).filename().string();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/certificate/certificate.h"
+#include "core/export/rigid_tiles.h"
 
 namespace trivar {
 
@@ -16,12 +17,16 @@ struct ExportedScene {
     double frame = 1;
     std::string log; // the scene's file; empty: the scene has no name
     int lines = 0;   // of the log, as in Certificate
+    // Within which a tile counts as a copy of its unit cell, metres; then what is repeated are
+    // nodes with the same mesh, for GlbOptions::instances. None: tiles are one mesh per layer.
+    std::optional<double> instances = {};
 };
 // An Export is what is exported and what is claimed of it, also in the model's extras. There are
 // claims where something is refined, or a tolerance was asked for.
 struct Export {
     Model model;
     std::optional<Certificate> certificate;
+    std::vector<RigidCount> tiles; // of layers, if instances were asked for
 };
 // `evaluated` must come from the document, or from refined_to() of it where there is a tolerance.
 Export export_of(const Evaluation& evaluated, const ExportedScene& scene);

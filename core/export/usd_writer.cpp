@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/usd_writer.h"
 
+#include "core/base/text.h"
 #include "core/export/usd_curves.h"
 #include "core/export/usd_text.h"
 #include "core/files/growing_file.h"
@@ -31,20 +32,23 @@ std::string usd_material(const Material& m, std::size_t number)
 
 class UsdStrip {
 public:
-    UsdStrip(const Film& film, const FilmStrip& strip, GrowingFile& file)
+    // The margin is that of the prim's first line.
+    UsdStrip(const Film& film, const FilmStrip& strip, GrowingFile& file,
+             const std::string& margin = "    ")
         : film_(film),
           strip_(strip),
-          file_(file)
+          file_(file),
+          margin_(margin)
     {
     }
 
-    void write(std::size_t number, std::size_t first_material, const Progress& progress)
+    void write(const std::string& name, std::size_t first_material, const Progress& progress)
     {
         const Mesh& mesh = *strip_.first().rest;
-        file_.append(fmt::format("    def Mesh \"{}\" (\n"
-                                 "        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n"
-                                 "    {{\n        uniform token subdivisionScheme = \"none\"\n",
-                                 usd_name(strip_.name, number)));
+        file_.append(fmt::format("{0}def Mesh \"{1}\" (\n"
+                                 "{0}    prepend apiSchemas = [\"MaterialBindingAPI\"]\n{0})\n"
+                                 "{0}{{\n{0}    uniform token subdivisionScheme = \"none\"\n",
+                                 margin_, name));
         std::vector<std::uint32_t> counts;
         for (std::size_t f = 0; f < mesh.face_count(); ++f)
             counts.push_back(mesh.face_begin[f + 1] - mesh.face_begin[f]);
@@ -59,11 +63,11 @@ public:
             write_matrices();
         write_visibility();
         write_materials(mesh, first_material);
-        file_.append("    }\n");
+        file_.append(margin_ + "}\n");
     }
 
 private:
-    void line(const std::string& text) { file_.append("        " + text + "\n"); }
+    void line(const std::string& text) { file_.append(margin_ + "    " + text + "\n"); }
     std::string frame(std::size_t moment) const { return usd_time(film_, moment); }
 
     void write_points(const Progress& progress)
@@ -140,23 +144,24 @@ private:
         line("uniform token subsetFamily:materialBind:familyType = \"partition\"");
         for (const auto& [material, of_it] : faces)
             file_.append(fmt::format(
-                "        def GeomSubset \"Subset_{}\" (\n"
-                "            prepend apiSchemas = [\"MaterialBindingAPI\"]\n        )\n        {{\n"
-                "            uniform token elementType = \"face\"\n"
-                "            uniform token familyName = \"materialBind\"\n"
-                "            int[] indices = {}\n            {}\n        }}\n",
-                material, usd_list(of_it), bound(material)));
+                "{0}    def GeomSubset \"Subset_{1}\" (\n"
+                "{0}        prepend apiSchemas = [\"MaterialBindingAPI\"]\n{0}    )\n{0}    {{\n"
+                "{0}        uniform token elementType = \"face\"\n"
+                "{0}        uniform token familyName = \"materialBind\"\n"
+                "{0}        int[] indices = {2}\n{0}        {3}\n{0}    }}\n",
+                margin_, material, usd_list(of_it), bound(material)));
     }
 
     const Film& film_;
     const FilmStrip& strip_;
     GrowingFile& file_;
+    std::string margin_;
 };
 
 } // namespace
 
-void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double frames_per_second,
-                const std::string& path, const Progress& progress)
+void write_usda(const Film& film, const InstancedFilm& shown, const std::vector<CurveStrip>& curves,
+                double frames_per_second, const std::string& path, const Progress& progress)
 {
     GrowingFile file(path);
     file.append(fmt::format("#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    upAxis = \"Z\"\n"
@@ -172,17 +177,25 @@ void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double 
         if (!first_of.try_emplace(own, materials).second) return;
         for (const Material& material : *own) file.append(usd_material(material, materials++));
     };
-    for (const FilmStrip& strip : film.strips) add_materials(strip.materials);
+    for (const FilmStrip& strip : shown.strips) add_materials(strip.materials);
+    for (const UsdInstancer& each : shown.instancers) add_materials(each.mesh.materials);
     for (const CurveStrip& strip : curves) add_materials(strip.materials);
     file.append("    }\n");
-    for (std::size_t s = 0; s < film.strips.size(); ++s) {
-        const auto count = static_cast<double>(film.strips.size());
-        const auto done = static_cast<double>(s);
-        UsdStrip(film, film.strips[s], file)
-            .write(s, first_of.at(film.strips[s].materials),
+    std::size_t number = 0;
+    const auto count = static_cast<double>(shown.strips.size());
+    for (const FilmStrip& strip : shown.strips) {
+        const auto done = static_cast<double>(number);
+        UsdStrip(film, strip, file)
+            .write(usd_name(strip.name, number++), first_of.at(strip.materials),
                    part_of(progress, done / count, (done + 1) / count));
     }
-    std::size_t number = film.strips.size();
+    for (const UsdInstancer& each : shown.instancers) {
+        const std::string name = usd_name(each.mesh.name, number++);
+        begin_instancer(file, film, each, name);
+        UsdStrip(film, each.mesh, file, "        ")
+            .write(name, first_of.at(each.mesh.materials), {});
+        file.append("    }\n");
+    }
     for (const CurveStrip& strip : curves)
         number = add_usd_curves(file, film, strip, number, first_of.at(strip.materials));
     file.append("}\n");

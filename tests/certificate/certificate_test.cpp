@@ -13,9 +13,10 @@ TEST(Certificates, ComeBackFromTheirJson)
 {
     const Document document = testing::small_document();
     Evaluator evaluator(std::make_shared<const AssetStore>("/nowhere"));
-    const auto [model, certificate] = export_of(evaluator(refined_to(document, 1e-3), 1),
-                                                {document, 1e-3, 1, "here/pot.trivar", 7});
+    const auto [model, certificate, tiles] = export_of(evaluator(refined_to(document, 1e-3), 1),
+                                                       {document, 1e-3, 1, "here/pot.trivar", 7});
     ASSERT_TRUE(certificate);
+    EXPECT_TRUE(tiles.empty());
     Certificate c = *certificate;
     EXPECT_EQ(to_json(c), model.extras);
     EXPECT_EQ(c.log, "pot.trivar");
@@ -23,6 +24,7 @@ TEST(Certificates, ComeBackFromTheirJson)
     c.not_laid = {{9, "Snake", "its file is missing"}};
     EXPECT_EQ(not_certified(c), std::vector<std::string>{"Snake is not certified: it does not lie "
                                                          "where it should: its file is missing"});
+    c.instances = 0.002;
     const std::string text = to_json(c);
     EXPECT_EQ(to_json(certificate_from_json(text)), text);
     ASSERT_FALSE(c.parts.empty());
