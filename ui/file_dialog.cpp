@@ -202,8 +202,10 @@ void FileDialog::move_focus()
 {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) focus_ = Focus::field;
     if (ImGui::IsKeyPressed(key_tab, false)) {
-        const int on = ImGui::GetIO().KeyShift ? 2 : 1;
-        focus_ = static_cast<Focus>((static_cast<int>(focus_) + on) % 3);
+        const int on = ImGui::GetIO().KeyShift ? 3 : 1;
+        const auto next = [&] { focus_ = static_cast<Focus>((static_cast<int>(focus_) + on) % 4); };
+        next();
+        if (focus_ == Focus::option && request_.option.empty()) next();
         just_opened_ = just_opened_ || focus_ == Focus::field; // the keyboard goes there
     }
     // ImGui's own way of going on by Tab knows fields only.
@@ -262,14 +264,25 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     const float bottom = rect.hi.y - theme.px(20) - theme.px(32);
     const bool enter_key =
         ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
+    const auto ring = [&](const Rect& r) {
+        paint_rim(r.grown(theme.px(2)), theme.color.focus, theme.size.rounding + theme.px(2),
+                  1.5f * theme.scale);
+    };
+    if (!request_.option.empty()) {
+        const float x = rect.lo.x + pad, row = bottom + theme.px(4);
+        at(x, row);
+        check_box(theme, "option", request_.option_on, request_.option);
+        if (focus_ == Focus::option) {
+            ring(rect_at({x, row + theme.px(4)}, glm::vec2(theme.px(16))));
+            if (ImGui::IsKeyPressed(key_space, false)) request_.option_on = !request_.option_on;
+        }
+    }
     // A button, with a ring where it has the keyboard; then Enter and the space bar press it.
     const auto walked = [&](float x, const std::string& words, ButtonKind kind, Focus mine) {
         at(x, bottom);
         const bool pressed = button(theme, words, kind);
         if (focus_ != mine) return pressed;
-        const Rect r = rect_at({x, bottom}, {button_width(theme, words), theme.px(32)});
-        paint_rim(r.grown(theme.px(2)), theme.color.focus, theme.size.rounding + theme.px(2),
-                  1.5f * theme.scale);
+        ring(rect_at({x, bottom}, {button_width(theme, words), theme.px(32)}));
         return pressed || enter_key || ImGui::IsKeyPressed(key_space, false);
     };
     const bool pressed = walked(rect.hi.x - pad - ok, action,

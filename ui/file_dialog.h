@@ -19,6 +19,8 @@ struct FileRequest {
     bool saving = false; // a new name may be typed; it gets the first extension where it has none
     bool folder = false; // with saving: a folder is chosen, which need not exist
     std::string name;    // suggested
+    std::string option = {}; // of a check box at the foot; empty: none
+    bool option_on = false;  // at first
 };
 
 // A FileDialog browses folders inside the window: click and double click, arrows, Enter, Backspace
@@ -28,6 +30,7 @@ class FileDialog {
 public:
     void open(FileRequest request, const std::filesystem::path& start = {});
     bool is_open() const { return open_; }
+    bool option_on() const { return request_.option_on; } // of the last request
     // Opens the dialog again as it was, with what was typed, and says why that could not be done.
     void ask_again(std::string problem);
     // Draws the dialog if it is open; returns the chosen path in the frame in which it was chosen.
@@ -43,7 +46,8 @@ private:
     std::filesystem::path absolute(const std::string& typed) const;
     std::filesystem::path with_extension(std::filesystem::path path) const; // where it has none
 
-    enum class Focus { field, cancel, agree }; // what has the keyboard, in the order of Tab
+    // What has the keyboard, in the order of Tab.
+    enum class Focus { field, option, cancel, agree };
     Focus focus_ = Focus::field;
     bool open_ = false, just_opened_ = false;
     FileRequest request_;

@@ -149,11 +149,14 @@ CLI::App* add_export(CLI::App& app, ExportOptions& o)
     verb->add_option("--to", o.to, "a .glb, .usda, .pc2 or .mdd")->required()->type_name("OUT");
     verb->add_option("--frames", o.frames, "frames A to B; by default all frames of the scene")
         ->type_name("A:B");
-    verb->add_option(
-            "--epsilon", o.epsilon,
-            "how far a .glb may be from the scene at any time, in metres; 0.001 by\ndefault")
+    verb->add_option("--epsilon", o.epsilon,
+                     "how far a .glb, or a tile that --instances unbends, may be from the scene at "
+                     "any\ntime, in metres; 0.001 by default")
         ->type_name("E")
         ->check(not_empty);
+    verb->add_flag("--instances", o.instances,
+                   "in a .usda, write every tile type and every copied mesh once, with "
+                   "point\ninstancers");
     add_threads(*verb, o.threads);
     return verb;
 }
@@ -171,6 +174,7 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay ants.trivar --frame 48 --image ants_048.png\n"
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
         "  trivar replay snake.trivar --epsilon 0.001 --export snake.glb\n"
+        "  trivar replay dragon.trivar --instances --export dragon.glb\n"
         "  trivar replay snake.trivar --check          # status 3 if a digest differs\n\n"
         "Every file is complete or not written at all. Ctrl C ends it with status 130.");
     add_scene(*replay, o.scene);
@@ -184,6 +188,9 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->check(not_empty);
     replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
         ->type_name("OUT");
+    replay->add_flag("--instances", o.instances,
+                     "in a .glb, write every tile type and every copied mesh once, with instances: "
+                     "tiles\nunbent where that moves them by at most --epsilon, or 0.001 metres");
     replay->add_option("--image", o.image, "draw a picture (.png, .jpg, .exr ...)")
         ->type_name("OUT");
     add_drawing(*replay, o.drawing);

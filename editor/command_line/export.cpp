@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/certificate/certificate.h"
 #include "core/export/animated_files.h"
+#include "core/files/file_bytes.h"
 #include "editor/command_line/drawing.h"
 
 #include <cmath>
@@ -23,6 +24,7 @@ void say(const std::vector<std::string>& sentences, const Streams& streams)
 Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
 {
     say(written.lacks, streams);
+    say(written.tiles, streams);
     if (!written.left_out.empty()) say({written.left_out}, streams);
     for (const std::string& path : written.files)
         streams.talk << fmt::format("trivar: {}: {}\n", path,
@@ -46,6 +48,9 @@ Status run_export(const ExportOptions& options, const Streams& streams)
     check_written({options.to});
     if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
+    if (options.instances && extension_of(options.to) != ".usda")
+        throw WrongUsage("--instances: of animated files only a .usda has instances; trivar replay "
+                         "--instances writes one frame as a .glb with instances");
     constexpr Time any{.first_frame = std::numeric_limits<int>::min(),
                        .last_frame = std::numeric_limits<int>::max()};
     option_value([&] { return frame_range(options.frames, any); });
@@ -55,9 +60,12 @@ Status run_export(const ExportOptions& options, const Streams& streams)
     History history;
     for (const LogLine& line : log.lines) apply(history, line, log.name);
     check_relinked(options.scene, history.document());
-    AnimatedScene scene{history.document(), frame_range(options.frames, history.document().time),
-                        options.epsilon.value_or(default_tolerance), options.scene.path,
-                        !options.scene.keep_going};
+    AnimatedScene scene{history.document(),
+                        frame_range(options.frames, history.document().time),
+                        options.epsilon.value_or(default_tolerance),
+                        options.scene.path,
+                        !options.scene.keep_going,
+                        options.instances};
     const Ref<AssetStore> assets = asset_store(options.scene);
     const SourceFiles sources = kept_sources(options.scene, scene.document, *assets);
     try {

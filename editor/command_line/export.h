@@ -11,7 +11,8 @@ struct ExportOptions {
     SceneLog scene;
     std::string to;                // .glb, .pc2, .mdd or .usda
     std::string frames;            // A:B; empty: all of the scene's
-    std::optional<double> epsilon; // metres; of a .glb
+    std::optional<double> epsilon; // metres; of a .glb, or of instances
+    bool instances = false;        // in a .usda
     int threads = 0;               // 0: as many as there are
 };
 

@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
+#include "core/export/animated_model.h"
 #include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
@@ -207,20 +208,40 @@ bool certified(const Export& result, const ReplayOptions& options, const Streams
     return open.empty();
 }
 
+bool is_no_glb(const std::string& path)
+{
+    return extension_of(path) != ".glb";
+}
+
+Export exported(const ReplayOptions& options, const ReplayResult& replayed,
+                std::optional<double> instances)
+{
+    return export_of(replayed.evaluated, {replayed.document, options.epsilon.value_or(0),
+                                          frame_of(options, replayed.document), options.scene.path,
+                                          options.to, instances});
+}
+
 // All that is to be written, one file after another.
 Status write_all(const ReplayOptions& options, ReplayResult& replayed, const Streams& streams,
                  const Interrupts& interrupts)
 {
-    Export result;
-    if (!options.exports.empty() || options.epsilon)
-        result = export_of(replayed.evaluated,
-                           {replayed.document, options.epsilon.value_or(0),
-                            frame_of(options, replayed.document), options.scene.path, options.to});
+    Export result, by_instances;
+    const bool plain = !options.instances || std::ranges::any_of(options.exports, is_no_glb);
+    if (plain && (options.epsilon || !options.exports.empty()))
+        result = exported(options, replayed, {});
+    if (options.instances)
+        by_instances = exported(options, replayed, options.epsilon.value_or(default_tolerance));
     for (const std::string& path : options.exports) {
         go_on(interrupts);
+        const bool instances = options.instances && !is_no_glb(path);
+        const Export& written = instances ? by_instances : result;
         timed(replayed.timings, "export",
-              [&] { write_model(result.model, path, replayed.sources); });
-        if (const std::string words = curves_left_out(result.model, path); !words.empty())
+              [&] { write_model(written.model, path, replayed.sources, {instances}); });
+        if (instances)
+            for (const std::string& words :
+                 sentences(written.tiles, options.epsilon.value_or(default_tolerance)))
+                streams.talk << "trivar: " << path << ": " << words << "\n";
+        if (const std::string words = curves_left_out(written.model, path); !words.empty())
             streams.talk << "trivar: " << path << ": " << words << "\n";
     }
     go_on(interrupts);
@@ -229,7 +250,8 @@ Status write_all(const ReplayOptions& options, ReplayResult& replayed, const Str
     if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
     if (options.digest)
         streams.out << trivar::check_line(digest(replayed.document), digest(replayed.evaluated));
-    if (options.epsilon && !certified(result, options, streams)) return Status::check_failed;
+    if (options.epsilon && !certified(plain ? result : by_instances, options, streams))
+        return Status::check_failed;
     return replayed.same ? Status::done : Status::check_failed;
 }
 
@@ -242,6 +264,8 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
     relinked_files(options.scene.relinked);
     if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
+    if (options.instances && std::ranges::all_of(options.exports, is_no_glb))
+        throw WrongUsage("--instances: only a .glb has instances; name one with --export");
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
     check_written(options.exports);

@@ -14,6 +14,7 @@ struct ReplayOptions {
     std::optional<int> frame;      // nothing: the first
     std::optional<double> epsilon; // metres; nothing: what the scene says
     std::vector<std::string> exports;
+    bool instances = false; // in a .glb, tiles within epsilon, or default_tolerance
     std::string image;
     DrawingOptions drawing;
     bool check = false, digest = false;

@@ -96,9 +96,10 @@ private:
         evaluated_ =
             evaluator(claims_.tolerance > 0 ? refined_to(document, claims_.tolerance) : document,
                       claims_.frame);
-        Export again = export_of(evaluated_, {document, claims_.tolerance, claims_.frame, {}, 0});
+        Export again = export_of(
+            evaluated_, {document, claims_.tolerance, claims_.frame, {}, 0, claims_.instances});
         given_ = again.certificate.value_or(Certificate{}); // none where nothing is refined
-        plain_ = write_glb(again.model);
+        plain_ = write_glb(again.model, {.instances = claims_.instances.has_value()});
         if (given_.result != claims_.result)
             wrong("the scene gives another result here than the one that was exported; a file "
                   "that it uses may have changed");

@@ -92,7 +92,8 @@ ExportWish wish_of(const ExportPlan& plan, const Session& session)
         .scene = {.document = document,
                   .frames = frame_range(fmt::format("{}:{}", plan.first, plan.last), document.time),
                   .tolerance = plan.tolerance,
-                  .log = scene.path().empty() ? scene.original() : scene.path()},
+                  .log = scene.path().empty() ? scene.original() : scene.path(),
+                  .instances = plan.instances && extension_of(path) == ".usda"},
         .assets = session.assets(),
         .path = path};
 }
@@ -109,8 +110,11 @@ ExportOutlook outlook_of(const ExportPlan& plan, const ExportWish& wish)
                                 "{0}.OBJECT.obj, its mesh.",
                                 stem, ending, all);
     else if (extension_of(wish.path) == ".usda")
-        out.words = fmt::format("{}{}, {}: the positions of all points in each, and colours.", stem,
-                                ending, all);
+        out.words = fmt::format("{}{}, {}: the positions of all points in each, and colours.{}",
+                                stem, ending, all,
+                                wish.scene.instances ? " Tiles within the tolerance are instances "
+                                                       "of one unbent mesh."
+                                                     : "");
     else
         out.words = fmt::format("{}{}, {} as one clip, with materials and pictures. Certified "
                                 "within the tolerance at all times; exceptions are reported.",

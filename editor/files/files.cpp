@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/collect.h"
+#include "core/export/animated_model.h"
 #include "core/export/still_export.h"
 #include "core/files/copies.h"
 #include "core/files/file_bytes.h"
@@ -182,11 +183,14 @@ void Files::ask_export(const std::string& path)
 {
     const std::string name =
         path.empty() ? stem_of(session_->scene()) + export_extensions().front() : path;
-    ask_for_file(Purpose::write_model, {.title = "Export visible objects",
-                                        .action = "Export",
-                                        .extensions = export_extensions(),
-                                        .saving = true,
-                                        .name = name});
+    ask_for_file(Purpose::write_model,
+                 {.title = "Export visible objects",
+                  .action = "Export",
+                  .extensions = export_extensions(),
+                  .saving = true,
+                  .name = name,
+                  .option = has_tiles(session_->committed()) ? tiles_as_instances : std::string(),
+                  .option_on = has_tiles(session_->committed()) && dialog_.option_on()});
 }
 
 void Files::save()
@@ -310,14 +314,16 @@ void Files::write_scene(const std::string& path, bool compact, bool from_dialog)
     if (const auto go_on = std::exchange(after_save_, nullptr)) go_on();
 }
 
-void Files::write_model_to(const std::string& path)
+void Files::write_model_to(const std::string& path, bool instances)
 {
+    const bool by_instances = instances && extension_of(path) == ".glb";
     const SceneFile& scene = session_->scene();
     const ExportedScene exported{
         .document = session_->committed(),
         .frame = static_cast<double>(session_->frame()),
         .log = scene.path().empty() ? scene.original() : scene.path(),
         .lines = static_cast<int>(scene.lines().size()),
+        .instances = by_instances ? std::optional(default_tolerance) : std::nullopt,
     };
     // What is seen, if that is what the file of the scene says.
     std::optional<Evaluation> seen;
@@ -325,20 +331,25 @@ void Files::write_model_to(const std::string& path)
         seen = session_->evaluated();
     session_->jobs().start(
         {"Writing " + file_name(path),
-         [this, path, exported, seen,
+         [this, path, exported, seen, instances,
           assets = session_->assets()](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "gathering");
              const Evaluation evaluated =
                  seen ? *seen : Evaluator(assets)(exported.document, exported.frame, progress);
              const Export result = export_of(evaluated, exported);
              report(progress, 0.3, "writing");
-             write_model(result.model, path,
-                         source_files(exported.document, *assets, exported.log));
+             write_model(result.model, path, source_files(exported.document, *assets, exported.log),
+                         {exported.instances.has_value()});
              ExportWords words = words_of_export(path, exported.log, result.certificate);
              if (const std::string out = curves_left_out(result.model, path); !out.empty()) {
                  words.kind = ui::NoticeKind::warning;
                  words.body += (words.body.empty() ? "" : " ") + out + ".";
              }
+             std::vector<std::string> more;
+             if (exported.instances) more = sentences(result.tiles, *exported.instances);
+             if (instances && !exported.instances) more = {"Only a glTF file has instances"};
+             for (const std::string& each : more)
+                 words.body += (words.body.empty() ? "" : " ") + each + ".";
              return [this, words] { session_->notices.say(words.kind, words.title, words.body); };
          },
          [this, path](const std::string& why) {
@@ -357,7 +368,7 @@ void Files::use_file(const std::string& path)
         import_folder_ = fs::path(path).parent_path().string();
         return import(path);
     case Purpose::relink: return relink(*session_, relinked_, path);
-    case Purpose::write_model: return write_model_to(path);
+    case Purpose::write_model: return write_model_to(path, dialog_.option_on());
     case Purpose::save_as: return write_scene(path, false, true);
     case Purpose::save_compact: return write_scene(path, true, true);
     }

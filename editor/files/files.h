@@ -47,8 +47,9 @@ public:
         read_model_of(path, frame_all,
                       std::make_shared<Batch>(Batch{1, {}, std::move(then), std::move(name)}));
     }
-    // Writes what is visible, as committed; with a certificate where something is refined.
-    void write_model_to(const std::string& path);
+    // Writes what is visible, as committed; with a certificate where something is refined. With
+    // instances, a .glb has one mesh per tile type.
+    void write_model_to(const std::string& path, bool instances = false);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     // The same in the next frame in which no dialog or menu is open.
     void drop(const std::vector<std::string>& paths);

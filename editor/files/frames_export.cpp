@@ -43,6 +43,7 @@ void FramesExport::tell(const std::string& path, const AnimatedFile& made, bool 
     for (const std::string& sentence : made.lacks) lines.push_back("Left out: " + sentence);
     if (!made.left_out.empty()) lines.push_back(made.left_out + ".");
     const auto well = lines.empty() ? ui::NoticeKind::good : ui::NoticeKind::warning;
+    for (const std::string& sentence : made.tiles) lines.push_back(sentence + ".");
     if (!made.certificate) {
         if (const std::size_t others = made.files.size() - 1; others > 0)
             lines.push_back(fmt::format("{} and {} more.", file_name(made.files.front()), others));

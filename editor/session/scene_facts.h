@@ -12,6 +12,8 @@ namespace trivar {
 bool belongs_to(const Document& document, Id id, Id group);
 // Whether the scene looks different from frame to frame.
 bool moves_in_time(const Document& document);
+// Whether a layer of tiles is in it.
+bool has_tiles(const Document& document);
 
 // The travelling objects, in the order of the outliner's rows.
 std::vector<Id> travelling(const Document& document);

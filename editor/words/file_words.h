@@ -19,6 +19,9 @@ std::string reason(const std::string& why, const std::string& path);
 std::string with_short_home(const std::string& folder);
 std::string with_long_home(const std::string& folder);
 
+// The words of the check box of exports that have instances.
+inline constexpr const char* tiles_as_instances = "Tiles as instances";
+
 // "for 30 days", "for a year".
 std::string for_days(int days);
 

@@ -116,6 +116,23 @@ TEST(FileDialog, IsLeftByTheButtonThatSaysSo)
     EXPECT_FALSE(d.dialog.is_open());
 }
 
+TEST(FileDialog, HasACheckBoxThatTabReachesWhereTheRequestNamesOne)
+{
+    FileRequest request = saving;
+    request.name = "b.obj";
+    request.option = "Small";
+    Dialog d(request);
+    EXPECT_FALSE(d.dialog.option_on());
+    d.key(key_tab);
+    d.key(key_space);
+    EXPECT_TRUE(d.dialog.option_on());
+    d.key(key_tab);
+    d.key(key_tab);
+    d.key(key_enter);
+    EXPECT_TRUE(d.chosen);
+    EXPECT_TRUE(d.dialog.option_on());
+}
+
 TEST(FileDialog, AsksAgainWithWhatWasTyped)
 {
     Dialog d({.title = "Save",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/dialogs/plan_dialog.h"
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/dialog.h"
 #include "ui/keys.h"
@@ -31,7 +32,14 @@ void browse(ExportDialog& dialog)
                         file.parent_path());
 }
 
-bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
+// Whether the dialog asks about instances: a .usda has them, and the scene has something for them.
+bool asks_for_instances(const ExportPlan& plan, const Document& document)
+{
+    return animated_extensions()[static_cast<std::size_t>(std::max(0, kind_of(plan)))] == ".usda" &&
+           has_tiles(document);
+}
+
+bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Document& document)
 {
     const bool browsed =
         draw_path_row(theme, "File", plan.file, "a file", "Its folder must exist.");
@@ -43,10 +51,17 @@ bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
     if (ui::segments(theme, "kinds", kind, {"GLB", "USDA", "PC2", "MDD"}, width) ==
         ui::Edit::changed)
         set_kind(plan, kind);
-    draw_frames_row(theme, time, plan.first, plan.last, nullptr);
-    const std::string help = "Largest distance of a GLB from the scene at any time. The other "
-                             "formats store each frame exactly.";
-    if (kind != 0)
+    draw_frames_row(theme, document.time, plan.first, plan.last, nullptr);
+    const bool asks = asks_for_instances(plan, document);
+    if (asks) {
+        ui::label_row(theme, "Instances", false,
+                      "One mesh per tile type, not bent, in place of all tiles. Tiles that this "
+                      "would move further than the tolerance stay as they are.");
+        ui::check_box(theme, "instances", plan.instances, tiles_as_instances);
+    }
+    const std::string help = "Largest distance of a GLB, or of an instance, from the scene at any "
+                             "time. Else each frame is exact.";
+    if (kind != 0 && !(asks && plan.instances))
         ui::fact_row(theme, "Tolerance", "none: each frame is exact", theme.color.text_3, help);
     else
         ui::number_field(theme, "tolerance", plan.tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"},
@@ -70,8 +85,8 @@ void draw_export_dialog(Editor& editor, const ui::Theme& theme)
     const PlanAnswer answer = draw_plan_dialog(
         theme,
         {.title = "Export frames",
-         .rows = 4,
-         .fields = [&] { browsed = draw_plan(theme, dialog.plan, editor.session.document().time); },
+         .rows = asks_for_instances(dialog.plan, editor.session.document()) ? 5 : 4,
+         .fields = [&] { browsed = draw_plan(theme, dialog.plan, editor.session.document()); },
          .come_to =
              [&] {
                  wish = wish_of(dialog.plan, editor.session);
