@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/glb_accessors.h"
 
+#include "core/base/box.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace trivar {
@@ -113,6 +115,31 @@ GlbEntries curve_primitives(GlbAccessors& to, const Curves& curves, std::size_t 
             line_primitive(to, *curves.points, curves.begin[line], curves.begin[next], pairs));
         if (material < materials) out.back()["material"] = material;
     }
+    return out;
+}
+
+WrittenInstances add_instances(GlbAccessors& to, const std::vector<NodeTransform>& instances)
+{
+    Box box;
+    for (const NodeTransform& each : instances) box.add(each.translation);
+    WrittenInstances out{box.center(), {}};
+    std::vector<glm::vec3> translations, scales;
+    std::vector<glm::vec4> rotations; // x y z w
+    for (const NodeTransform& each : instances) {
+        translations.emplace_back(each.translation - out.middle);
+        const glm::dquat& q = each.rotation;
+        rotations.emplace_back(q.x, q.y, q.z, q.w);
+        scales.emplace_back(each.scale);
+    }
+    const int no_target = 0;
+    out.attributes["TRANSLATION"] = to.add(translations, "VEC3", no_target);
+    const auto is_not = [](const auto& neutral) {
+        return [neutral](const auto& value) { return value != neutral; };
+    };
+    if (std::ranges::any_of(rotations, is_not(glm::vec4(0, 0, 0, 1))))
+        out.attributes["ROTATION"] = to.add(rotations, "VEC4", no_target);
+    if (std::ranges::any_of(scales, is_not(glm::vec3(1))))
+        out.attributes["SCALE"] = to.add(scales, "VEC3", no_target);
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/clip.h"
 #include "core/mesh/curves.h"
 
 #include <nlohmann/json.hpp>
@@ -52,5 +53,13 @@ struct GlbAccessors {
 
 // The primitives of curves: one per line, but one for several consecutive lines of two points.
 GlbEntries curve_primitives(GlbAccessors& to, const Curves& curves, std::size_t materials);
+
+// Instances as EXT_mesh_gpu_instancing has them: for each a translation, a rotation and a scale in
+// single precision, relative to the middle of all.
+struct WrittenInstances {
+    glm::dvec3 middle{0}; // metres, in the space of their node's parent
+    GlbEntries attributes;
+};
+WrittenInstances add_instances(GlbAccessors& to, const std::vector<NodeTransform>& instances);
 
 } // namespace trivar

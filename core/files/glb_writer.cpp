@@ -2,9 +2,9 @@
 #include "core/files/formats.h"
 #include "core/files/glb_accessors.h"
 #include "core/files/glb_chunks.h"
-#include "core/files/glb_instances.h"
 #include "core/files/image.h"
 #include "core/files/repeated_nodes.h"
+#include "core/mesh/node_parts.h"
 
 #include <algorithm>
 #include <map>
@@ -227,7 +227,10 @@ private:
 
     void put_instances(Json& into, const glm::dmat4& outside, const std::vector<int>& nodes)
     {
-        WrittenInstances written = add_instances(out_, model_, nodes);
+        std::vector<NodeTransform> all;
+        for (const int n : nodes)
+            all.push_back(*as_parts(model_.nodes[static_cast<std::size_t>(n)].to_parent));
+        WrittenInstances written = add_instances(out_, all);
         glm::dmat4 to_middle(1);
         to_middle[3] = glm::dvec4(written.middle, 1);
         put_matrix(into, outside * to_middle);
