@@ -34,7 +34,7 @@ protected:
         paint.object = 4;
         paint.base = 3;
         paint.stroke.brush = TileBrush::fill;
-        paint.stroke.size = 0.08;
+        paint.stroke.size = 0.05;
         paint.stroke.samples = {{{{0, 0, 0.5}, {0, 0, 1}}}};
         testing::write_file(folder.file("a.trivar"), testing::scene_text() + command_line(ball) +
                                                          command_line(stud) + command_line(paint));
