@@ -11,23 +11,30 @@
 namespace trivar {
 namespace {
 
-void check_can_be_mixed(const Document& document, Id layer, Id id)
+// Throws Rejected where an object cannot be among the tiles of a layer, nor be what they become.
+void check_can_be_tile_of(const Document& document, Id layer, Id id, std::string_view field)
 {
+    if (!object(document, layer).tiles)
+        throw Rejected(named(document, layer) + " is no layer of tiles; paint with it first");
     const Object& other = object(document, id);
     if (id == layer)
-        throw Rejected("field \"others\": " + named(id, other) +
-                       " is the layer itself, whose share is its weight");
+        throw Rejected(
+            fmt::format("field \"{}\": {} is the layer itself", field, named(id, other)));
     if (holds_others(other.source))
-        throw Rejected(named(id, other) + " has no shape of its own; mix with an object that has");
+        throw Rejected(named(id, other) + " has no shape of its own; choose an object that has");
     if (other.stroke)
         throw Rejected(named(id, other) +
-                       " lies on a stroke; remove it from the stroke first, or mix with a copy");
+                       " lies on a stroke; remove it from the stroke first, or choose a copy");
     if (other.tiles)
-        throw Rejected(named(id, other) +
-                       " is a layer of tiles itself; mix with a copy of its tile");
+        throw Rejected(named(id, other) + " is a layer of tiles itself; choose a copy of its tile");
     if (depending_on(document, {layer}).contains(id))
-        throw Rejected(fmt::format("field \"others\": the shape of {} depends on {} already",
+        throw Rejected(fmt::format("field \"{}\": the shape of {} depends on {} already", field,
                                    named(id, other), named(document, layer)));
+}
+
+Document with_hidden(Document document, Id id)
+{
+    return with_changed(std::move(document), id, [](Object& other) { other.hidden = true; });
 }
 
 } // namespace
@@ -40,7 +47,7 @@ Document with_mix(Document document, Id layer, double weight, std::vector<MixedT
         throw Rejected(fmt::format("{} would be mixed with {} objects; at most {} are taken",
                                    named(document, layer), others.size(), most_mixed));
     for (auto each = others.begin(); each != others.end(); ++each) {
-        check_can_be_mixed(document, layer, each->object);
+        check_can_be_tile_of(document, layer, each->object, "others");
         if (std::find_if(others.begin(), each, [&](const MixedTile& before) {
                 return before.object == each->object;
             }) != each)
@@ -59,8 +66,7 @@ Document applied(Document document, const MixTiles& command)
     const std::vector<MixedTile>& mixed = object(before, command.object).tiles->others;
     for (const MixedTile& each : command.others)
         if (std::ranges::find(mixed, each.object, &MixedTile::object) == mixed.end())
-            document = with_changed(std::move(document), each.object,
-                                    [](Object& other) { other.hidden = true; });
+            document = with_hidden(std::move(document), each.object);
     return document;
 }
 
@@ -71,6 +77,27 @@ StepTitle title(const MixTiles& c, const StepDocuments& step)
     std::vector<Id> others;
     for (const MixedTile& each : c.others) others.push_back(each.object);
     return {"Mix the tiles of " + of, "with " + names_in(step.before, others)};
+}
+
+Document with_morph(Document document, Id layer, Id into)
+{
+    if (into != 0) check_can_be_tile_of(document, layer, into, "into");
+    if (!object(document, layer).tiles)
+        throw Rejected(named(document, layer) + " is no layer of tiles; paint with it first");
+    return with_changed(std::move(document), layer, [&](Object& o) { o.tiles->into = into; });
+}
+
+Document applied(Document document, const MorphTiles& command)
+{
+    document = with_morph(std::move(document), command.object, command.into);
+    return command.into == 0 ? document : with_hidden(std::move(document), command.into);
+}
+
+StepTitle title(const MorphTiles& c, const StepDocuments& step)
+{
+    const std::string of = names_in(step.before, {c.object});
+    if (c.into == 0) return {"Let the tiles of " + of + " stay what they are", {}};
+    return {"Let the tiles of " + of, "become " + names_in(step.before, {c.into})};
 }
 
 } // namespace trivar

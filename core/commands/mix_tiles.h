@@ -34,4 +34,28 @@ struct MixTiles {
 Document applied(Document document, const MixTiles& command);
 StepTitle title(const MixTiles& c, const StepDocuments& step);
 
+// The document with what a layer's own tiles become by its morph; 0: nothing. Throws Rejected as
+// with_mix() does.
+Document with_morph(Document document, Id layer, Id into);
+
+struct MorphTiles {
+    static constexpr std::string_view
+        verb = "morph_tiles",
+        summary =
+            "Let the tiles of a layer become the shape of another object, as far as the morph "
+            "of set_tiles says. Both must have the same vertices and faces. The other object "
+            "is hidden.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    Id object = 0;
+    Id into = 0;
+    bool operator==(const MorphTiles&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a layer of tiles", required);
+        field("into", c.into, "id of another object; 0: tiles stay what they are", required);
+    }
+};
+Document applied(Document document, const MorphTiles& command);
+StepTitle title(const MorphTiles& c, const StepDocuments& step);
+
 } // namespace trivar

@@ -172,7 +172,8 @@ Document painted(Document document, Id id, const CopiedTiling& copied, const Doc
         if (const Id other = here(each.tile, before, made); other != 0)
             others.push_back({other, each.weight});
     document = with_tiling(std::move(document), id, std::move(tiling));
-    return with_mix(std::move(document), id, copied.weight, std::move(others));
+    document = with_mix(std::move(document), id, copied.weight, std::move(others));
+    return with_morph(std::move(document), id, copied.into ? here(*copied.into, before, made) : 0);
 }
 
 // Adds tracks, except those of parameters that the copy does not have.
@@ -210,6 +211,8 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
         for (const Ref<TileStroke>& stroke : each.tiles->strokes)
             copy.tiling->strokes.push_back(*stroke);
         copy.tiling->weight = each.tiles->weight;
+        if (const Id into = each.tiles->into; into != 0 && document.objects.contains(into))
+            copy.tiling->into = {into, object(document, into).name};
         for (const MixedTile& mixed : each.tiles->others)
             if (document.objects.contains(mixed.object))
                 copy.tiling->others.push_back(

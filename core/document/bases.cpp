@@ -10,6 +10,7 @@ std::vector<Id> bases_of(const Object& object)
     if (!object.tiles) return out;
     if (object.tiles->base != 0) out.push_back(object.tiles->base);
     for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
+    if (object.tiles->into != 0) out.push_back(object.tiles->into);
     return out;
 }
 
@@ -20,6 +21,7 @@ Object with_bases(Object object, const std::function<Id(Id)>& other)
         std::vector<MixedTile>& others = object.tiles->others;
         for (MixedTile& each : others) each.object = other(each.object);
         std::erase_if(others, [](const MixedTile& each) { return each.object == 0; });
+        if (object.tiles->into != 0) object.tiles->into = other(object.tiles->into);
     }
     if (!object.stroke) return object;
     std::vector<Id>& onto = object.stroke->onto;

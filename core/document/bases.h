@@ -8,7 +8,7 @@
 namespace trivar {
 
 // The objects on whose shapes an object's own depends: what its stroke lies on, what its tiles are
-// painted on, and what these are mixed with. An id may come twice.
+// painted on, what these are mixed with, and what they become. An id may come twice.
 std::vector<Id> bases_of(const Object& object);
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the

@@ -102,6 +102,7 @@ struct Tiling {
     std::vector<Ref<TileStroke>> strokes; // in their order
     double weight = 1;                    // of the object itself in a mix of several
     std::vector<MixedTile> others = {};   // what it is mixed with
+    Id into = 0;                          // what its own tiles become by the morph; 0: nothing
     bool operator==(const Tiling&) const = default;
 };
 

@@ -106,15 +106,10 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
     return free_(key, [&] {
         Stage stage = *before;
         stage.own_to_world = key.to_world;
-        for (const Shape::NodeMesh& hung : posed->meshes) {
-            stage.parts.push_back({hung.rest,
-                                   key.to_world * hung.to_model,
-                                   hung.posed,
-                                   nullptr,
-                                   {.mesh = hung.slot},
-                                   hung.bounds});
-            stage.own_parts.push_back(stage.parts.back());
-            stage.own_parts.back().to_world = hung.to_model;
+        stage.own_parts = parts_in_model(*posed);
+        for (Part part : stage.own_parts) {
+            part.to_world = key.to_world * part.to_world;
+            stage.parts.push_back(std::move(part));
         }
         for (const StandingCurves& each : standing_curves(*posed, glm::dmat3(1))) {
             stage.curves.push_back(each.part);

@@ -20,6 +20,15 @@ std::vector<StandingMesh> standing(const Shape& shape, const glm::dmat3& turned)
     return out;
 }
 
+std::vector<Part> parts_in_model(const Shape& shape)
+{
+    std::vector<Part> out;
+    for (const Shape::NodeMesh& hung : shape.meshes)
+        out.push_back(
+            {hung.rest, hung.to_model, hung.posed, nullptr, {.mesh = hung.slot}, hung.bounds});
+    return out;
+}
+
 std::vector<StandingCurves> standing_curves(const Shape& shape, const glm::dmat3& turned)
 {
     std::vector<StandingCurves> out;

@@ -18,6 +18,9 @@ struct StandingMesh {
 // turned inside out first, so that no mirror stands between them and a volume.
 std::vector<StandingMesh> standing(const Shape& shape, const glm::dmat3& turned);
 
+// The meshes of a shape as parts in its model's space.
+std::vector<Part> parts_in_model(const Shape& shape);
+
 // StandingCurves is the same for curves. Curves may be mirrored: lines have no front.
 struct StandingCurves {
     CurvePart part;

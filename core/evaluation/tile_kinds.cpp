@@ -1,50 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/tile_kinds.h"
 
+#include "core/evaluation/standing.h"
+#include "core/mesh/mesh_materials.h"
+#include "core/mesh/morphed.h"
+#include "core/tiles/layout.h"
+#include "core/tiles/tile_mix.h"
+#include "core/tiles/tile_motion.h"
+
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
+
+constexpr std::uint32_t phase_purpose = 102; // what random_share() is asked for here
 
 glm::dmat4 turned(const Object& object)
 {
     return glm::dmat4(glm::dmat3(object.transform.matrix()));
 }
 
-} // namespace
-
-std::vector<TileKind> tile_kinds(const Stage& layer, const StepInput& input)
+const std::vector<Part>& own_parts(const Stage& stage)
 {
-    const Tiling& tiling = *input.object.tiles;
-    std::vector<TileKind> kinds{{.turned = turned(input.object), .weight = tiling.weight}};
-    auto materials = static_cast<std::uint32_t>(layer.shape->materials->size());
-    int meshes = 0;
-    const auto count_meshes = [&](const std::vector<Part>& parts) {
-        int next = meshes;
-        for (const Part& part : parts) next = std::max(next, meshes + part.key.mesh + 1);
-        meshes = next;
-    };
-    count_meshes(layer.own_parts);
-    for (const MixedTile& each : tiling.others) {
-        const auto found = input.done.find(each.object);
-        if (found == input.done.end()) continue;
-        const Object& other = object(input.document, each.object);
-        if (other.tiles || found->second->parts.empty()) continue;
-        kinds.push_back({found->second, turned(other), each.weight, materials, meshes});
-        materials += static_cast<std::uint32_t>(found->second->materials->size());
-        count_meshes(kinds.back().parts(layer));
-    }
-    return kinds;
+    return stage.own_parts.empty() ? stage.parts : stage.own_parts;
 }
 
-Ref<std::vector<Material>> materials_of_others(const std::vector<TileKind>& kinds)
+// The clip that an object plays; null: none of its file.
+const Clip* clip_of(const Shape& shape, const Playing& playing)
 {
-    if (kinds.size() < 2) return nullptr;
-    std::vector<Material> all;
-    for (const TileKind& kind : kinds)
-        if (kind.other)
-            all.insert(all.end(), kind.other->materials->begin(), kind.other->materials->end());
-    return make_ref(std::move(all));
+    const auto clip = std::ranges::find(shape.model->clips, playing.clip, &Clip::name);
+    return clip != shape.model->clips.end() ? &*clip : nullptr;
+}
+
+bool can_become(const std::vector<Part>& from, const std::vector<Part>& to)
+{
+    return std::ranges::equal(
+        from, to, [](const Part& a, const Part& b) { return can_become(*a.mesh(), *b.mesh()); });
+}
+
+std::size_t corner_count(const std::vector<Part>& parts)
+{
+    std::size_t count = 0;
+    for (const Part& part : parts) count += part.rest->corners.size();
+    return count;
+}
+
+} // namespace
+
+std::size_t TileKinds::of(std::uint32_t seed) const
+{
+    std::vector<double> weights;
+    for (const Mixed& each : objects) weights.push_back(each.weight);
+    const Mixed& object = objects[kind_of(seed, weights)];
+    const auto phases = static_cast<double>(object.phases);
+    return object.first +
+           std::min(object.phases - 1,
+                    static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
 }
 
 TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
@@ -54,6 +66,106 @@ TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
     const glm::dvec3 size = box.size(), middle = box.center();
     const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
     return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, size.z};
+}
+
+Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
+{
+    if (kinds.objects.size() < 2) return nullptr;
+    std::vector<Material> all;
+    for (const TileKinds::Mixed& each : kinds.objects)
+        if (const Ref<std::vector<Material>>& own = kinds.all[each.first].materials)
+            all.insert(all.end(), own->begin(), own->end());
+    return make_ref(std::move(all));
+}
+
+TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
+{
+    const Tiling& tiling = *input.object.tiles;
+    const TileLook& look = tiling.look;
+    TileKinds kinds;
+    auto materials = static_cast<std::uint32_t>(layer.shape->materials->size());
+    int meshes = 0;
+    std::vector<Part> into;
+    glm::dmat4 into_turned(1);
+    if (const auto found = input.done.find(tiling.into); found != input.done.end()) {
+        into = own_parts(*found->second);
+        into_turned = turned(object(input.document, tiling.into));
+        if (!can_become(layer.own_parts, into)) {
+            kinds.trouble = fmt::format(
+                "its tiles cannot become {}: both must have the same faces, but one has {} corners "
+                "of faces and the other {}{}",
+                object(input.document, tiling.into).name, corner_count(layer.own_parts),
+                corner_count(into),
+                corner_count(layer.own_parts) == corner_count(into) ? ", in another order" : "");
+            into.clear();
+        }
+    }
+    const auto add = [&](Id id, const Object& object, const Stage& stage, double weight) {
+        const bool own = id == input.id;
+        const Clip* clip = clip_of(*stage.shape, object.playing);
+        const bool apart =
+            (clip && look.clip_variation > 0) || (own && !into.empty() && look.morph_variation > 0);
+        const int phases = apart ? look.phases : 1;
+        kinds.objects.push_back({kinds.all.size(), static_cast<std::size_t>(phases), weight});
+        Posing& posing = posings_[id];
+        posing.keep(3 * static_cast<std::size_t>(phases));
+        int next = meshes;
+        for (int k = 0; k < phases; ++k) {
+            TileKind kind{.parts = own ? stage.own_parts : own_parts(stage),
+                          .turned = turned(object),
+                          .materials =
+                              own ? nullptr : static_cast<const EvaluatedObject&>(stage).materials,
+                          .first_material = own ? 0 : materials};
+            if (clip && look.clip_variation > 0 && k > 0) {
+                Playing playing = object.playing;
+                playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);
+                kind.parts = parts_in_model(
+                    *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
+            }
+            if (own && !into.empty()) {
+                kind.into = into;
+                kind.into_turned = into_turned;
+                kind.morph = morph_of(look, phases > 1 ? k / (phases - 1.0) : 0);
+            }
+            kind.first_mesh = next;
+            for (const Part& part : kind.parts)
+                meshes = std::max(meshes, kind.first_mesh + part.key.mesh + 1);
+            next = meshes;
+            kinds.all.push_back(std::move(kind));
+        }
+        if (!own) materials += static_cast<std::uint32_t>(kinds.all.back().materials->size());
+    };
+    add(input.id, input.object, layer, tiling.weight);
+    for (const MixedTile& each : tiling.others) {
+        const auto found = input.done.find(each.object);
+        if (found == input.done.end()) continue;
+        const Object& other = object(input.document, each.object);
+        if (!other.tiles && !found->second->parts.empty())
+            add(each.object, other, *found->second, each.weight);
+    }
+    return kinds;
+}
+
+Ref<TileModel> TileKindsOf::model(const TileKind& kind, std::size_t part, const TileCell& cell)
+{
+    const Part& from = kind.parts[part];
+    ModelKey key{from.mesh(), nullptr,    kind.turned * from.to_world, glm::dmat4(1),
+                 cell,        kind.morph, kind.first_material};
+    const bool morphs = !kind.into.empty() && kind.morph != 0;
+    if (morphs) {
+        key.into = kind.into[part].mesh();
+        key.into_to_model = kind.into_turned * kind.into[part].to_world;
+    }
+    return models_(key, [&] {
+        Mesh mesh = in_unit_cell(*key.mesh, key.to_model, cell);
+        if (morphs)
+            mesh = morphed(
+                mesh,
+                in_unit_cell(*key.into, key.into_to_model, tile_cell(kind.into, kind.into_turned)),
+                kind.morph);
+        const bool moves = morphs || from.posed;
+        return tile_model(with_materials_from(std::move(mesh), key.first_material), !moves);
+    });
 }
 
 } // namespace trivar

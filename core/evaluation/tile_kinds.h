@@ -1,34 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluation/posing.h"
 #include "core/evaluation/step.h"
 #include "core/patches/tile_set.h"
 
 namespace trivar {
 
-// A TileKind is one of the objects whose copies are the tiles of a layer.
+// A TileKind is an object whose copies are tiles of a layer, in one phase of its clip and morph.
 struct TileKind {
-    Ref<EvaluatedObject> other = nullptr; // null: the layer itself
-    glm::dmat4 turned{1};                 // the object's own rotation and scale
-    double weight = 1;
-    std::uint32_t first_material = 0; // of its materials among those of the layer
-    int first_mesh = 0;               // of its meshes among those of the layer
+    std::vector<Part> parts;                        // in the object's own space
+    glm::dmat4 turned{1};                           // its own rotation and scale
+    Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
+    std::uint32_t first_material = 0;               // of its materials among those of the layer
+    int first_mesh = 0;                             // of its meshes among those of the layer
+    // What its parts become, in their order; empty: nothing.
+    std::vector<Part> into = {};
+    glm::dmat4 into_turned{1};
+    double morph = 0;
     bool operator==(const TileKind&) const = default;
-
-    // Its parts in its own space, before lattices. `layer` is the stage of the layer itself.
-    const std::vector<Part>& parts(const Stage& layer) const
-    {
-        return other ? other->own_parts.empty() ? other->parts : other->own_parts : layer.own_parts;
-    }
 };
 
-// Lists the kinds of tiles of a layer, its own first; objects without meshes are left out.
-std::vector<TileKind> tile_kinds(const Stage& layer, const StepInput& input);
+// TileKinds are all kinds of a layer: those of each object behind one another.
+struct TileKinds {
+    struct Mixed { // one of the objects
+        std::size_t first = 0, phases = 1;
+        double weight = 1;
+        bool operator==(const Mixed&) const = default;
+    };
+    std::vector<TileKind> all;
+    std::vector<Mixed> objects;
+    std::string trouble; // why tiles do not become what they should; empty: they do
+    bool operator==(const TileKinds&) const = default;
 
-// Gives the materials of all kinds but the first, one after the other; null: there are no others.
-Ref<std::vector<Material>> materials_of_others(const std::vector<TileKind>& kinds);
+    std::size_t of(std::uint32_t seed) const; // the kind of a tile, by its seed alone
+};
 
 // Gives the box of an object's parts that becomes a tile.
 TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
+
+// Gives the materials of the objects that are mixed in, behind one another; null: there are none.
+Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);
+
+// A TileKindsOf finds the kinds of a layer at a frame and makes their tiles; it keeps the last few.
+class TileKindsOf {
+public:
+    TileKinds operator()(const Stage& layer, const StepInput& input);
+    // Makes the tile of one of the kind's parts in a cell. Tiles that move have no levels.
+    Ref<TileModel> model(const TileKind& kind, std::size_t part, const TileCell& cell);
+
+private:
+    struct ModelKey {
+        Ref<Mesh> mesh, into;
+        glm::dmat4 to_model, into_to_model;
+        TileCell cell;
+        double morph;
+        std::uint32_t first_material;
+        bool operator==(const ModelKey&) const = default;
+    };
+    std::map<Id, Posing> posings_;
+    Recent<ModelKey, Ref<TileModel>> models_{64};
+};
 
 } // namespace trivar

@@ -2,13 +2,12 @@
 #include "core/evaluation/tiling.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_materials.h"
 #include "core/tiles/fold_limit.h"
-#include "core/tiles/tile_mix.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -198,26 +197,35 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                      [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
     });
     const TileLook& look = tiling.look;
-    const auto charts = charts_({layout, look.turn_deg, look.scale}, [&] {
+    const auto charts = charts_({layout, look.turn_deg, look.scale, look.slide}, [&] {
         return timed(input.timings, "tiles", [&] {
             std::vector<TileChart> out(layout->tiles.size());
             parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    out[i] = chart_of(*base, layout->tiles[i], look.turn_deg, look.scale);
+                    if (const auto tile = slid(*base, layout->tiles[i], look))
+                        out[i] = chart_of(*base, *tile, look.turn_deg, look.scale);
+                    else
+                        out[i].cut = std::numeric_limits<double>::infinity();
             });
             return make_ref(std::move(out));
         });
     });
-    std::vector<TileKind> kinds = tile_kinds(*before, input);
-    return painted_({before, shown, charts, look, kinds}, [&] {
+    const TileKinds of_layer = kinds_of_(*before, input);
+    return painted_({before, shown, charts, look, of_layer}, [&] {
+        const std::vector<TileKind>& kinds = of_layer.all;
+        std::vector<std::vector<Ref<TileModel>>> models(kinds.size());
         std::vector<TileCell> cells;
-        std::vector<double> weights;
-        for (const TileKind& kind : kinds) {
-            cells.push_back(tile_cell(kind.parts(*before), kind.turned));
-            weights.push_back(kind.weight);
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            cells.push_back(tile_cell(kinds[k].parts, kinds[k].turned));
+            for (std::size_t i = 0; i < kinds[k].parts.size(); ++i)
+                models[k].push_back(kinds_of_.model(kinds[k], i, cells[k]));
+            // A tile that moves may be higher than at rest.
+            for (std::size_t i = 0; i < models[k].size(); ++i)
+                if (kinds[k].parts[i].posed || kinds[k].morph != 0)
+                    cells[k].top = std::max(cells[k].top, cells[k].side * models[k][i]->box.hi.z);
         }
         std::vector<std::size_t> kind_of_tile;
-        for (const Tile& tile : layout->tiles) kind_of_tile.push_back(kind_of(tile.seed, weights));
+        for (const Tile& tile : layout->tiles) kind_of_tile.push_back(of_layer.of(tile.seed));
         TileCounts told;
         std::vector<std::vector<PlacedTile>> all(kinds.size());
         for (const auto& [member, parts] : members) {
@@ -230,7 +238,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         std::size_t count = 0, vertices = 0, corners = 0;
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             count += all[k].size();
-            for (const Part& part : kinds[k].parts(*before)) {
+            for (const Part& part : kinds[k].parts) {
                 vertices += part.rest->vertex_count() * all[k].size();
                 corners += part.rest->corners.size() * all[k].size();
             }
@@ -243,24 +251,21 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                                        count, vertices, corners, most_vertices, most_corners));
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
-        stage.mixed_materials = materials_of_others(kinds);
+        stage.mixed_materials = materials_of_others(of_layer);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            const TileKind& kind = kinds[k];
+            if (all[k].empty()) continue;
             const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
-            for (const Part& part : kind.parts(*before)) {
-                if (places->empty() || part.rest->positions.empty()) continue;
-                const glm::dmat4 to_model = kind.turned * part.to_world;
-                const Ref<TileModel> model =
-                    models_({part.mesh(), to_model, cells[k], kind.first_material}, [&] {
-                        return tile_model(with_materials_from(
-                            in_unit_cell(*part.mesh(), to_model, cells[k]), kind.first_material));
-                    });
+            for (std::size_t i = 0; i < kinds[k].parts.size(); ++i) {
+                const Part& part = kinds[k].parts[i];
+                if (part.rest->positions.empty()) continue;
                 PartKey key = part.key;
-                key.mesh += kind.first_mesh;
-                stage.parts.push_back(timed(input.timings, "tiles",
-                                            [&] { return part_of(tile_set(model, places), key); }));
+                key.mesh += kinds[k].first_mesh;
+                stage.parts.push_back(timed(input.timings, "tiles", [&] {
+                    return part_of(tile_set(models[k][i], places), key);
+                }));
             }
         }
+        if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
         tell(stage, *layout, told);
         return make_ref(std::move(stage));
     });

@@ -24,6 +24,7 @@ private:
     struct ChartKey {
         Ref<TileLayout> layout;
         double turn_deg, scale;
+        glm::dvec2 slide;
         bool operator==(const ChartKey&) const = default;
     };
     struct Key {
@@ -31,21 +32,13 @@ private:
         Ref<EvaluatedObject> base;
         Ref<std::vector<TileChart>> charts;
         TileLook look;
-        std::vector<TileKind> kinds;
+        TileKinds kinds;
         bool operator==(const Key&) const = default;
-    };
-    struct ModelKey {
-        Ref<Mesh> mesh;
-        glm::dmat4 to_model;
-        TileCell cell;
-        std::uint32_t first_material;
-        bool operator==(const ModelKey&) const = default;
     };
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
     Recent<ChartKey, Ref<std::vector<TileChart>>> charts_;
-    Recent<ModelKey, Ref<TileModel>> models_{
-        64}; // an object has a few meshes, a mix of several more
+    TileKindsOf kinds_of_;
     Recent<Key, Ref<Stage>> painted_;
 };
 

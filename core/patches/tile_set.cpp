@@ -54,12 +54,14 @@ Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& 
     return out;
 }
 
-Ref<TileModel> tile_model(Mesh in_unit_cell)
+Ref<TileModel> tile_model(Mesh in_unit_cell, bool with_levels)
 {
     const Box box = bounding_box(in_unit_cell);
     const Ref<Mesh> mesh = make_ref(std::move(in_unit_cell));
     return make_ref(
-        TileModel{mesh, box, Lazy<std::vector<TileLevel>>([mesh] { return levels_of(mesh); })});
+        TileModel{mesh, box, Lazy<std::vector<TileLevel>>([mesh, with_levels] {
+                      return with_levels ? levels_of(mesh) : std::vector<TileLevel>{{mesh, 0}};
+                  })});
 }
 
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles)

@@ -28,7 +28,9 @@ struct TileModel {
     Box box;                             // of the mesh
     Lazy<std::vector<TileLevel>> levels; // levels_of() the mesh
 };
-Ref<TileModel> tile_model(Mesh in_unit_cell);
+// `with_levels`: one that stands still, whose levels are worth their time; else the mesh is the
+// only one.
+Ref<TileModel> tile_model(Mesh in_unit_cell, bool with_levels = true);
 
 // A TileSet is a mesh repeated over patches. The processor bends all of them when the mesh is first
 // read, which does not happen where the graphics card draws.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_motion.h"
 
+#include "core/tiles/straightest.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -37,6 +39,35 @@ TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile&
         motion.height = std::max(0.0, 1 + look.wave * std::sin(glm::two_pi<double>() * turns));
     }
     return motion;
+}
+
+double morph_of(const TileLook& look, double share)
+{
+    const double behind = look.morph_variation;
+    if (!(behind > 0)) return look.morph;
+    return std::clamp(look.morph * (1 + behind) - behind * share, std::min(0.0, look.morph),
+                      std::max(1.0, look.morph));
+}
+
+std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look)
+{
+    const double length = glm::length(look.slide);
+    if (!(length > 0)) return tile;
+    const glm::dvec3 n = base.normal(tile.at), across = glm::cross(n, tile.x);
+    const double angle = glm::radians(look.turn_deg);
+    const glm::dvec3 x = std::cos(angle) * tile.x + std::sin(angle) * across, y = glm::cross(n, x);
+    const glm::dvec2 to = look.slide / length;
+    const glm::dvec3 ahead = to.x * x + to.y * y;
+    const SurfaceRay ray = straightest(base, tile.at, tile.size * look.scale * length * ahead);
+    if (ray.left > 0) return {};
+    Tile there = tile;
+    there.at = ray.at;
+    const glm::dvec3 m = base.normal(there.at), d = in_tangent_plane(ray.direction, m);
+    if (d == glm::dvec3(0)) return {};
+    // The x axis keeps its angle to the way.
+    const double back = -std::atan2(glm::dot(ahead, across), glm::dot(ahead, tile.x));
+    there.x = std::cos(back) * d + std::sin(back) * glm::cross(m, d);
+    return there;
 }
 
 TilePatch middle_of(const TilePatch& patch, double share)

@@ -4,6 +4,8 @@
 #include "core/patches/tile_patch.h"
 #include "core/tiles/layout.h"
 
+#include <optional>
+
 namespace trivar {
 
 // A TileMotion is what the growth and the wave of a layer make of one tile at a frame.
@@ -17,6 +19,14 @@ struct TileMotion {
 // laid them; the wave goes along its direction through the model's space.
 TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile& tile,
                      const glm::dvec3& p);
+
+// The morph of the tiles that are behind the others by that share, from 0 to 1. Tiles that wait
+// are what they were, and those that are done stay what they became.
+double morph_of(const TileLook& look, double share);
+
+// A tile that has slid over the base as far as the look says, with its x axis carried along;
+// nothing where a border stopped it. O(#edges crossed).
+std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look);
 
 // The middle part of a patch whose sides are `share` as long, as a patch of its own: exact, for
 // polynomials stay what they are. About 2 microseconds.

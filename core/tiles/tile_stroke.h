@@ -61,6 +61,11 @@ struct TileLook {
     double wave_length = 0;       // metres on the model; 0: all tiles move at once
     glm::dvec3 wave_direction{0}; // in the model's space, of any length; 0: along Z
     double wave_variation = 0;    // turns by which tiles differ at random
+    double morph = 0;             // how far tiles have become another shape: 0 not, 1 altogether
+    double morph_variation = 0;   // share of the morph by which the last tiles are behind the first
+    double clip_variation = 0;    // share of a clip by which tiles differ at random
+    int phases = 8;               // number of tiles that differ so; the others are like one of them
+    glm::dvec2 slide{0};          // how far tiles have gone along their x and y, in sides
     bool operator==(const TileLook&) const = default;
 };
 

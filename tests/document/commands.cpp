@@ -176,7 +176,8 @@ std::vector<Command> fitting_commands()
             RemoveTileStrokes{.object = 8, .numbers = {1}},
             SetTiles{.objects = {8}, .look = {.height = 2}},
             ClearTiles{.objects = {8}},
-            MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}}};
+            MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}},
+            MorphTiles{.object = 8, .into = 2}};
 }
 
 Command random_command(std::mt19937& random)

@@ -64,7 +64,8 @@ TEST(MixTiles, KeepsEveryTileWhereItWas)
 {
     const auto count = [](const Document& document) {
         std::size_t all = 0;
-        for (const Part& part : shown_mix(document)->parts) all += tiles_of_part(part);
+        const Ref<EvaluatedObject> shown = shown_mix(document);
+        for (const Part& part : shown->parts) all += tiles_of_part(part);
         return all;
     };
     const std::size_t alone = count(after(mixed_document(), MixTiles{layer_stud, 1, {}}));
@@ -133,6 +134,108 @@ TEST(MixTiles, IsRefusedInASentence)
     expect_no_mix(MixTiles{layer_stud, 1, {{other_box, -1}}}, "weight");
     // What is mixed in cannot be painted on the layer, nor laid on it.
     expect_no_mix(PaintTiles{other_box, layer_stud, a_tile_stroke()}, "depends on");
+}
+
+// A layer of cubes on the ball that become flat boxes, or what `into` makes.
+Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 0.2, 0.05},
+                                                                  .segments = {1, 1, 1}}},
+                           TileLook look = {})
+{
+    Document document = after(fitting_document(), ClearTiles{{layer_stud}});
+    document =
+        after(document, AddBox{.shape = {.size = {0.2, 0.2, 0.2}, .segments = {1, 1, 1}}});
+    document = after(document, into);
+    TileStroke stroke = a_tile_stroke();
+    stroke.radius = 0.15;
+    stroke.size = 0.02;
+    document = after(document, PaintTiles{9, base_ball, stroke, {}});
+    document = after(document, MorphTiles{9, 10});
+    return after(document, SetTiles{{9}, look});
+}
+
+// The greatest height of the tiles of each part over the ball.
+std::vector<double> heights_of(const Document& document)
+{
+    std::vector<double> out;
+    const Evaluation shown = new_evaluator()(document, 1);
+    for (const Part& part : shown.objects.at(9)->parts) {
+        double highest = 0;
+        for (const glm::vec3& p : part.mesh()->positions)
+            highest = std::max(highest, static_cast<double>(glm::length(p)) - 0.4);
+        out.push_back(highest);
+    }
+    return out;
+}
+
+TEST(MorphTiles, GoFromOneShapeToTheOtherAndBeyond)
+{
+    const auto height = [](double morph) {
+        return heights_of(morphing_document(
+                              AddBox{.shape = {.size = {0.2, 0.2, 0.05}, .segments = {1, 1, 1}}},
+                              {.morph = morph}))
+            .at(0);
+    };
+    EXPECT_NEAR(height(0), 0.02, 1e-3);
+    EXPECT_NEAR(height(0.5), 0.0125, 1e-3);
+    EXPECT_NEAR(height(1), 0.005, 1e-3);
+    EXPECT_NEAR(height(-0.5), 0.0275, 1e-3);
+}
+
+TEST(MorphTiles, ComeOneAfterTheOther)
+{
+    const auto heights = [](double morph) {
+        return heights_of(
+            morphing_document(AddBox{.shape = {.size = {0.2, 0.2, 0.05}, .segments = {1, 1, 1}}},
+                              {.morph = morph, .morph_variation = 1, .phases = 4}));
+    };
+    ASSERT_EQ(heights(0.5).size(), 4u);
+    for (const double each : heights(0)) EXPECT_NEAR(each, 0.02, 1e-3);
+    for (const double each : heights(1)) EXPECT_NEAR(each, 0.005, 1e-3);
+    std::vector<double> halfway = heights(0.5);
+    EXPECT_NEAR(halfway.front(), 0.005, 1e-3);
+    EXPECT_NEAR(halfway.back(), 0.02, 1e-3);
+    EXPECT_TRUE(std::ranges::is_sorted(halfway));
+}
+
+TEST(MorphTiles, SayWhyTheyStayWhatTheyAre)
+{
+    const Document document = morphing_document(AddSphere{}, {.morph = 1});
+    const Ref<EvaluatedObject> layer = new_evaluator()(document, 1).objects.at(9);
+    EXPECT_THAT(layer->notices,
+                ::testing::Contains(::testing::HasSubstr("its tiles cannot become Sphere")));
+    EXPECT_NEAR(heights_of(document).at(0), 0.02, 1e-3);
+    EXPECT_TRUE(object(document, 10).hidden);
+    expect_no_mix(MorphTiles{layer_stud, layer_stud}, "is the layer itself");
+    expect_no_mix(MorphTiles{other_box, base_ball}, "no layer of tiles");
+    EXPECT_EQ(object(after(document, Delete{{10}}), 9).tiles->into, 0);
+}
+
+TEST(SlidingTiles, GoOverTheirBase)
+{
+    const auto middle = [](const glm::dvec2& slide) {
+        glm::dvec3 sum(0);
+        double count = 0;
+        Document document = morphing_document();
+        TileStroke one = a_tile_stroke();
+        one.brush = TileBrush::line;
+        one.samples.resize(1);
+        one.size = 0.02;
+        document = after(document, RemoveTileStrokes{9, {}});
+        document = after(document, PaintTiles{9, base_ball, one, {}});
+        document = after(document, SetTiles{{9}, {.slide = slide}});
+        const Evaluation shown = new_evaluator()(document, 1);
+        for (const Part& part : shown.objects.at(9)->parts)
+            for (const glm::vec3& p : part.mesh()->positions) {
+                sum += glm::dvec3(p);
+                ++count;
+            }
+        return sum / count;
+    };
+    const glm::dvec3 at = middle({0, 0}), ahead = middle({5, 0}), aside = middle({0, 5});
+    EXPECT_NEAR(glm::length(at), glm::length(ahead), 1e-3);
+    const double angle = std::acos(glm::dot(glm::normalize(at), glm::normalize(ahead)));
+    EXPECT_NEAR(angle, 5 * 0.02 / 0.4, 0.01); // 5 sides along a great circle
+    EXPECT_NEAR(glm::dot(glm::normalize(ahead - at), glm::normalize(aside - at)), 0, 0.1);
 }
 
 } // namespace

@@ -88,6 +88,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Tiles of Cylinder",
         "Make Cylinder a single object again",
         "Mix the tiles of Cylinder with Ball",
+        "Let the tiles of Cylinder become Ball",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

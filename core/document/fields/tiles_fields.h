@@ -81,6 +81,19 @@ template <> struct FieldsOf<TileLook> {
               "where the wave goes to, in the model's space; 0: along Z", later);
         field("wave_variation", l.wave_variation,
               "turns by which the phases of tiles differ at random", later_in_range(0, 1));
+        field("morph", l.morph,
+              "how far tiles have become the other shape: 0 not yet, 1 altogether; may go beyond",
+              later_in_range(-10, 10));
+        field("morph_variation", l.morph_variation,
+              "share of the morph by which the last tiles are behind the first",
+              later_in_range(0, 1).in(Unit::share));
+        field("clip_variation", l.clip_variation,
+              "share of the clip by which tiles are ahead of each other at random",
+              later_in_range(0, 1).in(Unit::share));
+        field("phases", l.phases, "in how many different phases of clip and morph tiles are",
+              later_in_range(1, 64).resting_at(8).without_keys());
+        field("slide", l.slide, "how far tiles have gone along their x and y, in sides",
+              later_in_range(-1000, 1000));
     }
 };
 template <> struct FieldsOf<MixedTile> {
@@ -102,6 +115,8 @@ template <> struct FieldsOf<Tiling> {
         field("weight", t.weight, "how often the object itself is there, in a mix of several",
               later_in_range(0, 1000).resting_at(1).without_keys());
         field("others", t.others, "the other objects among the tiles", later.without_keys());
+        field("into", t.into, "id of what its own tiles become by the morph; 0: nothing",
+              later.without_keys());
     }
 };
 
