@@ -39,10 +39,10 @@ bool can_become(const std::vector<Part>& from, const std::vector<Part>& to)
         from, to, [](const Part& a, const Part& b) { return can_become(*a.mesh(), *b.mesh()); });
 }
 
-std::size_t corner_count(const std::vector<Part>& parts)
+std::size_t vertex_count(const std::vector<Part>& parts)
 {
     std::size_t count = 0;
-    for (const Part& part : parts) count += part.rest->corners.size();
+    for (const Part& part : parts) count += part.rest->vertex_count();
     return count;
 }
 
@@ -92,11 +92,11 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
         into_turned = turned(object(input.document, tiling.into));
         if (!can_become(layer.own_parts, into)) {
             kinds.trouble = fmt::format(
-                "its tiles cannot become {}: both must have the same faces, but one has {} corners "
-                "of faces and the other {}{}",
-                object(input.document, tiling.into).name, corner_count(layer.own_parts),
-                corner_count(into),
-                corner_count(layer.own_parts) == corner_count(into) ? ", in another order" : "");
+                "its tiles cannot become {}: both must have the same vertices and faces, but one "
+                "has {} vertices and the other {}{}",
+                object(input.document, tiling.into).name, vertex_count(layer.own_parts),
+                vertex_count(into),
+                vertex_count(layer.own_parts) == vertex_count(into) ? ", in other faces" : "");
             into.clear();
         }
     }

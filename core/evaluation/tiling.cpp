@@ -197,19 +197,20 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                      [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
     });
     const TileLook& look = tiling.look;
-    const auto charts = charts_({layout, look.turn_deg, look.scale, look.slide}, [&] {
-        return timed(input.timings, "tiles", [&] {
-            std::vector<TileChart> out(layout->tiles.size());
-            parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                    if (const auto tile = slid(*base, layout->tiles[i], look))
-                        out[i] = chart_of(*base, *tile, look.turn_deg, look.scale);
-                    else
-                        out[i].cut = std::numeric_limits<double>::infinity();
+    const auto charts =
+        charts_({layout, look.turn_deg, look.scale, {look.slide_x, look.slide_y}}, [&] {
+            return timed(input.timings, "tiles", [&] {
+                std::vector<TileChart> out(layout->tiles.size());
+                parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                        if (const auto tile = slid(*base, layout->tiles[i], look))
+                            out[i] = chart_of(*base, *tile, look.turn_deg, look.scale);
+                        else
+                            out[i].cut = std::numeric_limits<double>::infinity();
+                });
+                return make_ref(std::move(out));
             });
-            return make_ref(std::move(out));
         });
-    });
     const TileKinds of_layer = kinds_of_(*before, input);
     return painted_({before, shown, charts, look, of_layer}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;

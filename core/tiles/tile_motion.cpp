@@ -51,12 +51,13 @@ double morph_of(const TileLook& look, double share)
 
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look)
 {
-    const double length = glm::length(look.slide);
+    const glm::dvec2 slide(look.slide_x, look.slide_y);
+    const double length = glm::length(slide);
     if (!(length > 0)) return tile;
     const glm::dvec3 n = base.normal(tile.at), across = glm::cross(n, tile.x);
     const double angle = glm::radians(look.turn_deg);
     const glm::dvec3 x = std::cos(angle) * tile.x + std::sin(angle) * across, y = glm::cross(n, x);
-    const glm::dvec2 to = look.slide / length;
+    const glm::dvec2 to = slide / length;
     const glm::dvec3 ahead = to.x * x + to.y * y;
     const SurfaceRay ray = straightest(base, tile.at, tile.size * look.scale * length * ahead);
     if (ray.left > 0) return {};

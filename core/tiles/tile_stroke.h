@@ -65,7 +65,7 @@ struct TileLook {
     double morph_variation = 0;   // share of the morph by which the last tiles are behind the first
     double clip_variation = 0;    // share of a clip by which tiles differ at random
     int phases = 8;               // number of tiles that differ so; the others are like one of them
-    glm::dvec2 slide{0};          // how far tiles have gone along their x and y, in sides
+    double slide_x = 0, slide_y = 0; // how far tiles have gone along their own axes, in sides
     bool operator==(const TileLook&) const = default;
 };
 

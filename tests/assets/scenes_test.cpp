@@ -73,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                                          "crocodile_pressed", "pressing_tools", "fold_and_repair",
                                          "ants_terrain", "cars_over_obstacle", "text_teapot",
                                          "bulldozer_parks", "reptiles", "rider", "wreath",
-                                         "tea_cosy", "feathered_serpent", "tower"),
+                                         "tea_cosy", "feathered_serpent", "tower",
+                                         "thorn_to_flower", "robots_teapot"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

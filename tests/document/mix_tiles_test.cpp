@@ -222,7 +222,7 @@ TEST(SlidingTiles, GoOverTheirBase)
         one.size = 0.02;
         document = after(document, RemoveTileStrokes{9, {}});
         document = after(document, PaintTiles{9, base_ball, one, {}});
-        document = after(document, SetTiles{{9}, {.slide = slide}});
+        document = after(document, SetTiles{{9}, {.slide_x = slide.x, .slide_y = slide.y}});
         const Evaluation shown = new_evaluator()(document, 1);
         for (const Part& part : shown.objects.at(9)->parts)
             for (const glm::vec3& p : part.mesh()->positions) {

@@ -92,7 +92,9 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(0, 1).in(Unit::share));
         field("phases", l.phases, "in how many different phases of clip and morph tiles are",
               later_in_range(1, 64).resting_at(8).without_keys());
-        field("slide", l.slide, "how far tiles have gone along their x and y, in sides",
+        field("slide_x", l.slide_x, "how far tiles have gone along their own X, in sides",
+              later_in_range(-1000, 1000));
+        field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
               later_in_range(-1000, 1000));
     }
 };

@@ -129,6 +129,17 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
     }
+    fields(&TileLook::slide_x);
+    fields(&TileLook::slide_y);
+    const Object& layer = object(session.document(), id);
+    if (tiling.into != 0) {
+        ui::fact_row(theme, "Become", object(session.document(), tiling.into).name,
+                     theme.color.text, "what the tiles become as the morph goes from 0 to 1");
+        fields(&TileLook::morph);
+        fields(&TileLook::morph_variation);
+    }
+    if (!layer.playing.clip.empty()) fields(&TileLook::clip_variation);
+    if (look.morph_variation > 0 || look.clip_variation > 0) fields(&TileLook::phases);
     if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
     for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
         stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
