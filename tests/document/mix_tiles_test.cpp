@@ -64,7 +64,8 @@ TEST(MixTiles, KeepsEveryTileWhereItWas)
 {
     const auto count = [](const Document& document) {
         std::size_t all = 0;
-        for (const Part& part : shown_mix(document)->parts) all += tiles_of_part(part);
+        const Ref<EvaluatedObject> shown = shown_mix(document); // the loop keeps no temporary
+        for (const Part& part : shown->parts) all += tiles_of_part(part);
         return all;
     };
     const std::size_t alone = count(after(mixed_document(), MixTiles{layer_stud, 1, {}}));
