@@ -29,6 +29,7 @@ struct CopiedTiling {
     std::vector<TileStroke> strokes;
     double weight = 1;
     std::vector<CopiedMixedTile> others = {};
+    TileCover cover = {};
     bool operator==(const CopiedTiling&) const = default;
 };
 
@@ -59,6 +60,7 @@ template <> struct FieldsOf<CopiedTiling> {
         field("weight", t.weight, "how often the object itself is there", in_range(0, 1000));
         field("others", t.others,
               "what its tiles are mixed with: other copies, or objects of the scene");
+        field("cover", t.cover, "how they cover all of it", later);
     }
 };
 

@@ -176,7 +176,9 @@ std::vector<Command> fitting_commands()
             RemoveTileStrokes{.object = 8, .numbers = {1}},
             SetTiles{.objects = {8}, .look = {.height = 2}},
             ClearTiles{.objects = {8}},
-            MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}}};
+            MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}},
+            CoverWithTiles{
+                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}}};
 }
 
 Command random_command(std::mt19937& random)
