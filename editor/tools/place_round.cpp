@@ -6,6 +6,7 @@
 #include "core/document/band.h"
 #include "core/placement/embed.h"
 #include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "editor/tools/place.h"
 
 #include <algorithm>
