@@ -46,7 +46,7 @@ using AnyCommand =
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles>;
+                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -30,6 +30,7 @@ struct CopiedTiling {
     double weight = 1;
     std::vector<CopiedMixedTile> others = {};
     std::optional<KnownObject> into = {};
+    TileCover cover = {};
     bool operator==(const CopiedTiling&) const = default;
 };
 
@@ -61,6 +62,7 @@ template <> struct FieldsOf<CopiedTiling> {
         field("others", t.others,
               "what its tiles are mixed with: other copies, or objects of the scene");
         field("into", t.into, "what its own tiles become by the morph");
+        field("cover", t.cover, "how they cover all of it", later);
     }
 };
 

@@ -162,6 +162,7 @@ Document painted(Document document, Id id, const CopiedTiling& copied, const Doc
                  const CopiedIds& made)
 {
     Tiling tiling{here(copied.base, before, made), copied.look, {}};
+    tiling.cover = copied.cover;
     for (const TileStroke& stroke : copied.strokes) {
         check(stroke);
         tiling.strokes.push_back(make_ref(stroke));
@@ -210,6 +211,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
         copy.tiling = CopiedTiling{{base, object(document, base).name}, each.tiles->look, {}};
         for (const Ref<TileStroke>& stroke : each.tiles->strokes)
             copy.tiling->strokes.push_back(*stroke);
+        copy.tiling->cover = each.tiles->cover;
         copy.tiling->weight = each.tiles->weight;
         if (const Id into = each.tiles->into; into != 0 && document.objects.contains(into))
             copy.tiling->into = {into, object(document, into).name};

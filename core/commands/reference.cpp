@@ -220,6 +220,8 @@ std::string commands_markdown()
             field_table(fields_of(TileStroke{}));
     text +=
         "## tile sample\n\nA point of such a stroke.\n\n" + field_table(fields_of(TileSample{}));
+    text += "## tile cover\n\nHow tiles cover a whole surface.\n\n" +
+            field_table(fields_of(TileCover{}));
     text += "## base\n\nWhat a copied object lay on, or was painted on.\n\n" +
             field_table(fields_of(KnownObject{}));
     text.pop_back();

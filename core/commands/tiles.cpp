@@ -49,6 +49,16 @@ void check_can_be_tile(const Document& document, Id id, Id base)
                                    named(id, tile), named(document, tile.tiles->base)));
 }
 
+// The document with more objects among the tiles of a layer.
+Document mixed_with(Document document, Id layer, const std::vector<MixedTile>& more)
+{
+    if (more.empty()) return document;
+    MixTiles mix{layer, object(document, layer).tiles->weight,
+                 object(document, layer).tiles->others};
+    mix.others.insert(mix.others.end(), more.begin(), more.end());
+    return applied(std::move(document), mix);
+}
+
 std::string_view verb_of(TileBrush brush)
 {
     switch (brush) {
@@ -93,12 +103,8 @@ Document applied(Document document, const PaintTiles& command)
     Tiling tiling = object(document, command.object).tiles.value_or(Tiling{});
     tiling.base = command.base;
     tiling.strokes.push_back(make_ref(command.stroke));
-    std::vector<MixedTile> others = tiling.others;
-    const double weight = tiling.weight;
     document = with_tiling(std::move(document), command.object, std::move(tiling));
-    if (command.others.empty()) return document;
-    others.insert(others.end(), command.others.begin(), command.others.end());
-    return applied(std::move(document), MixTiles{command.object, weight, std::move(others)});
+    return mixed_with(std::move(document), command.object, command.others);
 }
 
 StepTitle title(const PaintTiles& c, const StepDocuments& step)
@@ -164,6 +170,31 @@ Document applied(Document document, const ClearTiles& command)
 StepTitle title(const ClearTiles& c, const StepDocuments& step)
 {
     return {"Make " + names_in(step.before, c.objects) + " a single object again", {}};
+}
+
+Document applied(Document document, const CoverWithTiles& command)
+{
+    const std::optional<Tiling>& before = object(document, command.object).tiles;
+    if (command.cover.pattern == TilePattern::none && !before)
+        throw Rejected(named(document, command.object) +
+                       " is no layer of tiles; choose a pattern to cover with");
+    Tiling tiling = before.value_or(Tiling{});
+    tiling.base = command.base;
+    tiling.cover = command.cover;
+    document = with_tiling(std::move(document), command.object, std::move(tiling));
+    return mixed_with(std::move(document), command.object, command.others);
+}
+
+StepTitle title(const CoverWithTiles& c, const StepDocuments& step)
+{
+    const std::string tile = names_in(step.before, {c.object}),
+                      base = names_in(step.before, {c.base});
+    if (c.cover.pattern == TilePattern::none) return {"Uncover " + base, "from " + tile};
+    const auto found = step.before.objects.find(c.object);
+    const bool covered = found != step.before.objects.end() && found->second->tiles &&
+                         found->second->tiles->cover.pattern != TilePattern::none;
+    if (covered) return {"Change the cover of " + base, "by " + tile};
+    return {"Cover " + base, "with " + tile};
 }
 
 } // namespace trivar

@@ -110,4 +110,28 @@ struct ClearTiles {
 Document applied(Document document, const ClearTiles& command);
 StepTitle title(const ClearTiles& c, const StepDocuments& step);
 
+struct CoverWithTiles {
+    static constexpr std::string_view
+        verb = "cover_with_tiles",
+        summary = "Cover all of an object with copies of another one, side by side and without "
+                  "gaps. The pattern none takes the cover away; painted tiles stay.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
+    Id object = 0;
+    Id base = 0;
+    TileCover cover{.pattern = TilePattern::grid};
+    std::vector<MixedTile> others = {};
+    bool operator==(const CoverWithTiles&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of what becomes the tile", required);
+        field("base", c.base, "id of what is covered", required);
+        FieldsOf<TileCover>::fields(c.cover, field);
+        field("others", c.others,
+              "with what the layer is mixed from now on, besides; they are hidden");
+    }
+};
+Document applied(Document document, const CoverWithTiles& command);
+StepTitle title(const CoverWithTiles& c, const StepDocuments& step);
+
 } // namespace trivar

@@ -9,6 +9,7 @@
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
+#include "core/tiles/tile_cover.h"
 #include "core/tiles/tile_stroke.h"
 
 #include <optional>
@@ -94,15 +95,16 @@ struct MixedTile {
     bool operator==(const MixedTile&) const = default;
 };
 
-// Tiling makes an object a layer of tiles: copies of it, painted on another object. The layer's own
-// rotation and scale turn each tile.
+// Tiling makes an object a layer of tiles: copies of it, painted on another object or covering it.
+// The layer's own rotation and scale turn each tile.
 struct Tiling {
-    Id base = 0; // what it is painted on; 0: that is gone
+    Id base = 0; // what it is painted on or covers; 0: that is gone
     TileLook look;
     std::vector<Ref<TileStroke>> strokes; // in their order
     double weight = 1;                    // of the object itself in a mix of several
     std::vector<MixedTile> others = {};   // what it is mixed with
     Id into = 0;                          // what its own tiles become by the morph; 0: nothing
+    TileCover cover = {};                 // besides the strokes
     bool operator==(const Tiling&) const = default;
 };
 

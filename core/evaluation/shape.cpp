@@ -109,7 +109,8 @@ void subdivide(Shape& shape, int levels, const Progress& progress)
     for (Shape::NodeMesh& hung : shape.meshes) {
         bends |= hung.posed != nullptr || !hung.rest->morph_targets.empty();
         const auto [entry, fresh] = done.try_emplace(hung.mesh());
-        if (fresh) entry->second = make_ref(subdivide(*hung.mesh(), levels, progress));
+        hung.cage = hung.mesh();
+        if (fresh) entry->second = make_ref(subdivide(*hung.cage, levels, progress));
         hung.rest = entry->second;
         hung.posed = nullptr;
     }

@@ -17,6 +17,8 @@ struct Shape {
         Ref<PosedMesh> posed = nullptr; // not null where a skin or morph targets move the vertices
         int node = 0;                   // of the model
         int slot = 0;                   // number of the mesh in its shape, the same in every pose
+        // what it was subdivided from, in its pose; null: it was not
+        Ref<Mesh> cage = nullptr;
         Ref<Extent> extent = nullptr;
         Box bounds = {}; // before to_model, in the present pose; may be larger than needed
         const Ref<Mesh>& mesh() const { return posed ? *posed->mesh : rest; }

@@ -7,14 +7,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 
 namespace trivar {
 namespace {
 
-// Largest number of vertices of all tiles together, of about 60 bytes each, and of corners of
-// faces.
-constexpr std::size_t most_vertices = 16'000'000, most_corners = 6 * most_vertices;
 // Tiles of which a border cuts off more than this share of their size are left out.
 constexpr double most_cut = 0.2;
 // Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
@@ -22,15 +18,8 @@ constexpr double below_limit = 0.98;
 // Tiles that have grown to less than this share of their size are not shown.
 constexpr double smallest = 1e-3;
 
-// Groups the parts of the base by the members of a procession.
-std::map<int, std::vector<Part>> by_member(const EvaluatedObject& base)
-{
-    std::map<int, std::vector<Part>> out;
-    for (const Part& part : base.parts) out[part.key.member].push_back(part);
-    return out;
-}
-
-BasePose pose_of(const TileBase& base, const std::vector<Part>& parts)
+BasePose pose_of(const TileBase& base, const std::vector<Part>& parts,
+                 const std::vector<char>& mirrored)
 {
     BasePose pose;
     pose.points.reserve(base.points().size());
@@ -46,8 +35,7 @@ BasePose pose_of(const TileBase& base, const std::vector<Part>& parts)
     for (std::uint32_t t = 0; t < base.triangle_count(); ++t) {
         triangles.push_back(base.triangle(t));
         // A mirror on the way to the world turns the faces round, as it does in the picture.
-        if (const glm::dmat3 m(parts[base.piece_of(t)].to_world); glm::determinant(m) < 0)
-            std::swap(triangles.back().y, triangles.back().z);
+        if (mirrored[base.piece_of(t)]) std::swap(triangles.back().y, triangles.back().z);
     }
     pose.normals = angle_normals(pose.points, triangles);
     return pose;
@@ -59,24 +47,63 @@ double side_in_world(const TilePatch& patch)
     return (glm::distance(at(0, 0.5), at(1, 0.5)) + glm::distance(at(0.5, 0), at(0.5, 1))) / 2;
 }
 
-// TileCounts are the numbers of tiles that a notice is given of.
-struct TileCounts {
-    int lowered = 0, folded = 0, at_borders = 0;
-};
+// Seen in a mirror, a patch has its outside at the bottom; the other way round it does not.
+TilePatch with_x_reversed(TilePatch patch)
+{
+    for (std::size_t j = 0; j < 16; j += 4) {
+        std::reverse(patch.p.data() + j, patch.p.data() + j + 4);
+        std::reverse(patch.n.data() + j, patch.n.data() + j + 4);
+    }
+    return patch;
+}
+
+TilePatch patch_through(const LimitChart& chart, const RestToWorld& way)
+{
+    TilePatch out;
+    for (std::size_t k = 0; k < 16; ++k) {
+        const SurfacePoint there = way(chart.nodes[k]);
+        out.p[k] = there.p;
+        out.n[k] = there.normal;
+    }
+    return {through_nodes(out.p), through_nodes(out.n)};
+}
+
+// One for each tile of a layout, where one member of its base stands.
+std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base,
+                                  const TiledPieces& pieces, const std::vector<Part>& parts)
+{
+    std::vector<TilePatch> out(charts.count());
+    const std::vector<char> mirrored = mirrored_parts(pieces, parts);
+    const std::vector<RestToWorld> ways = ways_to_world(pieces, parts);
+    const BasePose pose = charts.flat.empty() ? BasePose{} : pose_of(base, parts, mirrored);
+    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (charts.cut(i) > most_cut) continue;
+            const bool on_limit = charts.flat.empty();
+            const std::size_t piece =
+                on_limit ? charts.smooth[i].piece : base.piece_of(charts.flat[i].nodes[0].triangle);
+            out[i] = on_limit ? patch_through(charts.smooth[i], ways[piece])
+                              : patch_of(base, pose, charts.flat[i]);
+            if (mirrored[piece]) out[i] = with_x_reversed(out[i]);
+        }
+    });
+    return out;
+}
 
 // Adds the tiles that have room, each as high as it may be, to those of their kind. `kinds` and
 // `cells` hold the kind of each tile and the cell of each kind.
 void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
-                 const TileLayout& layout, const std::vector<TileChart>& charts,
-                 const BasePose& pose, const TileLook& look, const std::vector<std::size_t>& kinds,
-                 const std::vector<TileCell>& cells, TileCounts& told)
+                 const TileLayout& layout, const TileCharts& charts,
+                 const std::vector<TilePatch>& patches, const TileLook& look,
+                 const std::vector<std::size_t>& kinds, const std::vector<TileCell>& cells,
+                 TileCounts& told)
 {
     enum class Fate : char { as_wanted, lowered, folded, at_border, not_grown };
-    std::vector<PlacedTile> all(charts.size());
-    std::vector<Fate> fates(charts.size(), Fate::as_wanted);
-    parallel_blocks(charts.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<PlacedTile> all(patches.size());
+    std::vector<Fate> fates(patches.size(), Fate::as_wanted);
+    parallel_blocks(patches.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (charts[i].cut > most_cut) {
+            if (charts.cut(i) > most_cut) {
                 fates[i] = Fate::at_border;
                 continue;
             }
@@ -88,7 +115,7 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
                 fates[i] = Fate::not_grown;
                 continue;
             }
-            tile.patch = patch_of(base, pose, charts[i]);
+            tile.patch = patches[i];
             if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
             tile.height =
                 side_in_world(tile.patch) * layout.tiles[i].height * look.height * motion.height;
@@ -161,18 +188,63 @@ Ref<Stage> refused(const Ref<Stage>& before, const std::string& why)
 
 } // namespace
 
-glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part)
+Ref<TileCharts> TilingStep::charts(const FoundLimit& limit, const Ref<TileBase>& base,
+                                   const Ref<TileLayout>& layout, const TileLook& look,
+                                   Timings& timings)
 {
-    if (object.tiles) return part.to_world; // its tiles are no meshes of its model
-    for (const Shape::NodeMesh& each : base.shape->meshes) {
-        if (each.slot != part.key.mesh) continue;
-        const glm::dmat3 turned(object.transform.matrix());
-        // A part in a volume was turned inside out before, if its node mirrors it.
-        if (part.bent && object.stroke && glm::determinant(turned * glm::dmat3(each.to_model)) < 0)
-            return glm::dmat4(glm::inverse(turned));
-        return each.to_model;
+    return charts_({layout, look.turn_deg, look.scale}, [&] {
+        return timed(timings, "tiles", [&] {
+            // While strokes are added most tiles stay, and with them their charts.
+            const bool alike =
+                last_.base == base && last_.turn_deg == look.turn_deg && last_.scale == look.scale;
+            const std::size_t known = alike ? last_.layout->tiles.size() : 0;
+            TileCharts out;
+            (limit.base ? out.smooth.resize(layout->tiles.size())
+                        : out.flat.resize(layout->tiles.size()));
+            parallel_blocks(layout->tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Tile& tile = layout->tiles[i];
+                    if (i < known && tile == last_.layout->tiles[i]) {
+                        if (limit.base)
+                            out.smooth[i] = last_.charts->smooth[i];
+                        else
+                            out.flat[i] = last_.charts->flat[i];
+                    } else if (limit.base)
+                        out.smooth[i] =
+                            limit_chart_of(*limit.base, tile, look.turn_deg, look.scale);
+                    else
+                        out.flat[i] = chart_of(*base, tile, look.turn_deg, look.scale);
+                }
+            });
+            last_ = {base, look.turn_deg, look.scale, layout, make_ref(std::move(out))};
+            return last_.charts;
+        });
+    });
+}
+
+TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLimit& limit,
+                                        const StepInput& input)
+{
+    const Tiling& tiling = *input.object.tiles;
+    if (tiling.strokes.empty()) return {};
+    Ref<TileBase> base(limit.base, limit.base ? &limit.base->triangles() : nullptr);
+    if (!base) {
+        Pieces meshes;
+        for (const TiledPiece& piece : pieces)
+            meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
+        base = bases_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
     }
-    return glm::dmat4(1);
+    const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
+        return timed(input.timings, "tiles",
+                     [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
+    });
+    const TileLook& look = tiling.look;
+    const SlideKey key{base, layout, look.turn_deg, look.scale, look.slide_x, look.slide_y};
+    const Ref<TileLayout> slid =
+        look.slide_x == 0 && look.slide_y == 0
+            ? layout
+            : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
+    return {base, slid, charts(limit, base, slid, look, input.timings)};
 }
 
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -186,88 +258,66 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const std::map<int, std::vector<Part>> members = by_member(*shown);
     if (members.empty()) return refused(before, "what its tiles were painted on has no surface");
 
-    Pieces pieces;
-    for (const Part& part : members.begin()->second)
-        pieces.push_back({input.ray_meshes(part.rest, input.timings),
-                          mesh_to_model(*shown, object(input.document, tiling.base), part)});
-    const Ref<TileBase> base =
-        bases_(pieces, [&] { return std::make_shared<const TileBase>(pieces); });
-    const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
-        return timed(input.timings, "tiles",
-                     [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
-    });
+    const TiledPieces pieces =
+        pieces_of(*shown, object(input.document, tiling.base), members.begin()->second);
+    const FoundLimit limit = limits_(pieces);
+    const Painted strokes = painted(pieces, limit, input);
     const TileLook& look = tiling.look;
-    const auto charts =
-        charts_({layout, look.turn_deg, look.scale, {look.slide_x, look.slide_y}}, [&] {
-            return timed(input.timings, "tiles", [&] {
-                std::vector<TileChart> out(layout->tiles.size());
-                parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i)
-                        if (const auto tile = slid(*base, layout->tiles[i], look))
-                            out[i] = chart_of(*base, *tile, look.turn_deg, look.scale);
-                        else
-                            out[i].cut = std::numeric_limits<double>::infinity();
-                });
-                return make_ref(std::move(out));
-            });
-        });
     const TileKinds of_layer = kinds_of_(*before, input);
-    return painted_({before, shown, charts, look, of_layer}, [&] {
+    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
-        std::vector<std::vector<Ref<TileModel>>> models(kinds.size());
-        std::vector<TileCell> cells;
-        for (std::size_t k = 0; k < kinds.size(); ++k) {
-            cells.push_back(tile_cell(kinds[k].parts, kinds[k].turned));
-            for (std::size_t i = 0; i < kinds[k].parts.size(); ++i)
-                models[k].push_back(kinds_of_.model(kinds[k], i, cells[k]));
-            // A tile that moves may be higher than at rest.
-            for (std::size_t i = 0; i < models[k].size(); ++i)
-                if (kinds[k].parts[i].posed || kinds[k].morph != 0)
-                    cells[k].top = std::max(cells[k].top, cells[k].side * models[k][i]->box.hi.z);
-        }
-        std::vector<std::size_t> kind_of_tile;
-        for (const Tile& tile : layout->tiles) kind_of_tile.push_back(of_layer.of(tile.seed));
-        TileCounts told;
-        std::vector<std::vector<PlacedTile>> all(kinds.size());
-        for (const auto& [member, parts] : members) {
-            if (parts.size() != pieces.size()) continue; // a part is too far away
-            timed(input.timings, "tiles", [&] {
-                place_tiles(all, *base, *layout, *charts, pose_of(*base, parts), look, kind_of_tile,
-                            cells, told);
-            });
-        }
-        std::size_t count = 0, vertices = 0, corners = 0;
-        for (std::size_t k = 0; k < kinds.size(); ++k) {
-            count += all[k].size();
-            for (const Part& part : kinds[k].parts) {
-                vertices += part.rest->vertex_count() * all[k].size();
-                corners += part.rest->corners.size() * all[k].size();
-            }
-        }
-        if (vertices > most_vertices || corners > most_corners)
-            return refused(before,
-                           fmt::format("its {} tiles would have {} vertices and {} corners of "
-                                       "faces; at most {} and {} are drawn, so simplify the "
-                                       "object or paint fewer tiles",
-                                       count, vertices, corners, most_vertices, most_corners));
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
         stage.mixed_materials = materials_of_others(of_layer);
-        for (std::size_t k = 0; k < kinds.size(); ++k) {
-            if (all[k].empty()) continue;
-            const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
-            for (std::size_t i = 0; i < kinds[k].parts.size(); ++i) {
-                const Part& part = kinds[k].parts[i];
-                if (part.rest->positions.empty()) continue;
-                PartKey key = part.key;
-                key.mesh += kinds[k].first_mesh;
-                stage.parts.push_back(timed(input.timings, "tiles", [&] {
-                    return part_of(tile_set(models[k][i], places), key);
-                }));
+        TileCounts told;
+        if (strokes.charts) {
+            std::vector<std::vector<Ref<TileModel>>> models(kinds.size());
+            std::vector<TileCell> cells;
+            for (std::size_t k = 0; k < kinds.size(); ++k) {
+                cells.push_back(tile_cell(kinds[k].parts, kinds[k].turned));
+                for (std::size_t i = 0; i < kinds[k].parts.size(); ++i)
+                    models[k].push_back(kinds_of_.model(kinds[k], i, cells[k]));
+                // A tile that moves may be higher than at rest.
+                for (std::size_t i = 0; i < models[k].size(); ++i)
+                    if (kinds[k].parts[i].posed || kinds[k].morph != 0)
+                        cells[k].top =
+                            std::max(cells[k].top, cells[k].side * models[k][i]->box.hi.z);
+            }
+            std::vector<std::size_t> kind_of_tile, counts;
+            for (const Tile& tile : strokes.layout->tiles)
+                kind_of_tile.push_back(of_layer.of(tile.seed));
+            std::vector<std::vector<PlacedTile>> all(kinds.size());
+            for (const auto& [member, parts] : members) {
+                if (parts.size() != pieces.size()) continue; // a part is too far away
+                timed(input.timings, "tiles", [&] {
+                    place_tiles(all, *strokes.base, *strokes.layout, *strokes.charts,
+                                patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
+                                kind_of_tile, cells, told);
+                });
+            }
+            for (const auto& of_kind : all) counts.push_back(of_kind.size());
+            if (const std::string words = too_many_words(kinds, counts); !words.empty())
+                return refused(before, words);
+            for (std::size_t k = 0; k < kinds.size(); ++k) {
+                if (all[k].empty()) continue;
+                const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
+                for (std::size_t i = 0; i < kinds[k].parts.size(); ++i) {
+                    const Part& part = kinds[k].parts[i];
+                    if (part.rest->positions.empty()) continue;
+                    PartKey key = part.key;
+                    key.mesh += kinds[k].first_mesh;
+                    stage.parts.push_back(timed(input.timings, "tiles", [&] {
+                        return part_of(tile_set(models[k][i], places), key);
+                    }));
+                }
             }
         }
         if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
-        tell(stage, *layout, told);
+        CoverParts cover = covers_({tiling, of_layer, pieces, limit, members, input.timings});
+        stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
+        told += cover.counts;
+        tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
+        stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
         return make_ref(std::move(stage));
     });
 }

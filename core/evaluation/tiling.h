@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/recent.h"
-#include "core/evaluation/tile_kinds.h"
+#include "core/evaluation/covers.h"
 #include "core/tiles/chart.h"
+#include "core/tiles/limit_chart.h"
 
 namespace trivar {
 
-// From the mesh of a part of what is painted on to the model of that at rest, in whose space
-// strokes of tiles are stored. `object` is the object that the base shows.
-glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part);
+// TileCharts say where the tiles of a layout are on their base at rest; one of the lists is empty.
+struct TileCharts {
+    std::vector<TileChart> flat;    // on the triangles of the base
+    std::vector<LimitChart> smooth; // on its limit surface
+    std::size_t count() const { return flat.size() + smooth.size(); }
+    double cut(std::size_t i) const { return flat.empty() ? smooth[i].cut : flat[i].cut; }
+};
 
-// A TilingStep puts copies of an object's meshes where its strokes lay them on their base, as the
-// base stands at a frame. The strokes are worked off on the base at rest, and again only when one
-// of them or the base's meshes changed; where the base moves, the patches alone follow it.
+// A TilingStep puts copies of an object's meshes where its strokes lay them on their base, and all
+// over it where they cover it, as the base stands at a frame. The strokes are worked off on the
+// base at rest, and again only when one of them or the base's meshes changed; where the base moves,
+// the patches alone follow it.
 class TilingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
@@ -30,16 +35,36 @@ private:
     struct Key {
         Ref<Stage> before;
         Ref<EvaluatedObject> base;
-        Ref<std::vector<TileChart>> charts;
+        Ref<TileCharts> charts;
         TileLook look;
+        TileCover cover;
         TileKinds kinds;
         bool operator==(const Key&) const = default;
     };
+    struct Painted { // all null where there are no strokes
+        Ref<TileBase> base;
+        Ref<TileLayout> layout;
+        Ref<TileCharts> charts;
+    };
+    struct LastCharts { // of which those of tiles that stay are taken over
+        Ref<TileBase> base;
+        double turn_deg = 0, scale = 0;
+        Ref<TileLayout> layout;
+        Ref<TileCharts> charts;
+    };
+    Ref<TileCharts> charts(const FoundLimit& limit, const Ref<TileBase>& base,
+                           const Ref<TileLayout>& layout, const TileLook& look, Timings& timings);
+    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const StepInput& input);
+
+    LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
-    Recent<ChartKey, Ref<std::vector<TileChart>>> charts_;
+    Recent<SlideKey, Ref<TileLayout>> slides_;
+    Recent<ChartKey, Ref<TileCharts>> charts_;
+    LastCharts last_;
     TileKindsOf kinds_of_;
-    Recent<Key, Ref<Stage>> painted_;
+    Covers covers_;
+    Recent<Key, Ref<Stage>> shown_;
 };
 
 } // namespace trivar

@@ -10,11 +10,20 @@ const Part& innermost(const Part& part)
     return *out;
 }
 
+DeformedPoint point_in_world(const Part& part, const glm::dvec3& p_object)
+{
+    if (!part.bent)
+        return {glm::dvec3(part.to_world * glm::dvec4(p_object, 1)), glm::dmat3(part.to_world)};
+    const DeformedPoint before = part.bent->inner ? point_in_world(*part.bent->inner, p_object)
+                                                  : DeformedPoint{p_object, glm::dmat3(1)};
+    DeformedPoint out = deform(before.position_world, part.bent->embedding, *part.bent->volume);
+    out.jacobian = out.jacobian * before.jacobian;
+    return out;
+}
+
 glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object)
 {
-    if (!part.bent) return glm::dvec3(part.to_world * glm::dvec4(p_object, 1));
-    const glm::dvec3 p = part.bent->inner ? place_in_world(*part.bent->inner, p_object) : p_object;
-    return deform(p, part.bent->embedding, *part.bent->volume).position_world;
+    return point_in_world(part, p_object).position_world;
 }
 
 Part part_of(const Ref<TileSet>& tiles, const PartKey& key)

@@ -57,8 +57,9 @@ struct Part {
 const Part& innermost(const Part& part);
 
 // Where a point of the mesh that the first of them deforms is in the world, after all volumes of
-// the part. In double precision.
-glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object);
+// the part, and the derivative of that by the point. In double precision.
+DeformedPoint point_in_world(const Part& part, const glm::dvec3& p_object);
+glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object); // the position alone
 
 // A part of tiles with that key, in the world.
 Part part_of(const Ref<TileSet>& tiles, const PartKey& key);

@@ -15,6 +15,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* maker = "trivar-make";
 
+// What the maker is asked for, and the folder that it makes it into; empty: it makes no such file.
+struct SampleOrder {
+    std::string name;
+    fs::path folder;
+};
+SampleOrder order_for(const fs::path& file, const fs::path& made_by)
+{
+    const fs::path models = made_by.parent_path() / "assets" / "models";
+    if (file.extension() == ".glb" && file.parent_path() == models)
+        return {file.stem().string(), models};
+    if (file.extension() == ".obj" && file.parent_path() == models / "cages")
+        return {"cages", models}; // all at once
+    return {};
+}
+
 } // namespace
 
 bool can_be_made(const std::string& path, const fs::path& program)
@@ -25,9 +40,9 @@ bool can_be_made(const std::string& path, const fs::path& program)
     const bool is_named_so = !name.empty() && std::ranges::all_of(name, [](char c) {
         return c == '_' || (c >= 'a' && c <= 'z');
     });
-    if (!is_named_so || file.extension() != ".glb" || fs::exists(file, ignored)) return false;
+    if (!is_named_so || fs::exists(file, ignored)) return false;
     const fs::path made_by = part_of(program, maker);
-    return !made_by.empty() && file.parent_path() == made_by.parent_path() / "assets" / "models";
+    return !made_by.empty() && !order_for(file, made_by).name.empty();
 }
 
 void make_sample_model(const std::string& path, const Progress& progress, const fs::path& program)
@@ -35,8 +50,9 @@ void make_sample_model(const std::string& path, const Progress& progress, const 
     if (!can_be_made(path, program)) return;
     const fs::path file = fs::absolute(path).lexically_normal();
     report(progress, 0, "making " + file.filename().string());
-    std::string made_by = part_of(program, maker).string(), folder = file.parent_path().string(),
-                name = file.stem().string(), quiet = "--quiet";
+    const SampleOrder order = order_for(file, part_of(program, maker));
+    std::string made_by = part_of(program, maker).string(), folder = order.folder.string(),
+                name = order.name, quiet = "--quiet";
     const std::array<char*, 5> arguments{made_by.data(), folder.data(), name.data(), quiet.data(),
                                          nullptr};
     pid_t id = -1;

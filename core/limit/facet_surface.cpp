@@ -112,8 +112,11 @@ void FacetSurface::place(std::span<const glm::dvec3> points)
     normals_.assign(points_.size(), glm::dvec3(0));
     for (std::uint32_t c = 0; c < net_->size(); ++c) {
         const auto at = [&](int k) { return points_[net_->point(c, k)]; };
+        const auto is_pole = [&](int k) { return net_->point(c, k) == net_->point(c, k + 1); };
         for (int k = 0; k < 4; ++k) { // weighted by angle
-            const glm::dvec3 a = at(k + 1) - at(k), b = at(k + 3) - at(k), n = glm::cross(a, b);
+            if (is_pole(k)) continue; // the corner after it counts for both
+            const glm::dvec3 a = at(k + 1) - at(k), b = at(is_pole(k + 3) ? k + 2 : k + 3) - at(k),
+                             n = glm::cross(a, b);
             const double length = glm::length(n);
             if (length > 0)
                 normals_[net_->point(c, k)] += std::atan2(length, glm::dot(a, b)) / length * n;

@@ -47,7 +47,12 @@ Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& 
 {
     glm::dmat4 to_unit(1.0 / cell.side);
     to_unit[3] = glm::dvec4(glm::dvec3(0.5, 0.5, 0) - cell.middle_of_floor / cell.side, 1);
-    Mesh out = transformed(mesh, to_unit * to_model);
+    return in_unit_cell(mesh, to_unit * to_model);
+}
+
+Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_unit)
+{
+    Mesh out = transformed(mesh, to_unit);
     out.influences.clear();
     out.morph_targets.clear();
     out.creases.clear();
@@ -66,9 +71,15 @@ Ref<TileModel> tile_model(Mesh in_unit_cell, bool with_levels)
 
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles)
 {
-    TileSet out{model, tiles, {}, {}, Lazy<Ref<Mesh>>([model, tiles] {
-                    return make_ref(bent_tiles(*model->mesh, *tiles));
-                })};
+    return tile_set(model, tiles, Lazy<Ref<Mesh>>([model, tiles] {
+                        return make_ref(bent_tiles(*model->mesh, *tiles));
+                    }));
+}
+
+Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles,
+                      Lazy<Ref<Mesh>> mesh)
+{
+    TileSet out{model, tiles, {}, {}, std::move(mesh)};
     out.extents.resize(tiles->size());
     parallel_blocks(tiles->size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -21,6 +21,8 @@ struct TileCell {
 // `to_model` takes the mesh to the cell's model; a mirroring one turns the faces round. Skins,
 // morph targets and creases are left out. O(#V).
 Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_model, const TileCell& cell);
+// The same by a matrix from the mesh to the unit cell.
+Mesh in_unit_cell(const Mesh& mesh, const glm::dmat4& to_unit);
 
 // A TileModel is one tile in its unit cell, for any number of places.
 struct TileModel {
@@ -50,6 +52,10 @@ struct TileSet {
 // Bounds all tiles, and bends only the few whose hulls reach out of the box of the others. In
 // parallel. About 2 microseconds per tile.
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles);
+// The same for tiles of which a mesh that is nearer to what they stand for can be made: with as
+// many vertices and faces, tile by tile, each about where the patches have it.
+Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles,
+                      Lazy<Ref<Mesh>> mesh);
 
 // Makes one mesh of all tiles. In parallel; the same bits for any number of threads. O(#tiles #V).
 Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles);

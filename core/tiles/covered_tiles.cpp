@@ -6,6 +6,10 @@
 #include "core/tiles/fold_limit.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace trivar {
 namespace {
@@ -104,44 +108,84 @@ private:
     CornerHeights heights_{};
 };
 
+// A TileOnCells finds the points of one tile on its cells: few, each made once.
+class TileOnCells {
+public:
+    TileOnCells(const Covering& covering, const CoveringPose& pose, std::uint32_t tile)
+        : covering_(covering),
+          pose_(pose),
+          tile_(covering.tiles()[tile]),
+          turned_over_(pose.mirrored[covering.cell(tile_.cell).chart] != 0),
+          scale_(pose.scales.empty() ? 1 : pose.scales[tile]),
+          factor_(pose.factors.empty() ? 1 : pose.factors[tile])
+    {
+    }
+    // x and y fill the unit square; z is in lengths of the tile, before its own factor.
+    TilePoint at(const glm::dvec3& p)
+    {
+        glm::dvec2 at(p);
+        if (scale_ != 1) at = 0.5 + scale_ * (at - 0.5);
+        if (turned_over_) at.x = 1 - at.x;
+        const bool hexagon = covering_.pattern() == TilePattern::hexagon;
+        if (hexagon) at.y = snapped(hexagon_width * at.y - hexagon_reach);
+        const Covering::Spot spot = covering_.spot(tile_, at);
+        const TilePoint t = shape_of(spot.cell).at(spot.uv, factor_ * p.z);
+        // The derivatives along the tile's own directions.
+        const glm::dvec2 ex = quarter_turned({1, 0}, spot.turns),
+                         ey = quarter_turned({0, 1}, spot.turns);
+        const double along = (turned_over_ ? -1 : 1) * spot.along,
+                     across = hexagon ? hexagon_width : 1;
+        return {t.p, scale_ * along * (ex.x * t.x + ex.y * t.y),
+                scale_ * across * (ey.x * t.x + ey.y * t.y), factor_ * t.z};
+    }
+    std::vector<std::uint32_t> cells() const
+    {
+        std::vector<std::uint32_t> out;
+        for (const auto& [cell, shape] : shapes_) out.push_back(cell);
+        return out;
+    }
+
+private:
+    const CellShape& shape_of(std::uint32_t id)
+    {
+        for (const auto& [known, shape] : shapes_)
+            if (known == id) return shape;
+        return shapes_.emplace_back(id, CellShape(covering_, pose_, id)).second;
+    }
+
+    const Covering& covering_;
+    const CoveringPose& pose_;
+    const Covering::Laid& tile_;
+    bool turned_over_;
+    double scale_, factor_;
+    std::vector<std::pair<std::uint32_t, CellShape>> shapes_;
+};
+
 } // namespace
 
 Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                    const Covering& covering, const CoveringPose& pose)
 {
+    std::vector<std::uint32_t> all(covering.tiles().size());
+    std::iota(all.begin(), all.end(), 0u);
+    return covered_tiles(mesh, to_model, cell, covering, pose, all);
+}
+
+Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
+                   const Covering& covering, const CoveringPose& pose,
+                   std::span<const std::uint32_t> tiles)
+{
     const bool mirrored = glm::determinant(glm::dmat3(to_model)) < 0;
-    const auto& tiles = covering.tiles();
     const std::size_t count = mesh.vertex_count();
     Mesh out = copies_of(mesh, tiles.size(), mirrored);
     const InCell from = in_cell(mesh, to_model, cell);
-    const bool hexagon = covering.pattern() == TilePattern::hexagon;
     parallel_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            const Covering::Laid& tile = tiles[k];
-            // Cells that the tile lies on: few, each made once.
-            std::vector<std::pair<std::uint32_t, CellShape>> shapes;
-            const auto shape_of = [&](std::uint32_t id) -> const CellShape& {
-                for (const auto& [known, shape] : shapes)
-                    if (known == id) return shape;
-                return shapes.emplace_back(id, CellShape(covering, pose, id)).second;
-            };
-            const bool turned_over = pose.mirrored[covering.cell(tile.cell).chart] != 0;
-            const double factor = pose.factors.empty() ? 1 : pose.factors[k];
+            TileOnCells tile(covering, pose, tiles[k]);
             for (std::size_t v = 0; v < count; ++v) {
-                glm::dvec2 at(from.at[v]);
-                if (turned_over) at.x = 1 - at.x;
-                if (hexagon) at.y = snapped(hexagon_width * at.y - hexagon_reach);
-                const Covering::Spot spot = covering.spot(tile, at);
-                const TilePoint t = shape_of(spot.cell).at(spot.uv, factor * from.at[v].z);
+                const auto [p, x, y, z] = tile.at(from.at[v]);
                 const std::size_t to = k * count + v;
-                out.positions[to] = glm::vec3(t.p) + 0.0f; // no negative zeros
-                // The derivatives along the tile's own directions.
-                const glm::dvec2 ex = quarter_turned({1, 0}, spot.turns),
-                                 ey = quarter_turned({0, 1}, spot.turns);
-                const double along = (turned_over ? -1 : 1) * spot.along,
-                             across = hexagon ? hexagon_width : 1;
-                const glm::dvec3 x = along * (ex.x * t.x + ex.y * t.y),
-                                 y = across * (ey.x * t.x + ey.y * t.y), z = factor * t.z;
+                out.positions[to] = glm::vec3(p) + 0.0f; // no negative zeros
                 if (!out.normals.empty()) {
                     const glm::dvec3& n = from.normals[v];
                     out.normals[to] = unit_or_zenith(
@@ -155,6 +199,50 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
             }
         }
     });
+    return out;
+}
+
+glm::dmat4 to_unit_cell(const CoverCell& cell)
+{
+    const glm::dvec3 size = glm::max(cell.size, glm::dvec3(1e-9));
+    const glm::dvec3 factor(1 / size.x, 1 / size.y, 1 / size.x);
+    glm::dmat4 out(1);
+    for (int k = 0; k < 3; ++k) {
+        out[k][k] = factor[k];
+        out[3][k] = -factor[k] * cell.lo[k];
+    }
+    return out;
+}
+
+PatchedTile patched_tile(const CoverCell& cell, const Covering& covering, const CoveringPose& pose,
+                         std::uint32_t tile)
+{
+    assert(cell.turns == 0);
+    TileOnCells on_cells(covering, pose, tile);
+    const auto at = [&](double x, double y) {
+        return on_cells.at({0.5 + cell.scale * (x - 0.5), 0.5 + cell.scale * (y - 0.5), 0});
+    };
+    const double top = cell.size.z / std::max(cell.size.x, 1e-9), sunk = cell.sink * top;
+    PatchedTile out{{{}, 1, -sunk}};
+    TilePatch& patch = out.tile.patch;
+    for (std::size_t k = 0; k < 16; ++k) {
+        const TilePoint t = at(patch_nodes[k % 4], patch_nodes[k / 4]);
+        patch.p[k] = t.p;
+        patch.n[k] = t.z;
+    }
+    patch.p = through_nodes(patch.p);
+    patch.n = through_nodes(patch.n);
+    const double high = std::max(std::abs(top - sunk), std::abs(sunk)),
+                 length = glm::distance(at(0, 0.5).p, at(1, 0.5).p);
+    for (const double y : {0.1, 0.5, 0.9})
+        for (const double x : {0.1, 0.5, 0.9}) {
+            const TilePoint is = tile_point(patch, {x, y, 0}), wanted = at(x, y);
+            const double off = glm::distance(is.p, wanted.p) + high * glm::distance(is.z, wanted.z);
+            out.off = std::max(out.off, std::isfinite(off) && length > 0
+                                            ? off / length
+                                            : std::numeric_limits<double>::infinity());
+        }
+    out.cells = on_cells.cells();
     return out;
 }
 

@@ -43,6 +43,7 @@ constexpr std::array<std::array<std::size_t, 4>, 4> side_nodes{
 // whichever way round the side is taken: it is always taken in one of them.
 std::array<glm::dvec3, 4> side_curve(const std::array<glm::dvec3, 4>& values, bool backwards)
 {
+    if (std::ranges::count(values, values[0]) == 4) return values; // a pole, to the last bit
     std::array<glm::dvec3, 16> grid{};
     for (std::size_t k = 0; k < 4; ++k) grid[k] = values[backwards ? 3 - k : k];
     for (std::size_t k = 4; k < 16; ++k) grid[k] = grid[k % 4];

@@ -103,12 +103,29 @@ double least_root(double a, double b, double c)
     return least;
 }
 
+// Coefficients that vanish are those of a side that is a single point.
+bool vanishes(const Determinant& d, std::size_t i)
+{
+    return d.a[i] == 0 && d.b[i] == 0 && d.c[i] == 0;
+}
+
+double root_at(const Determinant& d, std::size_t i)
+{
+    return vanishes(d, i) ? infinity : least_root(d.a[i], d.b[i], d.c[i]);
+}
+
 double least_root(const Determinant& d)
 {
     double least = infinity;
-    for (std::size_t i = 0; i < 81; ++i)
-        least = std::min(least, least_root(d.a[i], d.b[i], d.c[i]));
+    for (std::size_t i = 0; i < 81; ++i) least = std::min(least, root_at(d, i));
     return least;
+}
+
+bool vanishes(const Determinant& d)
+{
+    for (std::size_t i = 0; i < 81; ++i)
+        if (!vanishes(d, i)) return false;
+    return true;
 }
 
 // Computes the coefficients over both halves of an axis, by de Casteljau's algorithm.
@@ -134,8 +151,7 @@ double limit_of(const Determinant& d, int depth)
     if (depth == 0 || limit == infinity) return limit;
     // Coefficients at corners are values: subdivision raises no limit above theirs.
     double corner = infinity;
-    for (const std::size_t i : {0, 8, 72, 80})
-        corner = std::min(corner, least_root(d.a[i], d.b[i], d.c[i]));
+    for (const std::size_t i : {0, 8, 72, 80}) corner = std::min(corner, root_at(d, i));
     if (limit >= 0.995 * corner) return limit;
     double least = infinity;
     const auto ax = halves(d.a, true), bx = halves(d.b, true), cx = halves(d.c, true);
@@ -151,7 +167,8 @@ double limit_of(const Determinant& d, int depth)
 
 double fold_limit(const TilePatch& patch, int depth)
 {
-    return limit_of(determinant_of(patch), depth);
+    const Determinant d = determinant_of(patch);
+    return vanishes(d) ? 0 : limit_of(d, depth);
 }
 
 } // namespace trivar

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_motion.h"
 
+#include "core/base/parallel.h"
 #include "core/tiles/straightest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -69,6 +71,19 @@ std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook&
     const double back = -std::atan2(glm::dot(ahead, across), glm::dot(ahead, tile.x));
     there.x = std::cos(back) * d + std::sin(back) * glm::cross(m, d);
     return there;
+}
+
+TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const TileLook& look)
+{
+    TileLayout out = layout;
+    parallel_blocks(out.tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (const auto there = slid(base, out.tiles[i], look))
+                out.tiles[i] = *there;
+            else
+                out.tiles[i].size = std::numeric_limits<double>::infinity();
+    });
+    return out;
 }
 
 TilePatch middle_of(const TilePatch& patch, double share)

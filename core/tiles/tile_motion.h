@@ -28,6 +28,10 @@ double morph_of(const TileLook& look, double share);
 // nothing where a border stopped it. O(#edges crossed).
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look);
 
+// The layout with all tiles slid; those that a border stopped are infinitely large, so that
+// they get no chart. In parallel.
+TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const TileLook& look);
+
 // The middle part of a patch whose sides are `share` as long, as a patch of its own: exact, for
 // polynomials stay what they are. About 2 microseconds.
 TilePatch middle_of(const TilePatch& patch, double share);

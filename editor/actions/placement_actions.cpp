@@ -4,6 +4,7 @@
 #include "editor/editor.h"
 #include "editor/files/kept_shapes.h"
 #include "editor/files/plain_mesh.h"
+#include "editor/tools/cover.h"
 #include "editor/tools/place_round.h"
 
 namespace trivar {
@@ -33,6 +34,13 @@ void add_placement_actions(std::vector<Action>& actions)
                             return !e.session.committing() && round_wish(e.session).has_value();
                         },
                         "select a model, and then the body that it goes round"},
+                       true});
+    actions.push_back({"Add",
+                       cover_action,
+                       {},
+                       [](Editor& e) { e.session.run(*cover_wish(e.session)); },
+                       {[](const Editor& e) { return cover_wish(e.session).has_value(); },
+                        "select a tile, and then the object that it covers"},
                        true});
     actions.push_back(asks_for_plain_mesh(plain_copy_action, false));
     actions.push_back(asks_for_plain_mesh(apply_shape_action, true));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/painted_surface.h"
 
-#include "core/evaluation/tiling.h"
+#include "core/evaluation/tiled_base.h"
 #include "core/mesh/barycentric.h"
 
 namespace trivar {

@@ -5,8 +5,6 @@
 #include "editor/session/topics.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
-#include "ui/option_bar.h"
-#include "ui/widgets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +48,11 @@ void paint_ring(const ui::Theme& theme, const ViewportInput& input, const Camera
 }
 
 } // namespace
+
+bool TilesTool::lays() const
+{
+    return covers_ || lays_tiles(settings_.brush);
+}
 
 const char* TilesTool::icon() const
 {
@@ -144,7 +147,7 @@ Id TilesTool::base_under(const Session& session, const ViewportInput& input) con
     if (!fresh)
         if (const Object& o = object(session.document(), layer); o.tiles && o.tiles->base != 0)
             return o.tiles->base;
-    if (!lays_tiles(settings_.brush) || !input.seen_at) return 0;
+    if (!lays() || !input.seen_at) return 0;
     Id seen = input.seen_at(input.mouse);
     const auto found = session.document().objects.find(seen);
     // Over tiles the brush paints on what these are on.
@@ -201,7 +204,11 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
     g.stroke.seed = ++strokes_;
-    if (ImGui::GetIO().KeyCtrl) { // the opposite of what the brush does
+    if (covers_) {
+        g.cover = cover_;
+        g.cover->size = g.stroke.size;
+        if (ImGui::GetIO().KeyCtrl) g.cover->pattern = TilePattern::none;
+    } else if (ImGui::GetIO().KeyCtrl) { // the opposite of what the brush does
         if (lays_tiles(g.stroke.brush))
             g.stroke.brush = TileBrush::erase;
         else
@@ -248,7 +255,7 @@ void TilesTool::straighten(Session& session, const ViewportInput& input)
     }
 }
 
-void TilesTool::go_on(Session& session, const ViewportInput& input)
+void TilesTool::extend_stroke(Session& session, const ViewportInput& input)
 {
     Gesture& g = *gesture_;
     if (input.wheel != 0) {
@@ -265,12 +272,19 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
                 hit_ = hit;
                 add(*hit, move.time_s, move.pressure);
             }
+}
+
+void TilesTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    if (!g.cover) extend_stroke(session, input);
     g.over = g.over || input.released || !input.down;
     // Where reading failed a notice says why.
     if (reading_ && !session.jobs().status()) reading_ = false;
     if (reading_ || !wanted_.empty()) return;
     if (g.layer == 0) return gesture_.reset();
     if (g.over) return finish(session);
+    if (g.cover) return; // it is laid when the button is let go
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
@@ -281,7 +295,10 @@ void TilesTool::finish(Session& session)
 {
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    if (session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others}))
+    const bool taken = g.cover
+                           ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
+                           : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others});
+    if (taken)
         session.commit();
     else
         session.cancel();
@@ -306,7 +323,8 @@ void TilesTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
     if (!hit_) return;
-    const bool one = settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
+    const bool one =
+        covers_ || settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
                one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
@@ -315,64 +333,6 @@ void TilesTool::overlay(const Session& session, const ui::Theme& theme,
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
                    {shown->second->notices.front(), theme.color.warn});
-}
-
-void TilesTool::options(Session& session, const ui::Theme& theme, float width)
-{
-    const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
-    const bool lays = lays_tiles(settings_.brush), line = settings_.brush == TileBrush::line,
-               fills = settings_.brush == TileBrush::fill,
-               grabs = settings_.brush == TileBrush::grab;
-    std::vector<ui::Option> options;
-    options.push_back(
-        {"Brush", 96,
-         [&](float field) {
-             int kind = static_cast<int>(settings_.brush);
-             ui::choice(theme, "brush", kind,
-                        {"Scatter", "Line", "Fill", "Erase", "Comb", "Resize", "Raise", "Grab"},
-                        field);
-             settings_.brush = static_cast<TileBrush>(kind);
-         },
-         "Scatter, Line and Fill lay tiles, Grab moves a single one; the others change those under "
-         "the brush. With Ctrl, tiles are erased; with Shift, the stroke is straight."});
-    double shown_radius = radius(session), shown_size = size(session);
-    const auto number = [&](const char* words, const char* id, double& value,
-                            const ui::NumberStyle& style, const char* help, auto&& taken) {
-        options.push_back({words, 88,
-                           [&theme, id, &value, style, taken](float field) {
-                               if (ui::number_field(theme, id, value, style, field) !=
-                                   ui::Edit::none)
-                                   taken();
-                           },
-                           help});
-    };
-    if (!line && !fills && !grabs)
-        number("Radius", "radius", shown_radius, length,
-               "Of the brush; 0 follows the size of what is painted on. The wheel changes it while "
-               "you paint.",
-               [&] { radius_ = shown_radius; });
-    const auto nothing = [] {};
-    if (lays) {
-        number("Size", "size", shown_size, length, "Side of a tile; 0 is half of the radius.",
-               [&] { size_ = shown_size; });
-        number("Spacing", "spacing", settings_.spacing, {.lo = 0.05, .hi = 100, .unit = "x"},
-               "Distance between tiles, in sizes.", nothing);
-        number("Vary", "vary", settings_.size_variation, {.lo = 0, .hi = 1},
-               "Tiles are smaller by up to this share, at random.", nothing);
-        number("Turn", "turn", settings_.turn_variation_deg, {.lo = 0, .hi = 180, .unit = "deg"},
-               "Tiles are turned by up to this angle either way, at random.", nothing);
-        options.push_back(
-            {"Heading", 96,
-             [&](float field) {
-                 int heading = static_cast<int>(settings_.heading);
-                 ui::choice(theme, "heading", heading, {"Along stroke", "Upward", "Random"}, field);
-                 settings_.heading = static_cast<TileHeading>(heading);
-             },
-             "Where the X axis of the tile points."});
-    } else if (settings_.brush != TileBrush::erase && !grabs)
-        number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
-               "Of the brush; with Ctrl it goes the other way.", nothing);
-    ui::option_bar(theme, options, width);
 }
 
 std::vector<Hint> TilesTool::hints(const Session& session) const
@@ -385,10 +345,14 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},
                 {{"Esc"}, "Select"}};
+    if (covers_)
+        return {{{"left"}, "Click a body to cover it"},
+                {{"Ctrl", "left"}, "Take the cover away"},
+                {{"Esc"}, "Select"}};
     if (settings_.brush == TileBrush::fill)
         return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
-    return {{{"left"}, lays_tiles(settings_.brush) ? "Drag over a surface to paint" : "Drag"},
-            {{"Ctrl", "left"}, lays_tiles(settings_.brush) ? "Erase" : "Opposite"},
+    return {{{"left"}, lays() ? "Drag over a surface to paint" : "Drag"},
+            {{"Ctrl", "left"}, lays() ? "Erase" : "Opposite"},
             {{"Shift", "left"}, "Straight"},
             {{"@Smaller tool", "@Larger tool"}, "Radius"},
             {{"middle"}, "Orbit"},

@@ -4,6 +4,7 @@
 #include "core/commands/tiles.h"
 #include "editor/tools/painted_surface.h"
 #include "editor/tools/tool.h"
+#include "ui/option_bar.h"
 
 namespace trivar {
 
@@ -22,6 +23,12 @@ public:
     bool crosshair() const override { return hit_.has_value() || busy(); }
     void take_up(Session& session, Id object) override;
     std::optional<std::vector<std::string>> chosen_models(const Session& session) const override;
+    // From now on a click covers what is under it, as with the brush Cover.
+    void choose_cover(const TileCover& cover)
+    {
+        covers_ = true;
+        cover_ = cover;
+    }
     void choose_model(Session& session, const std::string& file, bool also) override;
     std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
@@ -39,13 +46,16 @@ private:
         Id layer = 0; // 0: its model is being read
         Id base = 0;
         TileStroke stroke;
-        std::vector<MixedTile> others = {}; // with what the layer is mixed from then on
+        std::vector<MixedTile> others = {};  // with what the layer is mixed from then on
+        std::optional<TileCover> cover = {}; // in place of the stroke
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
         bool over = false;        // the button was let go while its model was being read
     };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
+    bool lays() const;                               // the brush makes tiles where there are none
+    void cover_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     // What would be painted with of the scene, and onto what; 0: nothing.
     Id tile(const Session& session) const;
     Id base_under(const Session& session, const ViewportInput& input) const;
@@ -53,6 +63,7 @@ private:
     void find_place(const Session& session, const ViewportInput& input);
     void begin(Session& session, const ViewportInput& input);
     void go_on(Session& session, const ViewportInput& input);
+    void extend_stroke(Session& session, const ViewportInput& input);
     void finish(Session& session);
     // Replaces the stroke by a straight line in the picture, from where it began.
     void straighten(Session& session, const ViewportInput& input);
@@ -66,7 +77,9 @@ private:
     std::vector<std::string> wanted_; // those still to be read, the first one next
     bool reading_ = false;            // one of them is being read
     Id mixing_ = 0; // the layer that is mixed with what is read; 0: the gesture waits for it
-    TileStroke settings_{};        // all but lengths
+    TileStroke settings_{}; // all but lengths
+    bool covers_ = false;   // a click covers what is under it, and there are no strokes
+    TileCover cover_{.pattern = TilePattern::grid}; // all but its size
     double radius_ = 0, size_ = 0; // metres in the world; 0: in proportion to the base
     PaintedSurface surface_;
     Id under_ = 0;                  // what the brush is over

@@ -2,6 +2,7 @@
 #include "editor/words/volume_words.h"
 
 #include "core/commands/changes.h"
+#include "core/document/fields/shaping_fields.h"
 #include "core/placement/warping.h"
 #include "ui/widgets.h"
 

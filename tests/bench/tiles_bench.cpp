@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
+#include "core/limit/limit_surface.h"
 #include "core/mesh/primitives.h"
 #include "core/patches/tile_set.h"
 #include "core/tiles/chart.h"
+#include "core/tiles/cover_heights.h"
 #include "core/tiles/fold_limit.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
@@ -114,6 +117,50 @@ void tiles_hulls(benchmark::State& state)
     per_tile(state);
 }
 
+// A torus whose limit surface has 288 charts, covered by 10,368 bricks.
+LimitSurface covered_torus()
+{
+    Mesh cage = torus_mesh(1, 0.4, {24, 12});
+    if (cage.points.empty()) cage.points = points_by_position(cage.positions);
+    return LimitSurface(cage_of(ready_to_subdivide(cage)));
+}
+
+constexpr TileCover bricks{.pattern = TilePattern::brick, .per_face = 6};
+
+void per_cell(benchmark::State& state, const Covering& covering)
+{
+    state.counters["tiles"] = static_cast<double>(covering.tiles().size());
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<std::int64_t>(covering.tiles().size()));
+}
+
+// What a new pattern costs: the cells and their nodes on the surface at rest.
+void tiles_cover_layout(benchmark::State& state)
+{
+    const LimitSurface surface = covered_torus();
+    const Covering covering(surface, bricks, {1, 1});
+    for (auto _ : state)
+        benchmark::DoNotOptimize(Covering(surface, bricks, {1, 1}).points(surface));
+    per_cell(state, covering);
+}
+
+// What an edit of the base costs: heights, guard and patches. One thread.
+void tiles_cover_pose(benchmark::State& state)
+{
+    const LimitSurface surface = covered_torus();
+    const Covering covering(surface, bricks, {1, 1});
+    const CoverCell cell{{0, 0, 0}, {1, 0.5, 0.3}};
+    CoveringPose pose{covering.points(surface), {}, std::vector<char>(surface.net().size(), 0)};
+    const ThreadLimit limit(1);
+    for (auto _ : state) {
+        pose.heights = heights_along_rows(covering, pose.points, 1);
+        pose.heights = guarded_heights(covering, pose, 0.3).heights;
+        for (std::uint32_t k = 0; k < covering.tiles().size(); ++k)
+            benchmark::DoNotOptimize(patched_tile(cell, covering, pose, k));
+    }
+    per_cell(state, covering);
+}
+
 // What core/patches/tile_kernel.h is held against: vertex after vertex by the definition, in double
 // precision.
 void bend_plainly(const Mesh& unit, const PlacedTile& tile, glm::vec3* positions,
@@ -217,6 +264,8 @@ BENCHMARK(tiles_charts)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_patches)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_guard)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_hulls)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(tiles_cover_layout)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(tiles_cover_pose)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_vertices, plain_loop, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_vertices, kernel, false)->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);

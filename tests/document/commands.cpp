@@ -177,7 +177,9 @@ std::vector<Command> fitting_commands()
             SetTiles{.objects = {8}, .look = {.height = 2}},
             ClearTiles{.objects = {8}},
             MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}},
-            MorphTiles{.object = 8, .into = 2}};
+            MorphTiles{.object = 8, .into = 2},
+            CoverWithTiles{
+                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -89,6 +89,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Make Cylinder a single object again",
         "Mix the tiles of Cylinder with Ball",
         "Let the tiles of Cylinder become Ball",
+        "Cover Ball with Cylinder",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
@@ -250,6 +251,10 @@ TEST(StepTitle, TellsOfTiles)
     EXPECT_EQ(said(before, RemoveTileStrokes{8, {}}), "Remove all strokes of Cylinder");
     EXPECT_EQ(said(before, SetTiles{{8}, {.height = 2}}), "Tiles of Cylinder");
     EXPECT_EQ(said(before, ClearTiles{{8}}), "Make Cylinder a single object again");
+    const CoverWithTiles cover{8, 2, {.pattern = TilePattern::brick}};
+    EXPECT_EQ(said(before, cover), "Cover Ball with Cylinder");
+    EXPECT_EQ(said(after(before, cover), cover), "Change the cover of Ball by Cylinder");
+    EXPECT_EQ(said(before, CoverWithTiles{8, 2, {}}), "Uncover Ball from Cylinder");
 }
 
 TEST(StepTitle, TellsMovingFromTurningAndScaling)

@@ -88,6 +88,38 @@ TEST(PaintedTiles, GoWithTheirBase)
         EXPECT_LT(glm::distance(glm::dvec3(way * glm::dvec4(was[v], 1)), glm::dvec3(now[v])), 2e-5);
 }
 
+TEST(PaintedTiles, StandOutsideOfAMirrorImage)
+{
+    const Document before = painted_document();
+    Transform mirror;
+    mirror.scale = {-1, 1, 1};
+    const Evaluation a = evaluation_of(before),
+                     b = evaluation_of(after(before, SetTransform{painted_ball, mirror}));
+    EXPECT_THAT(shown_in(b, stud_id).notices, ::testing::IsEmpty());
+    EXPECT_EQ(tile_count(a), tile_count(b));
+    const auto highest = [](const Evaluation& of) {
+        double most = 0;
+        for (const glm::vec3& p : shown_in(of, stud_id).parts.at(0).mesh()->positions)
+            most = std::max(most, static_cast<double>(glm::length(p)));
+        return most;
+    };
+    EXPECT_NEAR(highest(a), highest(b), 1e-5);
+}
+
+TEST(PaintedTiles, KeepTheirChartsWhereStrokesAreAdded)
+{
+    Evaluator evaluator = new_evaluator();
+    const Document first = painted_document();
+    evaluator(first, 1);
+    TileStroke comb = a_tile_stroke(); // changes some tiles, and adds none
+    comb.brush = TileBrush::comb;
+    comb.radius = 0.05;
+    for (const TileStroke& stroke : {comb, *object(first, stud_id).tiles->strokes.front()}) {
+        const Document next = after(first, PaintTiles{stud_id, painted_ball, stroke});
+        EXPECT_EQ(digest(evaluator(next, 1)), digest(evaluation_of(next)));
+    }
+}
+
 TEST(PaintedTiles, RideOnWhatIsBentItself)
 {
     // The pot lies on a stroke over table and ball; tiles on it go along when it is made

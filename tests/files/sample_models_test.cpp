@@ -31,6 +31,18 @@ TEST(MissingModels, AreMadeOnce)
     EXPECT_FALSE(can_be_made(file, here.program));
 }
 
+TEST(MissingModels, AreMadeOfCagesTogether)
+{
+    const Beside here;
+    const fs::path file = here.models / "cages" / "torus.obj";
+    EXPECT_TRUE(can_be_made(file, here.program));
+    make_sample_model(file, {}, here.program);
+    EXPECT_TRUE(fs::exists(file));
+    EXPECT_TRUE(fs::exists(here.models / "cages" / "tower.obj"));
+    EXPECT_FALSE(can_be_made(file, here.program));
+    EXPECT_FALSE(can_be_made(here.models / "cages" / "torus.glb", here.program));
+}
+
 TEST(MissingModels, AreMadeOfSampleModelsAlone)
 {
     const Beside here;

@@ -36,7 +36,7 @@ std::map<std::string, std::string> models_made_here()
 {
     std::map<std::string, std::string> out;
     for (const auto& entry :
-         std::filesystem::directory_iterator(TRIVAR_BINARY_DIR "/assets/models"))
+         std::filesystem::recursive_directory_iterator(TRIVAR_BINARY_DIR "/assets/models"))
         out[entry.path().filename()] = entry.path();
     return out;
 }

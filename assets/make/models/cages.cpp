@@ -227,6 +227,29 @@ Cage torus_cage()
     return plain_cage("torus", tube(circle, 6, true));
 }
 
+// A round tower with a wall as thick as a wall is: it spreads at its foot, carries its parapet on
+// a rim, and is open from above to its floor.
+Cage tower_cage()
+{
+    return plain_cage("tower", lathe({{.30f, 0},
+                                      {.56f, 0},
+                                      {.50f, .06f},
+                                      {.455f, .25f},
+                                      {.42f, .60f},
+                                      {.40f, 1.0f},
+                                      {.40f, 1.32f},
+                                      {.415f, 1.40f},
+                                      {.50f, 1.50f},
+                                      {.505f, 1.56f},
+                                      {.50f, 1.72f},
+                                      {.485f, 1.76f},
+                                      {.42f, 1.76f},
+                                      {.40f, 1.72f},
+                                      {.40f, 1.52f},
+                                      {.30f, 1.48f}},
+                                     12, true));
+}
+
 } // namespace
 
 std::vector<Cage> cages()
@@ -235,6 +258,7 @@ std::vector<Cage> cages()
             quadruped_cage(),
             jar_ring_cage(),
             torus_cage(),
+            tower_cage(),
             plain_cage("ball", ball_mesh(.5f, 2)),
             plain_cage("rounded_cube", bevel_box({.5f, .5f, .5f}, .08f, 1, {1, 1, 1}))};
 }

@@ -12,6 +12,10 @@ template <>
 inline constexpr std::array<std::string_view, 3> choice_names<TileHeading>{"along_stroke", "upward",
                                                                            "random"};
 
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<TilePattern>{"none", "grid", "brick",
+                                                                           "hexagon"};
+
 template <> struct FieldsOf<TileSample> {
     static constexpr std::string_view told_as = "[tile sample](#tile-sample)";
     static void fields(auto& s, auto&& field)
@@ -108,6 +112,25 @@ template <> struct FieldsOf<MixedTile> {
         field("weight", m.weight, weight_help, in_range(0, 1000));
     }
 };
+template <> struct FieldsOf<TileCover> {
+    static constexpr std::string_view told_as = "[tile cover](#tile-cover)";
+    static void fields(auto& c, auto&& field)
+    {
+        field("pattern", c.pattern,
+              "how tiles cover all of the base: in rows; in rows of which every other one is "
+              "shifted by half a tile; the same with hexagons that reach into the rows beside "
+              "theirs; or not",
+              any_value.without_keys());
+        field("size", c.size, "length of a tile along its row, metres on the model",
+              positive.in(Unit::metres).without_keys());
+        field("per_face", c.per_face,
+              "number of tiles along each side of a face; 0: as the size says",
+              in_range(0, 1000).zero_is("by size").without_keys());
+        field("height_variation", c.height_variation,
+              "heights are smaller by up to this share, at random", in_range(0, 1).in(Unit::share));
+        field("seed", c.seed, "of the random numbers", in_range(0, 1e9).without_keys());
+    }
+};
 template <> struct FieldsOf<Tiling> {
     static void fields(auto& t, auto&& field)
     {
@@ -119,6 +142,7 @@ template <> struct FieldsOf<Tiling> {
         field("others", t.others, "the other objects among the tiles", later.without_keys());
         field("into", t.into, "id of what its own tiles become by the morph; 0: nothing",
               later.without_keys());
+        field("cover", t.cover, "how they cover all of it", later);
     }
 };
 

@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/key_gutter.h"
+#include "editor/tools/cover.h"
 #include "ui/icons.h"
 
 #include <fmt/format.h>
@@ -95,6 +96,26 @@ void mix_rows(Editor& editor, const ui::Theme& theme, Id layer, const Tiling& ti
     propose_edit(editor, edit, [&] { return mixed; });
 }
 
+void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& tiling,
+                const KeyGutter& keys)
+{
+    TileCover cover = tiling.cover;
+    ValueRows rows{theme, &keys};
+    FieldRows<TileCover> fields(rows, cover, "tiles.cover");
+    fields(&TileCover::pattern);
+    if (cover.pattern != TilePattern::none) {
+        fields(&TileCover::size);
+        fields(&TileCover::per_face);
+        fields(&TileCover::height_variation);
+        if (cover.height_variation > 0) fields(&TileCover::seed);
+    }
+    // The first time, tiles get a size that fits what they cover.
+    if (tiling.cover == TileCover{} && cover.pattern != TilePattern::none)
+        if (const double length = usual_tile_length(editor.session, tiling.base); length > 0)
+            cover.size = length;
+    propose_edit(editor, rows.edit, [&] { return CoverWithTiles{id, tiling.base, cover}; });
+}
+
 } // namespace
 
 bool is_tile_layer(const Document& document, Id id)
@@ -109,8 +130,8 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     const Tiling tiling = *object(session.document(), id).tiles;
     if (const auto base = session.document().objects.find(tiling.base);
         base != session.document().objects.end())
-        ui::fact_row(theme, "Painted on", base->second->name, theme.color.text,
-                     "the object that carries the tiles");
+        ui::fact_row(theme, tiling.strokes.empty() ? "Covers" : "Painted on", base->second->name,
+                     theme.color.text, "the object that carries the tiles");
     TileLook look = tiling.look;
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
@@ -141,10 +162,11 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     if (!layer.playing.clip.empty()) fields(&TileLook::clip_variation);
     if (look.morph_variation > 0 || look.clip_variation > 0) fields(&TileLook::phases);
     if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
+    propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
+    if (tiling.base != 0) draw_cover(editor, theme, id, tiling, keys);
     for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
         stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
     ui::gap(theme, 8);
-    propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
 }
 
 } // namespace trivar

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/actions.h"
+#include "editor/actions/placement_actions.h"
+#include "editor/tools/tiles.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -117,6 +120,59 @@ TEST(TilesTool, ErasesWithControl)
     ASSERT_EQ(rig.tiles()->strokes.size(), 2u);
     EXPECT_EQ(rig.tiles()->strokes[1]->brush, TileBrush::erase);
     EXPECT_LT(rig.vertices(), painted);
+}
+
+TEST(TilesTool, CoversWhatIsClickedInOneStepAndUncoversItWithControl)
+{
+    TilesRig rig;
+    auto& tool = dynamic_cast<TilesTool&>(rig.editor.active_tool());
+    tool.choose_cover({.pattern = TilePattern::brick, .per_face = 2});
+    const std::size_t before = rig.steps(), single = rig.vertices();
+    const glm::vec2 c = rig.layout().view.center();
+    const auto click_base = [&] {
+        rig.move(c);
+        rig.wait();
+        rig.click(c);
+        rig.wait();
+    };
+    click_base();
+    EXPECT_EQ(rig.steps(), before + 1);
+    ASSERT_TRUE(rig.tiles());
+    EXPECT_EQ(rig.tiles()->base, 1);
+    EXPECT_EQ(rig.tiles()->cover.pattern, TilePattern::brick);
+    EXPECT_GT(rig.tiles()->cover.size, 0);
+    EXPECT_TRUE(rig.tiles()->strokes.empty());
+    EXPECT_GE(rig.vertices(), 1000 * single);
+    rig.hold(ui::key_left_control);
+    click_base();
+    rig.hold(ui::key_left_control, false);
+    EXPECT_EQ(rig.steps(), before + 2);
+    EXPECT_EQ(rig.tiles()->cover.pattern, TilePattern::none);
+    rig.editor.session.undo();
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_FALSE(rig.tiles());
+}
+
+TEST(CoverAction, CoversTheActiveObjectWithTheOtherOne)
+{
+    TilesRig rig;
+    EXPECT_FALSE(is_enabled(rig.editor, action(rig.editor, cover_action)));
+    rig.editor.session.selected.set({2, 1});
+    rig.frames();
+    ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, cover_action)));
+    const std::size_t before = rig.steps();
+    action(rig.editor, cover_action).run(rig.editor);
+    rig.wait();
+    EXPECT_EQ(rig.steps(), before + 1);
+    ASSERT_TRUE(rig.tiles());
+    EXPECT_EQ(rig.tiles()->base, 1);
+    EXPECT_NEAR(rig.tiles()->cover.size, 2.0 / 25, 0.01); // the ball is 2 m wide
+    EXPECT_FALSE(rig.editor.session.evaluated().objects.at(2)->shows_nothing());
+    rig.editor.session.selected.set({1, 2}); // what lies on it cannot be covered by it
+    rig.frames();
+    action(rig.editor, cover_action).run(rig.editor);
+    EXPECT_EQ(rig.steps(), before + 1);
 }
 
 TEST(TilesTool, PaintsNothingWithoutSomethingToPaintWith)

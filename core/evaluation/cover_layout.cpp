@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/cover_layout.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/tiles/cover_heights.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+// The faces of a mesh with all its points; corners that repeat the one before are left out, and
+// faces with less than three.
+Cage facet_cage(const Mesh& mesh, const glm::dmat4& to_model)
+{
+    Cage all = cage_of(mesh, to_model), out;
+    out.points = std::move(all.points);
+    std::size_t first = 0;
+    for (const int size : all.face_sizes) {
+        std::vector<int> face;
+        for (std::size_t k = first; k < first + static_cast<std::size_t>(size); ++k)
+            if (face.empty() || face.back() != all.corners[k]) face.push_back(all.corners[k]);
+        while (face.size() > 1 && face.back() == face.front()) face.pop_back();
+        first += static_cast<std::size_t>(size);
+        if (face.size() < 3) continue;
+        out.face_sizes.push_back(static_cast<int>(face.size()));
+        out.corners.insert(out.corners.end(), face.begin(), face.end());
+    }
+    return out;
+}
+
+Ref<FacetSurface> facets_on(const TiledPieces& pieces, CoverLayout& out)
+{
+    std::vector<Cage> cages;
+    for (const TiledPiece& piece : pieces) {
+        out.first_point.push_back(static_cast<std::uint32_t>(out.point_count));
+        cages.push_back(facet_cage(*piece.mesh, piece.to_model));
+        out.point_count += cages.back().points.size();
+    }
+    const JoinedCages all = joined(cages, 3, 4);
+    Ref<FacetSurface> facets = std::make_shared<const FacetSurface>(all.cage);
+    for (std::uint32_t c = 0; c < facets->net().size(); ++c)
+        out.piece_of_chart.push_back(static_cast<std::uint32_t>(all.piece_of(c)));
+    return facets;
+}
+
+// Tiles that are shorter than this share of what was asked for are told.
+constexpr double crowded_below = 0.5;
+
+// Of cells along their rows.
+double mean_length(const Covering& covering, std::span<const SurfacePoint> points)
+{
+    double sum = 0;
+    int count = 0;
+    for (const double length : heights_along_rows(covering, points, 1))
+        if (length > 0) sum += length, ++count;
+    return count > 0 ? sum / count : 0;
+}
+
+std::vector<glm::dvec3> middles_of(const Covering& covering, std::span<const SurfacePoint> points)
+{
+    std::vector<glm::dvec3> out(covering.tiles().size());
+    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Covering::Spot spot = covering.spot(covering.tiles()[k], {0.5, 0.5});
+            out[k] = tile_point(covering.patch(spot.cell, points), {spot.uv, 0}).p;
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+CoverLayout cover_layout(const TiledPieces& pieces, const Ref<LimitBase>& limit,
+                         const TileCover& cover, const glm::dvec2& tile_size)
+{
+    CoverLayout out;
+    try {
+        if (limit) {
+            out.limit = limit;
+            for (std::uint32_t c = 0; c < limit->surface().net().size(); ++c)
+                out.piece_of_chart.push_back(static_cast<std::uint32_t>(limit->piece_of(c)));
+        } else
+            out.facets = facets_on(pieces, out);
+        const ChartSurface& surface =
+            limit ? static_cast<const ChartSurface&>(limit->surface()) : *out.facets;
+        if (surface.net().size() == 0) throw Rejected("what it covers has no faces");
+        out.covering = std::make_shared<const Covering>(surface, cover, tile_size);
+        out.rest = out.covering->points(surface);
+    } catch (const Rejected& error) {
+        out.trouble = error.what();
+        return out;
+    }
+    const Covering& covering = *out.covering;
+    out.piece_of_node.resize(out.rest.size());
+    for (std::uint32_t c = 0; c < covering.cell_count(); ++c)
+        for (const std::uint32_t node : covering.cell_nodes(c))
+            out.piece_of_node[node] = out.piece_of_chart[covering.cell(c).chart];
+    out.middles = middles_of(covering, out.rest);
+    out.crowded =
+        cover.per_face == 0 && mean_length(covering, out.rest) < crowded_below * cover.size;
+    return out;
+}
+
+CoveringPose pose_of(const CoverLayout& layout, const TiledPieces& pieces,
+                     const std::vector<Part>& parts)
+{
+    CoveringPose out;
+    const std::vector<char> mirrored = mirrored_parts(pieces, parts);
+    for (const std::uint32_t piece : layout.piece_of_chart) out.mirrored.push_back(mirrored[piece]);
+    if (layout.limit) {
+        const std::vector<RestToWorld> ways = ways_to_world(pieces, parts);
+        out.points.resize(layout.rest.size());
+        parallel_blocks(out.points.size(), 256, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t n = begin; n < end; ++n)
+                out.points[n] = ways[layout.piece_of_node[n]](layout.rest[n]);
+        });
+        return out;
+    }
+    std::vector<glm::dvec3> points(layout.point_count, glm::dvec3(0));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Mesh& mesh = *parts[k].mesh();
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+            points[layout.first_point[k] + mesh.point(v)] =
+                glm::dvec3(parts[k].to_world * glm::dvec4(mesh.positions[v], 1));
+    }
+    out.points = layout.covering->points(layout.facets->moved(points));
+    for (std::size_t n = 0; n < out.points.size(); ++n)
+        if (mirrored[layout.piece_of_node[n]]) out.points[n].normal = -out.points[n].normal;
+    return out;
+}
+
+} // namespace trivar

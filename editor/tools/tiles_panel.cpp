@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/tiles.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trivar {
+namespace {
+
+// As the option bar lists them; after Fill comes the cover, which is no brush of strokes.
+constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line, TileBrush::fill,
+                                      TileBrush::erase,   TileBrush::comb, TileBrush::resize,
+                                      TileBrush::raise,   TileBrush::grab};
+constexpr int cover_brush = 3; // in that list
+
+} // namespace
+
+void TilesTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
+    const bool lays_strokes = lays() && !covers_, line = settings_.brush == TileBrush::line,
+               fills = settings_.brush == TileBrush::fill,
+               grabs = settings_.brush == TileBrush::grab;
+    std::vector<ui::Option> options;
+    options.push_back(
+        {"Brush", 96,
+         [&](float field) {
+             const auto now = std::ranges::find(brushes_in_order, settings_.brush);
+             int kind = static_cast<int>(now - brushes_in_order.begin());
+             kind = covers_ ? cover_brush : kind >= cover_brush ? kind + 1 : kind;
+             ui::choice(
+                 theme, "brush", kind,
+                 {"Scatter", "Line", "Fill", "Cover", "Erase", "Comb", "Resize", "Raise", "Grab"},
+                 field);
+             covers_ = kind == cover_brush;
+             const int stroke = kind > cover_brush ? kind - 1 : kind;
+             if (!covers_) settings_.brush = brushes_in_order[static_cast<std::size_t>(stroke)];
+         },
+         "Scatter, Line and Fill lay tiles, Cover lays them all over what is clicked, Grab moves a "
+         "single one; the others change those under the brush. With Ctrl, tiles are erased; with "
+         "Shift, the stroke is straight."});
+    double shown_radius = radius(session), shown_size = size(session);
+    const auto number = [&](const char* words, const char* id, double& value,
+                            const ui::NumberStyle& style, const char* help, auto&& taken) {
+        options.push_back({words, 88,
+                           [&theme, id, &value, style, taken](float field) {
+                               if (ui::number_field(theme, id, value, style, field) !=
+                                   ui::Edit::none)
+                                   taken();
+                           },
+                           help});
+    };
+    if (covers_) {
+        number("Size", "size", shown_size, length,
+               "Length of a tile along its row; 0 follows the size of what is covered.",
+               [&] { size_ = shown_size; });
+        cover_options(options, theme);
+        return ui::option_bar(theme, options, width);
+    }
+    if (!line && !fills && !grabs)
+        number("Radius", "radius", shown_radius, length,
+               "Of the brush; 0 follows the size of what is painted on. The wheel changes it while "
+               "you paint.",
+               [&] { radius_ = shown_radius; });
+    const auto nothing = [] {};
+    if (lays_strokes) {
+        number("Size", "size", shown_size, length, "Side of a tile; 0 is half of the radius.",
+               [&] { size_ = shown_size; });
+        number("Spacing", "spacing", settings_.spacing, {.lo = 0.05, .hi = 100, .unit = "x"},
+               "Distance between tiles, in sizes.", nothing);
+        number("Vary", "vary", settings_.size_variation, {.lo = 0, .hi = 1},
+               "Tiles are smaller by up to this share, at random.", nothing);
+        number("Turn", "turn", settings_.turn_variation_deg, {.lo = 0, .hi = 180, .unit = "deg"},
+               "Tiles are turned by up to this angle either way, at random.", nothing);
+        options.push_back(
+            {"Heading", 96,
+             [&](float field) {
+                 int heading = static_cast<int>(settings_.heading);
+                 ui::choice(theme, "heading", heading, {"Along stroke", "Upward", "Random"}, field);
+                 settings_.heading = static_cast<TileHeading>(heading);
+             },
+             "Where the X axis of the tile points."});
+    } else if (settings_.brush != TileBrush::erase && !grabs)
+        number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
+               "Of the brush; with Ctrl it goes the other way.", nothing);
+    ui::option_bar(theme, options, width);
+}
+
+void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+{
+    options.push_back(
+        {"Pattern", 96,
+         [&](float field) {
+             int pattern = static_cast<int>(cover_.pattern) - 1; // without the first one
+             ui::choice(theme, "pattern", pattern, {"Grid", "Brick", "Hexagon"}, field);
+             cover_.pattern = static_cast<TilePattern>(pattern + 1);
+         },
+         "Brick shifts every other row by half a tile; hexagons reach into the rows beside "
+         "theirs."});
+    options.push_back(
+        {"Per face", 88,
+         [&](float field) {
+             ui::integer_field(theme, "per face", cover_.per_face,
+                               {.lo = 0, .hi = 1000, .zero = "by size"}, field);
+         },
+         "Number of tiles along each side of a face of what is covered; 0: as the size says."});
+    options.push_back({"Vary height", 88,
+                       [&](float field) {
+                           ui::number_field(theme, "vary height", cover_.height_variation,
+                                            {.lo = 0, .hi = 1}, field);
+                       },
+                       "Tiles are lower by up to this share, at random."});
+    options.push_back({"Seed", 72,
+                       [&](float field) {
+                           ui::integer_field(theme, "seed", cover_.seed, {.lo = 0, .hi = 1e9},
+                                             field);
+                       },
+                       "Another number gives other random heights."});
+}
+
+} // namespace trivar
