@@ -26,10 +26,15 @@ public:
 private:
     using Pieces = std::vector<TileBase::Piece>;
     using Strokes = std::vector<Ref<TileStroke>>;
+    struct SlideKey {
+        Ref<TileBase> base;
+        Ref<TileLayout> layout;
+        double turn_deg, scale, slide_x, slide_y;
+        bool operator==(const SlideKey&) const = default;
+    };
     struct ChartKey {
         Ref<TileLayout> layout;
         double turn_deg, scale;
-        glm::dvec2 slide;
         bool operator==(const ChartKey&) const = default;
     };
     struct Key {
