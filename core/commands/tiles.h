@@ -99,7 +99,7 @@ StepTitle title(const SetTiles& c, const StepDocuments& step);
 struct ClearTiles {
     static constexpr std::string_view verb = "clear_tiles",
                                       summary = "Make layers of tiles single objects again.";
-    static constexpr CommandNature nature{.asked = Invocation::at_once};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     std::vector<Id> objects;
     bool operator==(const ClearTiles&) const = default;
     static void fields(auto& c, auto&& field)

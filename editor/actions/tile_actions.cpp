@@ -44,7 +44,7 @@ void morph_tiles(Editor& e)
 
 void add_tile_actions(std::vector<Action>& actions)
 {
-    actions.push_back({"Edit",
+    actions.push_back({"Tools",
                        "Mix tiles",
                        {},
                        mix_tiles,
@@ -52,7 +52,7 @@ void add_tile_actions(std::vector<Action>& actions)
                             return e.session.selected.size() > 1 && is_layer(e, e.session.selected);
                         },
                         "select the objects first, and the layer of tiles last"}});
-    actions.push_back({"Edit",
+    actions.push_back({"Tools",
                        "Morph tiles",
                        {},
                        morph_tiles,
@@ -61,7 +61,7 @@ void add_tile_actions(std::vector<Action>& actions)
                                    is_layer(e, e.session.selected);
                         },
                         "select another object first, and the layer of tiles last"}});
-    actions.push_back({"Edit",
+    actions.push_back({"Tools",
                        "Clear tiles",
                        {},
                        [](Editor& e) { e.session.run(ClearTiles{{e.session.selected}}); },

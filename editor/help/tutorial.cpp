@@ -237,8 +237,8 @@ std::vector<glm::dvec2> Tutorial::stroke(const Session& session) const
 
 std::vector<std::string> tutorials_in(const std::string& folder)
 {
-    constexpr std::array<std::string_view, 4> first{"first_stroke", "one_on_another", "arranging",
-                                                    "in_a_lattice"};
+    constexpr std::array<std::string_view, 5> first{"first_stroke", "one_on_another", "arranging",
+                                                    "in_a_lattice", "painting_tiles"};
     const auto rank = [&](const std::string& path) {
         return std::ranges::find(first, std::filesystem::path(path).stem().string()) -
                first.begin();

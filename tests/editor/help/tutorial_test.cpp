@@ -79,7 +79,8 @@ TEST(Tutorial, EveryOneReplaysWithoutANoticeAndHasANoteOnEachLine)
             }
         }
     }
-    EXPECT_THAT(titles, ElementsAre("First stroke", "One on another", "Arranging", "In a lattice"));
+    EXPECT_THAT(titles, ElementsAre("First stroke", "One on another", "Arranging", "In a lattice",
+                                    "Painting tiles"));
 }
 
 TEST(Tutorial, GoesForthAndBackByKeysAndDoesNothingToItsScene)
