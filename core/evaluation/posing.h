@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/document/object.h"
 #include "core/evaluation/shape.h"
 #include "core/mesh/foot_lock.h"
 

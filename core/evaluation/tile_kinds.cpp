@@ -78,70 +78,82 @@ Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
     return make_ref(std::move(all));
 }
 
+TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInput& input,
+                                               std::string& trouble)
+{
+    const Id id = input.object.tiles->into;
+    const auto found = input.done.find(id);
+    if (found == input.done.end()) return {};
+    const Object& other = object(input.document, id);
+    Morph morph{own_parts(*found->second), turned(other)};
+    if (can_become(layer.own_parts, morph.into)) return morph;
+    const std::size_t from = vertex_count(layer.own_parts), to = vertex_count(morph.into);
+    trouble = fmt::format("its tiles cannot become {}: both must have the same vertices and faces, "
+                          "but one has {} vertices and the other {}{}",
+                          other.name, from, to, from == to ? ", in other faces" : "");
+    return {};
+}
+
+std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Morph& morph,
+                                             const StepInput& input)
+{
+    const Object& object = trivar::object(input.document, id);
+    const TileLook& look = input.object.tiles->look;
+    const Clip* clip = clip_of(*stage.shape, object.playing);
+    const bool plays_apart = clip && look.clip_variation > 0,
+               morphs_apart = !morph.into.empty() && look.morph_variation > 0;
+    const int phases = plays_apart || morphs_apart ? look.phases : 1;
+    Posing& posing = posings_[id];
+    posing.keep(3 * static_cast<std::size_t>(phases));
+    std::vector<TileKind> out;
+    for (int k = 0; k < phases; ++k) {
+        TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
+        if (plays_apart && k > 0) {
+            Playing playing = object.playing;
+            playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);
+            kind.parts = parts_in_model(
+                *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
+        }
+        if (!morph.into.empty()) {
+            kind.into = morph.into;
+            kind.into_turned = morph.turned;
+            kind.morph = morph_of(look, phases > 1 ? k / (phases - 1.0) : 0);
+        }
+        out.push_back(std::move(kind));
+    }
+    return out;
+}
+
 TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
 {
     const Tiling& tiling = *input.object.tiles;
-    const TileLook& look = tiling.look;
     TileKinds kinds;
     auto materials = static_cast<std::uint32_t>(layer.shape->materials->size());
     int meshes = 0;
-    std::vector<Part> into;
-    glm::dmat4 into_turned(1);
-    if (const auto found = input.done.find(tiling.into); found != input.done.end()) {
-        into = own_parts(*found->second);
-        into_turned = turned(object(input.document, tiling.into));
-        if (!can_become(layer.own_parts, into)) {
-            kinds.trouble = fmt::format(
-                "its tiles cannot become {}: both must have the same vertices and faces, but one "
-                "has {} vertices and the other {}{}",
-                object(input.document, tiling.into).name, vertex_count(layer.own_parts),
-                vertex_count(into),
-                vertex_count(layer.own_parts) == vertex_count(into) ? ", in other faces" : "");
-            into.clear();
-        }
-    }
-    const auto add = [&](Id id, const Object& object, const Stage& stage, double weight) {
-        const bool own = id == input.id;
-        const Clip* clip = clip_of(*stage.shape, object.playing);
-        const bool apart =
-            (clip && look.clip_variation > 0) || (own && !into.empty() && look.morph_variation > 0);
-        const int phases = apart ? look.phases : 1;
-        kinds.objects.push_back({kinds.all.size(), static_cast<std::size_t>(phases), weight});
-        Posing& posing = posings_[id];
-        posing.keep(3 * static_cast<std::size_t>(phases));
-        int next = meshes;
-        for (int k = 0; k < phases; ++k) {
-            TileKind kind{.parts = own ? stage.own_parts : own_parts(stage),
-                          .turned = turned(object),
-                          .materials =
-                              own ? nullptr : static_cast<const EvaluatedObject&>(stage).materials,
-                          .first_material = own ? 0 : materials};
-            if (clip && look.clip_variation > 0 && k > 0) {
-                Playing playing = object.playing;
-                playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);
-                kind.parts = parts_in_model(
-                    *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
+    const auto add = [&](std::vector<TileKind> phases, double weight,
+                         const Ref<std::vector<Material>>& own) {
+        kinds.objects.push_back({kinds.all.size(), phases.size(), weight});
+        for (TileKind& kind : phases) {
+            if (own) {
+                kind.materials = own;
+                kind.first_material = materials;
             }
-            if (own && !into.empty()) {
-                kind.into = into;
-                kind.into_turned = into_turned;
-                kind.morph = morph_of(look, phases > 1 ? k / (phases - 1.0) : 0);
-            }
-            kind.first_mesh = next;
+            kind.first_mesh = meshes;
             for (const Part& part : kind.parts)
                 meshes = std::max(meshes, kind.first_mesh + part.key.mesh + 1);
-            next = meshes;
             kinds.all.push_back(std::move(kind));
         }
-        if (!own) materials += static_cast<std::uint32_t>(kinds.all.back().materials->size());
+        if (own) materials += static_cast<std::uint32_t>(own->size());
     };
-    add(input.id, input.object, layer, tiling.weight);
+    const Morph morph = morph_of_layer(layer, input, kinds.trouble);
+    add(phases_of(input.id, layer, morph, input), tiling.weight, nullptr);
     for (const MixedTile& each : tiling.others) {
         const auto found = input.done.find(each.object);
-        if (found == input.done.end()) continue;
-        const Object& other = object(input.document, each.object);
-        if (!other.tiles && !found->second->parts.empty())
-            add(each.object, other, *found->second, each.weight);
+        if (found == input.done.end() || found->second->parts.empty() ||
+            object(input.document, each.object).tiles)
+            continue;
+        add(phases_of(each.object, *found->second, {}, input), each.weight,
+            found->second->materials);
     }
     return kinds;
 }

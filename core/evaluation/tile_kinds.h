@@ -50,6 +50,15 @@ public:
     Ref<TileModel> model(const TileKind& kind, std::size_t part, const TileCell& cell);
 
 private:
+    struct Morph { // what a layer's own tiles become; none: `into` is empty
+        std::vector<Part> into;
+        glm::dmat4 turned{1};
+    };
+    static Morph morph_of_layer(const Stage& layer, const StepInput& input, std::string& trouble);
+    // The kinds of one object, one for each phase of its clip and morph.
+    std::vector<TileKind> phases_of(Id id, const Stage& stage, const Morph& morph,
+                                    const StepInput& input);
+
     struct ModelKey {
         Ref<Mesh> mesh, into;
         glm::dmat4 to_model, into_to_model;

@@ -97,9 +97,9 @@ template <> struct FieldsOf<TileLook> {
         field("phases", l.phases, "in how many different phases of clip and morph tiles are",
               later_in_range(1, 64).resting_at(8).without_keys());
         field("slide_x", l.slide_x, "how far tiles have gone along their own X, in sides",
-              later_in_range(-1000, 1000));
+              later_in_range(-1000, 1000).called("Slide X"));
         field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
-              later_in_range(-1000, 1000));
+              later_in_range(-1000, 1000).called("Slide Y"));
     }
 };
 template <> struct FieldsOf<MixedTile> {
