@@ -17,6 +17,14 @@ constexpr Id last_id = 100000;
 
 } // namespace
 
+const Tiling& tiling_of(const Document& document, Id id)
+{
+    const Object& layer = object(document, id);
+    if (!layer.tiles)
+        throw Rejected(named(id, layer) + " is no layer of tiles; paint with it first");
+    return *layer.tiles;
+}
+
 Document with_added(Document document, Object object)
 {
     if (document.next_id >= last_id)

@@ -34,6 +34,8 @@ void check_placed(const Object& object, Id id);
 void check_bent(const Document& document, Id id);
 // Throws Rejected where the object neither lies on a stroke nor is a lattice.
 void check_has_volume(const Object& object, Id id);
+// The tiling of a layer of tiles. Throws Rejected where the object is none.
+const Tiling& tiling_of(const Document& document, Id id);
 
 // The document with one more object, under the next id.
 Document with_added(Document document, Object object);

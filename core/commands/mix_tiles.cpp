@@ -14,8 +14,6 @@ namespace {
 // Throws Rejected where an object cannot be among the tiles of a layer, nor be what they become.
 void check_can_be_tile_of(const Document& document, Id layer, Id id, std::string_view field)
 {
-    if (!object(document, layer).tiles)
-        throw Rejected(named(document, layer) + " is no layer of tiles; paint with it first");
     const Object& other = object(document, id);
     if (id == layer)
         throw Rejected(
@@ -41,8 +39,7 @@ Document with_hidden(Document document, Id id)
 
 Document with_mix(Document document, Id layer, double weight, std::vector<MixedTile> others)
 {
-    if (!object(document, layer).tiles)
-        throw Rejected(named(document, layer) + " is no layer of tiles; paint with it first");
+    tiling_of(document, layer);
     if (others.size() > most_mixed)
         throw Rejected(fmt::format("{} would be mixed with {} objects; at most {} are taken",
                                    named(document, layer), others.size(), most_mixed));
@@ -63,7 +60,7 @@ Document applied(Document document, const MixTiles& command)
 {
     const Document before = document;
     document = with_mix(std::move(document), command.object, command.weight, command.others);
-    const std::vector<MixedTile>& mixed = object(before, command.object).tiles->others;
+    const std::vector<MixedTile>& mixed = tiling_of(before, command.object).others;
     for (const MixedTile& each : command.others)
         if (std::ranges::find(mixed, each.object, &MixedTile::object) == mixed.end())
             document = with_hidden(std::move(document), each.object);
@@ -81,9 +78,8 @@ StepTitle title(const MixTiles& c, const StepDocuments& step)
 
 Document with_morph(Document document, Id layer, Id into)
 {
+    tiling_of(document, layer);
     if (into != 0) check_can_be_tile_of(document, layer, into, "into");
-    if (!object(document, layer).tiles)
-        throw Rejected(named(document, layer) + " is no layer of tiles; paint with it first");
     return with_changed(std::move(document), layer, [&](Object& o) { o.tiles->into = into; });
 }
 

@@ -12,14 +12,6 @@
 namespace trivar {
 namespace {
 
-const Tiling& tiling_of(const Document& document, Id id)
-{
-    const Object& layer = object(document, id);
-    if (!layer.tiles)
-        throw Rejected(named(id, layer) + " is no layer of tiles; paint with it first");
-    return *layer.tiles;
-}
-
 // Returns the index of a stroke by its number, which counts from 1.
 std::size_t index_of(const Document& document, Id id, int number)
 {
@@ -53,8 +45,8 @@ void check_can_be_tile(const Document& document, Id id, Id base)
 Document mixed_with(Document document, Id layer, const std::vector<MixedTile>& more)
 {
     if (more.empty()) return document;
-    MixTiles mix{layer, object(document, layer).tiles->weight,
-                 object(document, layer).tiles->others};
+    const Tiling& tiling = tiling_of(document, layer);
+    MixTiles mix{layer, tiling.weight, tiling.others};
     mix.others.insert(mix.others.end(), more.begin(), more.end());
     return applied(std::move(document), mix);
 }

@@ -34,8 +34,7 @@ struct PaintTiles {
         field("object", c.object, "id of what becomes the tile", required);
         field("base", c.base, "id of what is painted on", required);
         FieldsOf<TileStroke>::fields(c.stroke, field);
-        field("others", c.others,
-              "with what the layer is mixed from now on, besides; they are hidden");
+        field("others", c.others, FieldsOf<MixedTile>::besides_help);
     }
 };
 Document applied(Document document, const PaintTiles& command);
@@ -127,8 +126,7 @@ struct CoverWithTiles {
         field("object", c.object, "id of what becomes the tile", required);
         field("base", c.base, "id of what is covered", required);
         FieldsOf<TileCover>::fields(c.cover, field);
-        field("others", c.others,
-              "with what the layer is mixed from now on, besides; they are hidden");
+        field("others", c.others, FieldsOf<MixedTile>::besides_help);
     }
 };
 Document applied(Document document, const CoverWithTiles& command);

@@ -5,7 +5,6 @@
 #include "core/evaluation/cover_layout.h"
 #include "core/mesh/mesh_materials.h"
 #include "core/tiles/cover_heights.h"
-#include "core/tiles/tile_mix.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
@@ -28,10 +27,8 @@ constexpr std::uint32_t height_purpose = 200;
 enum : int { patched_piece = 1, meshed_piece = 2 }; // of a PartKey; 0 are painted tiles
 
 // The box of the model that fills a cell. Cells are entered at quarter turns.
-CoverCell cover_cell(const std::vector<Part>& own, const glm::dmat4& turned, const TileLook& look)
+CoverCell cover_cell(const Box& box, const TileLook& look)
 {
-    Box box;
-    for (const Part& part : own) box.add(bounding_box(*part.rest, turned * part.to_world));
     if (box.empty()) return {};
     return {box.lo, glm::max(box.size(), glm::dvec3(1e-9)), look.sink, look.scale};
 }
@@ -154,8 +151,10 @@ CoverParts Covers::operator()(const CoverInput& input)
     std::vector<CoverCell> cells;
     double highest = 0; // of all kinds, in lengths of a tile
     for (const TileKind& kind : input.kinds.all) {
-        cells.push_back(cover_cell(kind.parts, turned * kind.turned, look));
-        highest = std::max(highest, (1 - look.sink) * cells.back().size.z / cells.back().size.x);
+        const Box box = box_at_rest(kind.parts, turned * kind.turned);
+        const CoverCell& cell = cells.emplace_back(cover_cell(box, look));
+        const double reach = reach_over(box, kind.parts, turned * kind.turned);
+        highest = std::max(highest, (reach - look.sink * cell.size.z) / cell.size.x);
     }
     const glm::dvec3& first = cells.front().size;
     const double width = std::clamp(first.y / first.x, 1e-3, 1e3);
@@ -206,7 +205,7 @@ CoverParts Covers::operator()(const CoverInput& input)
                         models_({part.mesh(), to_unit, kind.first_material}, [&]() -> CoverModel {
                             const auto mesh =
                                 make_ref(with_materials_from(*part.mesh(), kind.first_material));
-                            return {mesh, tile_model(in_unit_cell(*mesh, to_unit))};
+                            return {mesh, tile_model(in_unit_cell(*mesh, to_unit), !part.posed)};
                         });
                     const auto bent = [mesh = model.mesh, to_model, cell = cells[k], laid,
                                        posed](const std::vector<std::uint32_t>& tiles) {

@@ -50,8 +50,6 @@ std::size_t vertex_count(const std::vector<Part>& parts)
 
 std::size_t TileKinds::of(std::uint32_t seed) const
 {
-    std::vector<double> weights;
-    for (const Mixed& each : objects) weights.push_back(each.weight);
     const Mixed& object = objects[kind_of(seed, weights)];
     const auto phases = static_cast<double>(object.phases);
     return object.first +
@@ -59,13 +57,29 @@ std::size_t TileKinds::of(std::uint32_t seed) const
                     static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
 }
 
-TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
+Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned)
 {
     Box box;
     for (const Part& part : parts) box.add(bounding_box(*part.rest, turned * part.to_world));
+    return box;
+}
+
+double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned)
+{
+    double reach = at_rest.size().z;
+    for (const Part& part : parts)
+        if (part.posed)
+            reach = std::max(reach, bounding_box(*part.mesh(), turned * part.to_world).hi.z -
+                                        at_rest.lo.z);
+    return reach;
+}
+
+TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
+{
+    const Box box = box_at_rest(parts, turned);
     const glm::dvec3 size = box.size(), middle = box.center();
     const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
-    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, size.z};
+    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(box, parts, turned)};
 }
 
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
@@ -94,6 +108,28 @@ TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInp
     return {};
 }
 
+void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share)
+{
+    if (share == 0) return;
+    const TileCell own = tile_cell(kind.parts, kind.turned),
+                   other = tile_cell(morph.into, morph.turned);
+    // Both fill the same cell.
+    glm::dmat4 to_own(own.side / other.side);
+    to_own[3] = glm::dvec4(own.middle_of_floor - own.side / other.side * other.middle_of_floor, 1);
+    for (std::size_t i = 0; i < kind.parts.size(); ++i) {
+        Part& part = kind.parts[i];
+        const glm::dmat4 way = glm::inverse(kind.turned * part.to_world) * to_own * morph.turned *
+                               morph.into[i].to_world;
+        const MorphKey key{part.mesh(), morph.into[i].mesh(), way, share};
+        part.posed = morphs_(key, [&] {
+            return make_ref(PosedMesh{
+                part.rest.ref(), {}, Lazy<Ref<Mesh>>([key] {
+                    return make_ref(morphed(*key.from, transformed(*key.into, key.way), key.share));
+                })});
+        });
+    }
+}
+
 std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Morph& morph,
                                              const StepInput& input)
 {
@@ -105,6 +141,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     const int phases = plays_apart || morphs_apart ? look.phases : 1;
     Posing& posing = posings_[id];
     posing.keep(3 * static_cast<std::size_t>(phases));
+    if (!morph.into.empty()) morphs_.keep(3 * static_cast<std::size_t>(phases) * morph.into.size());
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
@@ -114,11 +151,8 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
             kind.parts = parts_in_model(
                 *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
         }
-        if (!morph.into.empty()) {
-            kind.into = morph.into;
-            kind.into_turned = morph.turned;
-            kind.morph = morph_of(look, phases > 1 ? k / (phases - 1.0) : 0);
-        }
+        if (!morph.into.empty())
+            move_on(kind, morph, morph_of(look, phases > 1 ? k / (phases - 1.0) : 0));
         out.push_back(std::move(kind));
     }
     return out;
@@ -132,7 +166,8 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
     int meshes = 0;
     const auto add = [&](std::vector<TileKind> phases, double weight,
                          const Ref<std::vector<Material>>& own) {
-        kinds.objects.push_back({kinds.all.size(), phases.size(), weight});
+        kinds.objects.push_back({kinds.all.size(), phases.size()});
+        kinds.weights.push_back(weight);
         for (TileKind& kind : phases) {
             if (own) {
                 kind.materials = own;
@@ -158,25 +193,13 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
     return kinds;
 }
 
-Ref<TileModel> TileKindsOf::model(const TileKind& kind, std::size_t part, const TileCell& cell)
+Ref<TileModel> TileKindsOf::model(const TileKind& kind, const Part& part, const TileCell& cell)
 {
-    const Part& from = kind.parts[part];
-    ModelKey key{from.mesh(), nullptr,    kind.turned * from.to_world, glm::dmat4(1),
-                 cell,        kind.morph, kind.first_material};
-    const bool morphs = !kind.into.empty() && kind.morph != 0;
-    if (morphs) {
-        key.into = kind.into[part].mesh();
-        key.into_to_model = kind.into_turned * kind.into[part].to_world;
-    }
+    const ModelKey key{part.mesh(), kind.turned * part.to_world, cell, kind.first_material};
     return models_(key, [&] {
-        Mesh mesh = in_unit_cell(*key.mesh, key.to_model, cell);
-        if (morphs)
-            mesh = morphed(
-                mesh,
-                in_unit_cell(*key.into, key.into_to_model, tile_cell(kind.into, kind.into_turned)),
-                kind.morph);
-        const bool moves = morphs || from.posed;
-        return tile_model(with_materials_from(std::move(mesh), key.first_material), !moves);
+        return tile_model(
+            with_materials_from(in_unit_cell(*key.mesh, key.to_model, cell), key.first_material),
+            !part.posed);
     });
 }
 

@@ -9,15 +9,11 @@ namespace trivar {
 
 // A TileKind is an object whose copies are tiles of a layer, in one phase of its clip and morph.
 struct TileKind {
-    std::vector<Part> parts;                        // in the object's own space
+    std::vector<Part> parts;                        // in the object's own space; posed if they move
     glm::dmat4 turned{1};                           // its own rotation and scale
     Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
     std::uint32_t first_material = 0;               // of its materials among those of the layer
     int first_mesh = 0;                             // of its meshes among those of the layer
-    // What its parts become, in their order; empty: nothing.
-    std::vector<Part> into = {};
-    glm::dmat4 into_turned{1};
-    double morph = 0;
     bool operator==(const TileKind&) const = default;
 };
 
@@ -25,17 +21,22 @@ struct TileKind {
 struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
-        double weight = 1;
         bool operator==(const Mixed&) const = default;
     };
     std::vector<TileKind> all;
     std::vector<Mixed> objects;
-    std::string trouble; // why tiles do not become what they should; empty: they do
+    std::vector<double> weights; // #objects
+    std::string trouble;         // why tiles do not become what they should; empty: they do
     bool operator==(const TileKinds&) const = default;
 
     std::size_t of(std::uint32_t seed) const; // the kind of a tile, by its seed alone
 };
 
+// Bounds an object's parts at rest, turned. O(#V).
+Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
+// Gives the height over the floor of that box up to which the parts reach: its own, or more where
+// their pose lifts them. Metres; O(#V) of posed parts.
+double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the box of an object's parts that becomes a tile.
 TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
 
@@ -47,10 +48,10 @@ class TileKindsOf {
 public:
     TileKinds operator()(const Stage& layer, const StepInput& input);
     // Makes the tile of one of the kind's parts in a cell. Tiles that move have no levels.
-    Ref<TileModel> model(const TileKind& kind, std::size_t part, const TileCell& cell);
+    Ref<TileModel> model(const TileKind& kind, const Part& part, const TileCell& cell);
 
 private:
-    struct Morph { // what a layer's own tiles become; none: `into` is empty
+    struct Morph { // what a layer's own tiles become, part by part; none: `into` is empty
         std::vector<Part> into;
         glm::dmat4 turned{1};
     };
@@ -58,16 +59,24 @@ private:
     // The kinds of one object, one for each phase of its clip and morph.
     std::vector<TileKind> phases_of(Id id, const Stage& stage, const Morph& morph,
                                     const StepInput& input);
+    // Poses parts as far on their way to what they become as the share says.
+    void move_on(TileKind& kind, const Morph& morph, double share);
 
+    struct MorphKey {
+        Ref<Mesh> from, into;
+        glm::dmat4 way; // from what they become
+        double share;
+        bool operator==(const MorphKey&) const = default;
+    };
     struct ModelKey {
-        Ref<Mesh> mesh, into;
-        glm::dmat4 to_model, into_to_model;
+        Ref<Mesh> mesh;
+        glm::dmat4 to_model;
         TileCell cell;
-        double morph;
         std::uint32_t first_material;
         bool operator==(const ModelKey&) const = default;
     };
     std::map<Id, Posing> posings_;
+    Recent<MorphKey, Ref<PosedMesh>> morphs_;
     Recent<ModelKey, Ref<TileModel>> models_{64};
 };
 

@@ -271,18 +271,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         stage.mixed_materials = materials_of_others(of_layer);
         TileCounts told;
         if (strokes.charts) {
-            std::vector<std::vector<Ref<TileModel>>> models(kinds.size());
             std::vector<TileCell> cells;
-            for (std::size_t k = 0; k < kinds.size(); ++k) {
-                cells.push_back(tile_cell(kinds[k].parts, kinds[k].turned));
-                for (std::size_t i = 0; i < kinds[k].parts.size(); ++i)
-                    models[k].push_back(kinds_of_.model(kinds[k], i, cells[k]));
-                // A tile that moves may be higher than at rest.
-                for (std::size_t i = 0; i < models[k].size(); ++i)
-                    if (kinds[k].parts[i].posed || kinds[k].morph != 0)
-                        cells[k].top =
-                            std::max(cells[k].top, cells[k].side * models[k][i]->box.hi.z);
-            }
+            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind.parts, kind.turned));
             std::vector<std::size_t> kind_of_tile, counts;
             for (const Tile& tile : strokes.layout->tiles)
                 kind_of_tile.push_back(of_layer.of(tile.seed));
@@ -301,13 +291,13 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
             for (std::size_t k = 0; k < kinds.size(); ++k) {
                 if (all[k].empty()) continue;
                 const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
-                for (std::size_t i = 0; i < kinds[k].parts.size(); ++i) {
-                    const Part& part = kinds[k].parts[i];
+                for (const Part& part : kinds[k].parts) {
                     if (part.rest->positions.empty()) continue;
+                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, cells[k]);
                     PartKey key = part.key;
                     key.mesh += kinds[k].first_mesh;
                     stage.parts.push_back(timed(input.timings, "tiles", [&] {
-                        return part_of(tile_set(models[k][i], places), key);
+                        return part_of(tile_set(model, places), key);
                     }));
                 }
             }

@@ -11,7 +11,8 @@ bool can_become(const Mesh& from, const Mesh& to);
 
 // Goes the share t of the way from every vertex of one mesh to that of the other: positions and
 // colours; normals and tangents are of unit length again. Below 0 and above 1 it goes beyond, and
-// colours stay between 0 and 1. All else is that of `from`. They must be able to become each other. O(#V).
+// colours stay between 0 and 1. All else is that of `from`. They must be able to become each
+// other. O(#V).
 Mesh morphed(const Mesh& from, const Mesh& to, double t);
 
 } // namespace trivar

@@ -89,13 +89,6 @@ void detach_selected(Editor& e)
     }
 }
 
-std::vector<Id> but_the_last(const Editor& e)
-{
-    std::vector<Id> ids = e.session.selected.ids();
-    ids.pop_back();
-    return ids;
-}
-
 void cut_objects(Editor& e)
 {
     const std::vector<Id> ids = deletable(e, "Nothing was cut");
@@ -193,14 +186,15 @@ void add_edit_actions(std::vector<Action>& a)
                  detach_selected,
                  {[](const Editor& e) { return !laid(e, true).empty(); },
                   "select an attached object first"}});
-    a.push_back({"Edit",
-                 "Parent",
-                 {ctrl('P')},
-                 [](Editor& e) {
-                     e.session.run(SetParent{but_the_last(e), e.session.selected});
-                 },
-                 {[](const Editor& e) { return e.session.selected.size() > 1; },
-                  "select the objects first, and their parent last"}});
+    a.push_back(
+        {"Edit",
+         "Parent",
+         {ctrl('P')},
+         [](Editor& e) {
+             e.session.run(SetParent{e.session.selected.but_the_active(), e.session.selected});
+         },
+         {[](const Editor& e) { return e.session.selected.size() > 1; },
+          "select the objects first, and their parent last"}});
     a.push_back({"Edit",
                  "Clear parent",
                  {alt('P')},

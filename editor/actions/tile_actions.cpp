@@ -4,23 +4,16 @@
 #include "core/commands/mix_tiles.h"
 #include "core/commands/tiles.h"
 #include "editor/editor.h"
+#include "editor/session/scene_facts.h"
 
 #include <algorithm>
 
 namespace trivar {
 namespace {
 
-bool is_layer(const Editor& e, Id id)
+bool layer_is_active(const Editor& e)
 {
-    const auto found = e.session.document().objects.find(id);
-    return found != e.session.document().objects.end() && found->second->tiles;
-}
-
-std::vector<Id> beside_the_layer(const Editor& e)
-{
-    std::vector<Id> ids = e.session.selected.ids();
-    ids.pop_back();
-    return ids;
+    return is_tile_layer(e.session.document(), e.session.selected);
 }
 
 void mix_tiles(Editor& e)
@@ -28,7 +21,7 @@ void mix_tiles(Editor& e)
     const Id layer = e.session.selected;
     const Tiling& tiling = *object(e.session.document(), layer).tiles;
     MixTiles mixed{layer, tiling.weight, tiling.others};
-    for (const Id id : beside_the_layer(e))
+    for (const Id id : e.session.selected.but_the_active())
         if (std::ranges::find(mixed.others, id, &MixedTile::object) == mixed.others.end())
             mixed.others.push_back({id, 1});
     if (e.session.run(mixed)) e.session.selected = layer;
@@ -37,36 +30,34 @@ void mix_tiles(Editor& e)
 void morph_tiles(Editor& e)
 {
     const Id layer = e.session.selected;
-    if (e.session.run(MorphTiles{layer, beside_the_layer(e).front()})) e.session.selected = layer;
+    if (e.session.run(MorphTiles{layer, e.session.selected.but_the_active().front()}))
+        e.session.selected = layer;
 }
 
 } // namespace
 
 void add_tile_actions(std::vector<Action>& actions)
 {
-    actions.push_back({"Tools",
-                       "Mix tiles",
-                       {},
-                       mix_tiles,
-                       {[](const Editor& e) {
-                            return e.session.selected.size() > 1 && is_layer(e, e.session.selected);
-                        },
-                        "select the objects first, and the layer of tiles last"}});
-    actions.push_back({"Tools",
-                       "Morph tiles",
-                       {},
-                       morph_tiles,
-                       {[](const Editor& e) {
-                            return e.session.selected.size() == 2 &&
-                                   is_layer(e, e.session.selected);
-                        },
-                        "select another object first, and the layer of tiles last"}});
-    actions.push_back({"Tools",
-                       "Clear tiles",
-                       {},
-                       [](Editor& e) { e.session.run(ClearTiles{{e.session.selected}}); },
-                       {[](const Editor& e) { return is_layer(e, e.session.selected); },
-                        "select a layer of tiles first"}});
+    actions.push_back(
+        {"Tools",
+         "Mix tiles",
+         {},
+         mix_tiles,
+         {[](const Editor& e) { return e.session.selected.size() > 1 && layer_is_active(e); },
+          "select the objects first, and the layer of tiles last"}});
+    actions.push_back(
+        {"Tools",
+         "Morph tiles",
+         {},
+         morph_tiles,
+         {[](const Editor& e) { return e.session.selected.size() == 2 && layer_is_active(e); },
+          "select another object first, and the layer of tiles last"}});
+    actions.push_back(
+        {"Tools",
+         "Clear tiles",
+         {},
+         [](Editor& e) { e.session.run(ClearTiles{{e.session.selected}}); },
+         {[](const Editor& e) { return layer_is_active(e); }, "select a layer of tiles first"}});
 }
 
 } // namespace trivar

@@ -33,6 +33,12 @@ bool moves_in_time(const Document& document)
                                [](const auto& o) { return !o.second->playing.clip.empty(); });
 }
 
+bool is_tile_layer(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found != document.objects.end() && found->second->tiles;
+}
+
 bool has_tiles(const Document& document)
 {
     return std::ranges::any_of(document.objects,

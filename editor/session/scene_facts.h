@@ -12,6 +12,8 @@ namespace trivar {
 bool belongs_to(const Document& document, Id id, Id group);
 // Whether the scene looks different from frame to frame.
 bool moves_in_time(const Document& document);
+// Whether the object is a layer of tiles; not for an id that is gone.
+bool is_tile_layer(const Document& document, Id id);
 // Whether a layer of tiles is in it.
 bool has_tiles(const Document& document);
 

@@ -12,6 +12,11 @@ Selection& Selection::operator=(Id id)
     return *this;
 }
 
+std::vector<Id> Selection::but_the_active() const
+{
+    return {ids_.begin(), ids_.empty() ? ids_.end() : ids_.end() - 1};
+}
+
 bool Selection::contains(Id id) const
 {
     return std::find(ids_.begin(), ids_.end(), id) != ids_.end();

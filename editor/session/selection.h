@@ -20,6 +20,7 @@ public:
     const std::vector<Id>& ids() const { return ids_; }
     std::size_t size() const { return ids_.size(); }
     bool contains(Id id) const;
+    std::vector<Id> but_the_active() const; // the others, in their order
 
     void set(const std::vector<Id>& ids); // one that is named twice counts once
     void add(const std::vector<Id>& ids); // the last of them becomes the active one

@@ -2,6 +2,7 @@
 #include "editor/tools/tiles.h"
 
 #include "core/base/rounded.h"
+#include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
@@ -90,9 +91,9 @@ void TilesTool::take_up(Session& session, Id object)
 
 void TilesTool::mix(Session& session, Id layer, Id other)
 {
-    const auto found = session.document().objects.find(layer);
-    if (found == session.document().objects.end() || !found->second->tiles) return;
-    MixTiles mixed{layer, found->second->tiles->weight, found->second->tiles->others};
+    if (!is_tile_layer(session.document(), layer)) return;
+    const Tiling& tiling = *object(session.document(), layer).tiles;
+    MixTiles mixed{layer, tiling.weight, tiling.others};
     mixed.others.push_back({other, 1});
     session.run(mixed);
     session.selected = layer;
@@ -120,7 +121,7 @@ void TilesTool::choose_model(Session& session, const std::string& file, bool als
 {
     reading_ = false;
     const Id layer = tile(session);
-    if (also && layer != 0 && object(session.document(), layer).tiles) {
+    if (also && is_tile_layer(session.document(), layer)) {
         mixing_ = layer;
         wanted_ = {file};
         return;

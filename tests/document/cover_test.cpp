@@ -371,5 +371,32 @@ TEST(PaintedTiles, StandOnTheLimitSurfaceHoweverFinelyTheBaseIsShown)
     EXPECT_EQ(positions_in(painted(3)), positions_in(painted(1)));
 }
 
+// Half a metre high on a plane of a metre, which two tiles cross; what they become is a fifth of
+// it.
+TEST(Covers, MorphWithTheirTile)
+{
+    const auto block = [](double height) {
+        return AddBox{.name = "Block", .shape = {{0.1, 0.1, height}, {1, 1, 1}}, .transform = {}};
+    };
+    Document document =
+        after(Document{}, AddPlane{.name = "Base", .shape = {{1, 1}, {2, 2}}, .transform = {}});
+    document = after(after(document, block(0.1)), block(0.02));
+    document = after(
+        document,
+        CoverWithTiles{cover_tile, covered_base, {.pattern = TilePattern::grid, .per_face = 1}});
+    document = after(document, MorphTiles{cover_tile, 3});
+    const auto height = [&](double morph) {
+        const Document moved = after(document, SetTiles{{cover_tile}, {.morph = morph}});
+        double highest = 0;
+        for (const glm::vec3& p : positions_in(evaluation_of(moved)))
+            highest = std::max(highest, static_cast<double>(p.z));
+        return highest;
+    };
+    EXPECT_NEAR(height(0), 0.5, 1e-6);
+    EXPECT_NEAR(height(0.5), 0.3, 1e-6);
+    EXPECT_NEAR(height(1), 0.1, 1e-6);
+    EXPECT_NEAR(height(-0.5), 0.7, 1e-6);
+}
+
 } // namespace
 } // namespace trivar

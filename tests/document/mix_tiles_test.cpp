@@ -142,8 +142,7 @@ Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 
                            TileLook look = {})
 {
     Document document = after(fitting_document(), ClearTiles{{layer_stud}});
-    document =
-        after(document, AddBox{.shape = {.size = {0.2, 0.2, 0.2}, .segments = {1, 1, 1}}});
+    document = after(document, AddBox{.shape = {.size = {0.2, 0.2, 0.2}, .segments = {1, 1, 1}}});
     document = after(document, into);
     TileStroke stroke = a_tile_stroke();
     stroke.radius = 0.15;

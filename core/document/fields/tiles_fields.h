@@ -103,9 +103,10 @@ template <> struct FieldsOf<TileLook> {
     }
 };
 template <> struct FieldsOf<MixedTile> {
-    static constexpr std::string_view told_as = "[mixed tile](#mixed-tile)",
-                                      weight_help =
-                                          "how often it is there, beside the weights of the others";
+    static constexpr std::string_view
+        told_as = "[mixed tile](#mixed-tile)",
+        weight_help = "how often it is there, beside the weights of the others",
+        besides_help = "with what the layer is mixed from now on, besides; they are hidden";
     static void fields(auto& m, auto&& field)
     {
         field("object", m.object, "id of an object", required);

@@ -4,6 +4,7 @@
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
 
 namespace trivar {
 namespace {

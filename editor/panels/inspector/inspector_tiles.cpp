@@ -118,11 +118,6 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
 
 } // namespace
 
-bool is_tile_layer(const Document& document, Id id)
-{
-    return object(document, id).tiles.has_value();
-}
-
 void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
 {
     if (!ui::section(theme, "Tiles")) return;

@@ -8,7 +8,6 @@ namespace trivar {
 
 struct Editor;
 
-bool is_tile_layer(const Document& document, Id id);
 // The rows of a layer of tiles: what holds for all of them, and its strokes.
 void draw_tiles(Editor& editor, const ui::Theme& theme, Id id);
 

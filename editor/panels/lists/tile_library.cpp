@@ -3,6 +3,7 @@
 #include "editor/actions/model_actions.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -50,8 +51,7 @@ std::vector<std::string> painted_with(const Editor& editor, const std::vector<st
 // Whether another tile can be added to those that the brush paints with.
 bool takes_another(const Session& session)
 {
-    const auto found = session.document().objects.find(session.selected);
-    return found == session.document().objects.end() || found->second->tiles;
+    return session.selected == 0 || is_tile_layer(session.document(), session.selected);
 }
 
 } // namespace
