@@ -67,9 +67,24 @@ void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_val
 MirroredCopies uploaded(std::span<const std::uint32_t> tiles)
 {
     MirroredCopies out;
-    out.upright = static_cast<int>(tiles.size());
-    out.rows.write(std::as_bytes(tiles));
+    rewrite(out, {}, tiles);
     return out;
+}
+
+void rewrite(MirroredCopies& copies, std::span<const std::uint32_t> before,
+             std::span<const std::uint32_t> tiles)
+{
+    copies.upright = static_cast<int>(tiles.size());
+    std::size_t begin = 0, end = tiles.size();
+    if (const std::size_t bytes = tiles.size_bytes(); bytes > copies.rows.bytes()) {
+        copies.rows.reserve(bytes + bytes / 2); // room for the next dabs of a brush
+    } else {
+        begin = static_cast<std::size_t>(std::ranges::mismatch(before, tiles).in2 - tiles.begin());
+        while (end > begin && end <= before.size() && before[end - 1] == tiles[end - 1]) --end;
+    }
+    if (end > begin)
+        copies.rows.write_part(begin * sizeof(std::uint32_t),
+                               std::as_bytes(tiles.subspan(begin, end - begin)));
 }
 
 MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at)

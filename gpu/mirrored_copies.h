@@ -38,6 +38,10 @@ struct MirroredCopies {
 
 // The rows of tiles, which patches and a serial then complete.
 MirroredCopies uploaded(std::span<const std::uint32_t> tiles);
+// Makes rows that were uploaded for `before` those of other tiles, and uploads no more than from
+// the first to the last that differs.
+void rewrite(MirroredCopies& copies, std::span<const std::uint32_t> before,
+             std::span<const std::uint32_t> tiles);
 
 // Leaves out copies whose matrix is not finite, as all functions here do.
 MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at);

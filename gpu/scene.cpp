@@ -138,7 +138,7 @@ void add_tiles(Scene& scene, const Instance& instance, const Picture& picture, c
     };
     const auto first = static_cast<std::ptrdiff_t>(scene.items.size());
     for (const DrawnTiles::Level& level : tiles.levels)
-        if (level.seen.upright > 0) {
+        if (level.chosen > 0) {
             scene.items.push_back(item_with(level.mesh, level.seen));
             scene.items.back().casts = false;
         }
@@ -198,6 +198,11 @@ const Material& SceneItem::material(std::uint32_t index) const
 bool SceneItem::see_through(const MirroredMesh::Part& part) const
 {
     return opacity < 1 || material(part.material).alpha == Material::Alpha::blend;
+}
+
+int SceneItem::drawn_count() const
+{
+    return !copies ? 1 : copies->patches ? copies->upright : copy_count;
 }
 
 bool SceneItem::is_body() const

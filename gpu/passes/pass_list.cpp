@@ -5,6 +5,7 @@
 #include "gpu/passes/wire.h"
 
 #include <array>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar::gpu {
 namespace {
@@ -20,6 +21,16 @@ bool by_several_samples(const Brushes&, const Work& w)
 }
 
 constexpr std::array of_maps{
+    Pass{"cull tiles",
+         [](const Brushes& b, const Work&) { return b.tools.tiles().counts().tiles > 0; },
+         [](Brushes& b, const Work& w, const Frame& frame) {
+             TileMirror& tiles = b.tools.tiles();
+             DepthPyramid before;
+             if (w.picture.draft && Occluders::worthwhile(w.scene, tiles.counts()))
+                 before = b.occluders.depths(b.tools, frame, w.scene);
+             const glm::dmat4 to_clip(frame.view_clip);
+             tiles.show(before, glm::translate(to_clip, -w.scene.origin_world));
+         }},
     Pass{"shadow map",
          [](const Brushes& b, const Work& w) {
              return w.picture.settings.shadows && b.shadow_map.stale(w.scene);

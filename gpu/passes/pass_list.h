@@ -4,6 +4,7 @@
 #include "gpu/passes/contact_map.h"
 #include "gpu/passes/layers.h"
 #include "gpu/passes/lines.h"
+#include "gpu/passes/occluders.h"
 #include "gpu/passes/shadow_map.h"
 
 #include <span>
@@ -15,6 +16,7 @@ struct Brushes {
     Tools tools;
     ShadowMap shadow_map;
     ContactMap contact_map;
+    Occluders occluders;
     LinePass lines, curves, outlined_curves;
     SeeThroughPass see_through;
 };

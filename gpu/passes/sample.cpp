@@ -79,15 +79,24 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
         program.set("map_colors", scene.map_colors);
         program.set("map_range", scene.map_range);
     };
-    // Front faces first: where they hide the back ones, and that is nearly everywhere, those cost
-    // no more than a depth test.
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    tools.draw(scene.items, pass);
-    pass.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
-        const bool seen = quality.backs_of_bodies || !item.is_body() || may_be_inside(frame, item);
-        return seen && opaque(item, part);
+    const auto backs_are_seen = [&](const SceneItem& item) {
+        return quality.backs_of_bodies || !item.is_body() || may_be_inside(frame, item);
     };
+    const auto are_tiles = [](const SceneItem& item) {
+        return item.copies && item.copies->patches;
+    };
+    // Front faces first: where they hide the back ones, and that is nearly everywhere, those cost
+    // no more than a depth test. Tiles are small, and their vertices cost more than their pixels:
+    // they are drawn once.
+    pass.without_backs = [&](const SceneItem& item, const MirroredMesh::Part&) {
+        return !are_tiles(item) || !backs_are_seen(item);
+    };
+    tools.draw(scene.items, pass);
+    pass.without_backs = {};
+    pass.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
+        return !are_tiles(item) && backs_are_seen(item) && opaque(item, part);
+    };
+    glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     tools.draw(scene.items, pass);
     glDisable(GL_CULL_FACE);

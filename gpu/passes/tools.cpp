@@ -187,7 +187,8 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);
     const auto* first = reinterpret_cast<const void*>(offset);
     if (item.copies)
-        glDrawElementsInstanced(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first, item.copy_count);
+        glDrawElementsInstanced(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first,
+                                item.drawn_count());
     else
         glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first);
 }
@@ -204,6 +205,7 @@ void Tools::draw(std::span<const SceneItem> items, const MeshPass& pass)
     for (const SceneItem& item : items)
         for (const MirroredMesh::Part& part : item.mesh->parts()) {
             if (!(pass.casters ? item.casts : item.seen) || !pass.wanted(item, part)) continue;
+            if (item.drawn_count() == 0) continue; // of tiles, none is seen
             if (pass.without_backs)
                 (pass.without_backs(item, part) ? glEnable : glDisable)(GL_CULL_FACE);
             draw(item, part, pass);

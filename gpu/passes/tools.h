@@ -49,6 +49,7 @@ public:
     Mirror& mirror() { return mirror_; }
     DeformedMeshes& deformed() { return deformed_; }
     TileMirror& tiles() { return tiles_; }
+    const TileMirror& tiles() const { return tiles_; }
     void set_frame(const Frame& frame);
     // Runs the current program over the whole framebuffer, at the far plane.
     void full_screen() const;

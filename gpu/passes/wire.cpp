@@ -32,7 +32,8 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
     for (const SceneItem& item : scene.items) {
-        if (!item.seen || !item.edges || item.edges->indices->count == 0) continue;
+        if (!item.seen || item.drawn_count() == 0) continue;
+        if (!item.edges || item.edges->indices->count == 0) continue;
         std::vector<std::string> placing;
         add_placing(placing, item);
         const Program& program = tools.use(wire_program(std::move(placing)));
@@ -50,7 +51,7 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
         item.edges->vertices.bind();
         const int count = item.edges->indices->count;
         if (item.copies)
-            glDrawElementsInstanced(GL_LINES, count, GL_UNSIGNED_INT, nullptr, item.copy_count);
+            glDrawElementsInstanced(GL_LINES, count, GL_UNSIGNED_INT, nullptr, item.drawn_count());
         else
             glDrawElements(GL_LINES, count, GL_UNSIGNED_INT, nullptr);
     }

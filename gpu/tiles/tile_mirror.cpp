@@ -79,7 +79,8 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         const TileView view(camera, instance.to_world, picture.draft);
         const bool anew = entry.changes != entry.patches->changes();
         entry.changes = entry.patches->changes();
-        if (anew || entry.view != view) choose_seen(entry, view);
+        entry.to_world = instance.to_world;
+        if (anew || entry.view != view) choose_levels(entry, view);
         choose_casting(entry, view, mirror, anew);
         DrawnTiles& drawn = entry.drawn;
         const std::size_t count = instance.highlighted ? entry.set->tiles->size() : 0;
@@ -96,9 +97,8 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         counts_.tiles += entry.set->tiles->size();
         counts_.all_vertices += entry.set->vertex_count();
         for (const DrawnTiles::Level& level : drawn.levels) {
-            const auto seen = static_cast<std::size_t>(level.seen.upright);
-            counts_.drawn += seen;
-            counts_.vertices += seen * level.mesh->vertex_count();
+            counts_.drawn += level.chosen;
+            counts_.vertices += level.chosen * level.mesh->vertex_count();
         }
     }
     std::erase_if(entries_, [&](const auto& item) { return !wanted.contains(item.first); });
@@ -130,13 +130,38 @@ void TileMirror::take(Entry& entry, const Ref<TileSet>& set)
     drawn.size = mean_size(*set);
     if (!other_model) return;
     drawn.levels.clear();
-    for (const TileLevel& level : *set->model->levels) drawn.levels.push_back({level.mesh, {}, {}});
+    for (const TileLevel& level : *set->model->levels)
+        drawn.levels.push_back({level.mesh, 0, {}, {}});
     entry.seen.assign(drawn.levels.size(), {});
     entry.casting.assign(drawn.levels.size(), {});
     entry.levels.clear();
 }
 
-void TileMirror::choose_seen(Entry& entry, const TileView& view)
+void TileMirror::show(const DepthPyramid& before, const glm::dmat4& world_to_clip)
+{
+    counts_.drawn = counts_.vertices = 0;
+    for (auto& [key, entry] : entries_) {
+        const TileSet& set = *entry.set;
+        const glm::dmat4 to_clip = world_to_clip * entry.to_world;
+        std::vector<std::uint8_t> levels = entry.levels;
+        parallel_blocks(levels.size(), 512, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (levels[i] != unseen && before.hides(set.extents[i].hull, to_clip))
+                    levels[i] = unseen;
+        });
+        std::vector<Numbers> seen = by_level(levels, entry.drawn.levels.size());
+        for (std::size_t l = 0; l < seen.size(); ++l) {
+            DrawnTiles::Level& level = entry.drawn.levels[l];
+            rewrite(level.seen, entry.seen[l], seen[l]);
+            level.seen.patches = entry.patches;
+            counts_.drawn += seen[l].size();
+            counts_.vertices += seen[l].size() * level.mesh->vertex_count();
+        }
+        entry.seen = std::move(seen);
+    }
+}
+
+void TileMirror::choose_levels(Entry& entry, const TileView& view)
 {
     const TileSet& set = *entry.set;
     const std::vector<TileLevel>& levels = *set.model->levels;
@@ -159,25 +184,23 @@ void TileMirror::choose_seen(Entry& entry, const TileView& view)
                     static_cast<std::uint8_t>(level_for(levels, extent.stretch, tolerance, last));
         }
     });
-    std::vector<Numbers> seen = by_level(entry.levels, levels.size());
-    for (std::size_t l = 0; l < seen.size(); ++l) {
-        MirroredCopies& drawn = entry.drawn.levels[l].seen;
-        if (seen[l] != entry.seen[l]) drawn = uploaded(seen[l]);
-        drawn.patches = entry.patches;
-    }
-    entry.seen = std::move(seen);
+    for (std::size_t l = 0; l < levels.size(); ++l)
+        entry.drawn.levels[l].chosen = static_cast<std::size_t>(
+            std::ranges::count(entry.levels, static_cast<std::uint8_t>(l)));
 }
 
 void TileMirror::choose_casting(Entry& entry, const TileView& view, Mirror& mirror, bool anew)
 {
     const TileSet& set = *entry.set;
-    // Half a texel of a shadow map over all of them, or half a pixel of a view that is nearer: by
-    // octaves, so that maps are not drawn anew wherever the camera moves.
-    const double coarse = glm::length(set.box.size()) / 4096;
-    const double nearest = std::clamp(view.tolerance(set.box), coarse / 64, coarse);
-    const double tolerance = !view.steady()     ? 0
-                             : nearest < coarse ? std::exp2(std::floor(std::log2(nearest)))
-                                                : coarse;
+    // Two texels of a draft's shadow map over all of them, or about a pixel of a view that is
+    // nearer. What was chosen stays while it is fine enough and not by far too fine, so that maps
+    // are not drawn anew wherever the camera moves.
+    const double coarse = glm::length(set.box.size()) / 512;
+    const double most = std::clamp(half_pixels_off * view.tolerance(set.box), coarse / 64, coarse);
+    const double last = entry.caster_tolerance;
+    const double tolerance = !view.steady()                    ? 0
+                             : last <= most && 3 * last > most ? last
+                                                               : 0.8 * most;
     if (!anew && tolerance == entry.caster_tolerance) return;
     entry.caster_tolerance = tolerance;
     const std::vector<TileLevel>& levels = *set.model->levels;
@@ -191,7 +214,7 @@ void TileMirror::choose_casting(Entry& entry, const TileView& view, Mirror& mirr
     for (std::size_t l = 0; l < casting.size(); ++l) {
         MirroredCopies& drawn = entry.drawn.levels[l].casting;
         if (!anew && casting[l] == entry.casting[l]) continue;
-        if (casting[l] != entry.casting[l]) drawn = uploaded(casting[l]);
+        rewrite(drawn, entry.casting[l], casting[l]);
         drawn.patches = entry.patches;
         drawn.serial = mirror.next_serial();
     }

@@ -3,6 +3,7 @@
 
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
+#include "gpu/tiles/depth_pyramid.h"
 #include "gpu/tiles/tile_counts.h"
 #include "gpu/tiles/tile_patches.h"
 #include "gpu/tiles/tile_view.h"
@@ -16,6 +17,7 @@ namespace trivar::gpu {
 struct DrawnTiles {
     struct Level {
         Ref<Mesh> mesh;
+        std::size_t chosen = 0; // number of tiles in view that are drawn so if nothing hides them
         MirroredCopies seen, casting;
     };
     std::vector<Level> levels;
@@ -31,8 +33,11 @@ struct DrawnTiles {
 // what changed is uploaded: patches that differ, and the numbers of tiles whose level is another.
 class TileMirror {
 public:
-    // Chooses what of the picture's tiles is drawn, as a camera sees them.
+    // Chooses how the picture's tiles are drawn, as a camera sees them.
     void update(const Picture& picture, const Camera& camera, Mirror& mirror);
+    // Uploads which of the chosen tiles are seen: those that nothing hides which lies `before`
+    // them. Draws of the picture's tiles must come after it.
+    void show(const DepthPyramid& before, const glm::dmat4& world_to_clip);
     // For the index of an instance of that picture; null: it has no tiles, or they do not fit into
     // the device and are drawn as one mesh.
     const DrawnTiles* of(std::size_t instance) const { return of_instance_.at(instance); }
@@ -50,13 +55,14 @@ private:
         std::optional<TileView> view; // for which the levels were chosen
         double caster_tolerance = 0;
         std::vector<std::uint8_t> levels;   // by tile; as they were when it was last seen
-        std::vector<Numbers> seen, casting; // by level
+        std::vector<Numbers> seen, casting; // by level, as they are uploaded
+        glm::dmat4 to_world{1};
         DrawnTiles drawn;
     };
     // The key is id and part, and the number of instances before this one that have the same.
     using Key = std::tuple<int, PartKey, int>;
     void take(Entry& entry, const Ref<TileSet>& set);
-    void choose_seen(Entry& entry, const TileView& view);
+    static void choose_levels(Entry& entry, const TileView& view);
     void choose_casting(Entry& entry, const TileView& view, Mirror& mirror, bool anew);
     std::map<Key, Entry> entries_;
     std::vector<const DrawnTiles*> of_instance_;

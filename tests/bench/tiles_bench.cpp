@@ -250,7 +250,7 @@ void tiles_picture(benchmark::State& state, Drawn drawn)
                 for (glm::dvec3& p : tile.patch.p) p.z += 0.1 * std::sin(angle);
             picture.instances.front().tiles = tile_set(model, make_ref(std::move(moved)));
         }
-        renderer.render(picture, size_px);
+        renderer.draw(picture, size_px);
     }
     state.counters["tiles"] = static_cast<double>(placed->size());
     state.counters["drawn"] = static_cast<double>(renderer.tile_counts().drawn);

@@ -296,6 +296,35 @@ TEST_F(TilesOnCard, AreLeftOutWhereTheCameraDoesNotSeeThem)
     EXPECT_EQ(renderer.tile_counts().drawn, 0u);
 }
 
+TEST_F(TilesOnCard, AreLeftOutOfDraftsWhereSomethingHidesThem)
+{
+    TilePair pair(tile_set(ring_model(), make_ref(tiles_on_waves(30, 0.2))));
+    pair.each([](Picture& picture) {
+        picture.camera.eye = {0, -12, 0.6};
+        picture.settings.ground = false; // that of drafts may lag
+        picture.instances.back() =
+            instance_of(box_mesh({9, 0.2, 4}, glm::ivec3(1)), moved(0, 0, 0));
+        picture.draft = true;
+    });
+    const auto of_mesh = [&] { return Renderer().render(pair.mesh, tiles_px); };
+    EXPECT_LT(unlike(renderer.render(pair.tiles, tiles_px), of_mesh()), few);
+    EXPECT_GT(renderer.tile_counts().drawn, 400u);
+    EXPECT_LT(renderer.tile_counts().drawn, 600u) << "the wall stands before half of the 900";
+    const auto all_of_them = [&](const char* why) {
+        EXPECT_LT(unlike(renderer.render(pair.tiles, tiles_px), of_mesh()), few) << why;
+        EXPECT_EQ(renderer.tile_counts().drawn, 900u) << why;
+    };
+    pair.each([](Picture& picture) { picture.draft = false; });
+    all_of_them("a picture that is no draft shows all there is");
+    pair.each([](Picture& picture) {
+        picture.draft = true;
+        picture.instances.back().opacity = 0.5f;
+    });
+    all_of_them("what is seen through hides nothing");
+    pair.each([](Picture& picture) { picture.instances.pop_back(); });
+    all_of_them("nothing is before them");
+}
+
 TEST_F(TilesOnCard, AreSimplerInDraftsWhereTheyAreSmall)
 {
     TilePair pair(tile_set(ring_model(true), make_ref(tiles_on_waves(20, 0.25))));
@@ -339,6 +368,8 @@ TEST_F(TilesOnCard, AreUploadedOnceAndThenOnlyWhereTheyDiffer)
     renderer.draw(pair.tiles, tiles_px);
     EXPECT_EQ(std::ranges::count(traffic.written, 2 * tile_bytes), 1);
     EXPECT_EQ(std::ranges::count(traffic.written, tile_bytes), 2) << "one changed and one new";
+    EXPECT_GE(std::ranges::count(traffic.written, sizeof(std::uint32_t)), 1)
+        << "one more number of a tile, not the numbers of all";
     EXPECT_LT(
         unlike(renderer.render(pair.tiles, tiles_px), Renderer().render(pair.tiles, tiles_px)),
         few);
@@ -409,6 +440,42 @@ TEST(TileView, SeesWhatProjectsIntoThePicture)
         }
         EXPECT_GT(seen, 100);
     }
+}
+
+TEST(DepthPyramid, HidesNoBoxOfWhichSomethingIsNearer)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    constexpr glm::ivec2 size(37, 21);
+    const auto to_clip = [](const glm::dvec3& p) { return 2.0 * p - 1.0; }; // 0..1 is the picture
+    const glm::dmat4 matrix =
+        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(-1)), glm::dvec3(2));
+    ASSERT_EQ(glm::dvec3(matrix * glm::dvec4(0.3, 0.4, 0.5, 1)), to_clip({0.3, 0.4, 0.5}));
+    int hidden = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::vector<float> depths;
+        for (int k = 0; k < size.x * size.y; ++k)
+            depths.push_back(static_cast<float>(0.4 + 0.1 * share(random)));
+        const glm::ivec2 hole(static_cast<int>(share(random) * size.x),
+                              static_cast<int>(share(random) * size.y));
+        depths[static_cast<std::size_t>(hole.y * size.x + hole.x)] = 1;
+        const DepthPyramid pyramid(depths, size);
+        const glm::dvec3 lo(share(random), share(random), 0.35 + 0.3 * share(random));
+        const glm::dvec3 extent(share(random), share(random), 0.2);
+        const Box box{lo, lo + 0.4 * extent};
+        const glm::dvec2 there = (glm::dvec2(hole) + 0.5) / glm::dvec2(size);
+        const bool open =
+            there.x > box.lo.x && there.y > box.lo.y && there.x < box.hi.x && there.y < box.hi.y;
+        const bool hides = pyramid.hides(box, matrix);
+        hidden += hides;
+        EXPECT_FALSE(hides && (open || lo.z < 0.4));
+    }
+    EXPECT_GT(hidden, 50);
+    glm::dmat4 behind = matrix;
+    behind[3].w = -1;
+    EXPECT_FALSE(
+        DepthPyramid({0, 0, 0, 0}, {2, 2}).hides({glm::dvec3(0.2), glm::dvec3(0.6)}, behind));
+    EXPECT_FALSE(DepthPyramid().hides({glm::dvec3(0.2), glm::dvec3(0.6)}, matrix));
 }
 
 TEST(TileView, KeepsALevelUntilAnotherIsClearlyBetter)

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/tools.h"
+#include "gpu/scene.h"
+#include "gpu/tiles/depth_pyramid.h"
+
+namespace trivar::gpu {
+
+// Occluders are what tiles may be hidden behind: all that is opaque and no tile.
+class Occluders {
+public:
+    // Whether what they hide may be worth the time to find it: the tiles that are drawn have many
+    // more vertices than they.
+    static bool worthwhile(const Scene& scene, const TileCounts& tiles);
+    // Draws their depths at half the size of the picture and reads them back, for which it waits.
+    DepthPyramid depths(Tools& tools, const Frame& frame, const Scene& scene);
+
+private:
+    Texture2D depth_;
+    Framebuffer target_;
+};
+
+} // namespace trivar::gpu
