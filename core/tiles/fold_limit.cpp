@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace trivar {
 namespace {
@@ -145,30 +146,61 @@ std::array<Net, 2> halves(const Net& in, bool along_x)
     return out;
 }
 
-double limit_of(const Determinant& d, int depth)
+// A piece of the patch.
+struct Piece {
+    Determinant det;
+    double limit; // by its coefficients
+};
+
+double least_at_corners(const Determinant& d)
 {
-    const double limit = least_root(d);
-    if (depth == 0 || limit == infinity) return limit;
-    // Coefficients at corners are values: subdivision raises no limit above theirs.
-    double corner = infinity;
-    for (const std::size_t i : {0, 8, 72, 80}) corner = std::min(corner, root_at(d, i));
-    if (limit >= 0.995 * corner) return limit;
     double least = infinity;
+    for (const std::size_t i : {0, 8, 72, 80}) least = std::min(least, root_at(d, i));
+    return least;
+}
+
+std::array<Piece, 4> quarters(const Determinant& d)
+{
+    std::array<Piece, 4> out;
     const auto ax = halves(d.a, true), bx = halves(d.b, true), cx = halves(d.c, true);
     for (std::size_t i = 0; i < 2; ++i) {
         const auto a = halves(ax[i], false), b = halves(bx[i], false), c = halves(cx[i], false);
-        for (std::size_t j = 0; j < 2; ++j)
-            least = std::min(least, limit_of({a[j], b[j], c[j]}, depth - 1));
+        for (std::size_t j = 0; j < 2; ++j) {
+            const Determinant part{a[j], b[j], c[j]};
+            out[2 * i + j] = {part, least_root(part)};
+        }
     }
-    return least;
+    return out;
+}
+
+// Quarters the piece with the lowest limit until that is nearly a value at a corner, which no limit
+// can be above.
+double limit_of(const Determinant& whole, int most_quartered)
+{
+    const auto higher = [](const Piece& x, const Piece& y) { return x.limit > y.limit; };
+    std::vector<Piece> heap{{whole, least_root(whole)}};
+    double corner = least_at_corners(whole);
+    for (int i = 0; i < most_quartered; ++i) {
+        const double limit = heap.front().limit;
+        if (limit == infinity || limit >= 0.995 * corner) break;
+        std::ranges::pop_heap(heap, higher);
+        const Determinant lowest = heap.back().det;
+        heap.pop_back();
+        for (const Piece& part : quarters(lowest)) {
+            corner = std::min(corner, least_at_corners(part.det));
+            heap.push_back(part);
+            std::ranges::push_heap(heap, higher);
+        }
+    }
+    return heap.front().limit;
 }
 
 } // namespace
 
-double fold_limit(const TilePatch& patch, int depth)
+double fold_limit(const TilePatch& patch, int most_quartered)
 {
     const Determinant d = determinant_of(patch);
-    return vanishes(d) ? 0 : limit_of(d, depth);
+    return vanishes(d) ? 0 : limit_of(d, most_quartered);
 }
 
 } // namespace trivar
