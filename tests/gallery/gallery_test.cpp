@@ -63,9 +63,11 @@ Scene replayed(const std::string& name)
 // As a scene is shown: in its first frame, or in the one that says what it is about.
 Scene shown(const std::string& name)
 {
-    constexpr int between_the_cars = 200, grown = 120, half_open = 57;
-    const std::map<std::string, int> frames{
-        {"bulldozer_parks", between_the_cars}, {"wreath", grown}, {"thorn_to_flower", half_open}};
+    constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
+    const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
+                                            {"wreath", grown},
+                                            {"thorn_to_flower", half_open},
+                                            {"face_thorns", thorny}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);
@@ -255,7 +257,8 @@ const auto proven_scenes = ::testing::Values("ants_moebius", "ants_terrain", "ca
 INSTANTIATE_TEST_SUITE_P(Scenes, Motion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Others, Motion,
-                         ::testing::Values("rider", "wreath", "thorn_to_flower", "robots_teapot"),
+                         ::testing::Values("rider", "wreath", "thorn_to_flower", "robots_teapot",
+                                           "face_thorns"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
