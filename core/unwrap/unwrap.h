@@ -4,15 +4,11 @@
 #include "core/base/progress.h"
 #include "core/base/ref.h"
 #include "core/mesh/mesh.h"
+#include "core/unwrap/methods.h"
 
 #include <span>
 
 namespace trivar {
-
-enum class UnwrapMethod {
-    conformal, // keeps angles
-    rigid,     // keeps lengths as well as it can, and angles less
-};
 
 struct UnwrapOptions {
     UnwrapMethod method = UnwrapMethod::conformal;
@@ -36,6 +32,7 @@ struct UnwrapFacts {
     // Over all triangles, without the worst thousandth of their area: what angles and lengths are
     // off by, as factors; 1: nothing.
     double angle = 1, length = 1;
+    bool operator==(const UnwrapFacts&) const = default;
 };
 
 struct Unwrapped {
