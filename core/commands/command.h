@@ -20,6 +20,7 @@
 #include "core/commands/text.h"
 #include "core/commands/tiles.h"
 #include "core/commands/travel.h"
+#include "core/commands/unwrap.h"
 #include "core/commands/view.h"
 #include "core/commands/warp.h"
 #include "core/document/asset_store.h"
@@ -46,7 +47,8 @@ using AnyCommand =
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles>;
+                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
+                 Unwrap, ClearUnwrap>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -13,6 +13,7 @@
 #include "core/commands/simplify.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
+#include "core/commands/unwrap.h"
 
 #include <string>
 #include <vector>
@@ -55,6 +56,7 @@ struct CopiedObject {
     std::optional<Playing> playing;
     std::optional<Refining> refining;
     std::optional<Simplifying> simplifying;
+    std::optional<Unwrapping> unwrapping = {};
     std::optional<CopiedTiling> tiling = {};
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
@@ -104,6 +106,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
         field("simplifying", c.simplifying, "how its triangles are reduced");
+        field("unwrapping", c.unwrapping, "how its texture coordinates are made");
         field("tiling", c.tiling, "how copies of it are painted on another object");
         field("tracks", c.tracks, "its animated parameters with their keys", later);
     }

@@ -11,6 +11,7 @@
 #include "core/refinement/methods.h"
 #include "core/tiles/tile_cover.h"
 #include "core/tiles/tile_stroke.h"
+#include "core/unwrap/methods.h"
 
 #include <optional>
 #include <string>
@@ -88,6 +89,15 @@ struct Simplifying {
     bool operator==(const Simplifying&) const = default;
 };
 
+// Unwrapping gives a shape texture coordinates made here (core/unwrap), after it was simplified and
+// before anything else is done with it.
+struct Unwrapping {
+    UnwrapMethod method = UnwrapMethod::conformal;
+    double seam_angle_deg = 60, spread_deg = 60;
+    double margin = 0.002; // as a share of the square
+    bool operator==(const Unwrapping&) const = default;
+};
+
 // A MixedTile is another object whose copies stand among the tiles of a layer.
 struct MixedTile {
     Id object = 0;
@@ -124,6 +134,7 @@ struct Object {
     Playing playing = {};                  // only for an imported file
     std::optional<Refining> refining = {}; // only for an object on a stroke
     std::optional<Simplifying> simplifying = {};
+    std::optional<Unwrapping> unwrapping = {};
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
     Tracks tracks = {};               // of the numbers that change in time, by parameter
     bool operator==(const Object&) const = default;

@@ -141,7 +141,7 @@ CoverParts Covers::operator()(const CoverInput& input)
 {
     CoverParts out;
     const TileCover& cover = input.tiling.cover;
-    if (cover.pattern == TilePattern::none) return out;
+    if (cover.pattern == TilePattern::none || cover.pattern == TilePattern::texture) return out;
     if (!input.limit.trouble.empty()) {
         out.notices.push_back(input.limit.trouble);
         return out;

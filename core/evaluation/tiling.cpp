@@ -226,7 +226,8 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
                                         const StepInput& input)
 {
     const Tiling& tiling = *input.object.tiles;
-    if (tiling.strokes.empty()) return {};
+    const bool by_texture = tiling.cover.pattern == TilePattern::texture;
+    if (tiling.strokes.empty() && !by_texture) return {};
     Ref<TileBase> base(limit.base, limit.base ? &limit.base->triangles() : nullptr);
     if (!base) {
         Pieces meshes;
@@ -234,17 +235,24 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
             meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
         base = bases_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
     }
-    const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
+    Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
         return timed(input.timings, "tiles",
                      [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
     });
+    Ref<TextureLayout> others;
+    if (by_texture) {
+        others = timed(input.timings, "tiles", [&] {
+            return textures_(pieces, base, limit.base != nullptr, tiling.cover);
+        });
+        layout = joined_({layout, others}, [&] { return make_ref(joined(*layout, *others)); });
+    }
     const TileLook& look = tiling.look;
     const SlideKey key{base, layout, look.turn_deg, look.scale, look.slide_x, look.slide_y};
     const Ref<TileLayout> slid =
         look.slide_x == 0 && look.slide_y == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    return {base, slid, charts(limit, base, slid, look, input.timings)};
+    return {base, slid, charts(limit, base, slid, look, input.timings), others};
 }
 
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -306,6 +314,9 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         CoverParts cover = covers_({tiling, of_layer, pieces, limit, members, input.timings});
         stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
         told += cover.counts;
+        if (strokes.by_texture)
+            stage.notices.insert(stage.notices.end(), strokes.by_texture->notices.begin(),
+                                 strokes.by_texture->notices.end());
         tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
         stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
         return make_ref(std::move(stage));

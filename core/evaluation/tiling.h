@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/covers.h"
+#include "core/evaluation/texture_tiles.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
@@ -46,10 +47,11 @@ private:
         TileKinds kinds;
         bool operator==(const Key&) const = default;
     };
-    struct Painted { // all null where there are no strokes
+    struct Painted { // all null where there are neither strokes nor tiles by texture
         Ref<TileBase> base;
         Ref<TileLayout> layout;
         Ref<TileCharts> charts;
+        Ref<TextureLayout> by_texture; // null: none
     };
     struct LastCharts { // of which those of tiles that stay are taken over
         Ref<TileBase> base;
@@ -64,6 +66,8 @@ private:
     LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
+    TextureTiles textures_;
+    Recent<std::pair<Ref<TileLayout>, Ref<TextureLayout>>, Ref<TileLayout>> joined_;
     Recent<SlideKey, Ref<TileLayout>> slides_;
     Recent<ChartKey, Ref<TileCharts>> charts_;
     LastCharts last_;

@@ -94,18 +94,30 @@ void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme&
         {"Pattern", 96,
          [&](float field) {
              int pattern = static_cast<int>(cover_.pattern) - 1; // without the first one
-             ui::choice(theme, "pattern", pattern, {"Grid", "Brick", "Hexagon"}, field);
+             ui::choice(theme, "pattern", pattern, {"Grid", "Brick", "Hexagon", "Texture"}, field);
              cover_.pattern = static_cast<TilePattern>(pattern + 1);
          },
          "Brick shifts every other row by half a tile; hexagons reach into the rows beside "
-         "theirs."});
-    options.push_back(
-        {"Per face", 88,
-         [&](float field) {
-             ui::integer_field(theme, "per face", cover_.per_face,
-                               {.lo = 0, .hi = 1000, .zero = "by size"}, field);
-         },
-         "Number of tiles along each side of a face of what is covered; 0: as the size says."});
+         "theirs; Texture lays one tile on each cell of the texture square."});
+    if (cover_.pattern == TilePattern::texture) {
+        const auto count = [&](const char* label, const char* id, int& value, const char* help) {
+            options.push_back({label, 80,
+                               [&theme, id, &value](float field) {
+                                   ui::integer_field(theme, id, value, {.lo = 1, .hi = 2000},
+                                                     field);
+                               },
+                               help});
+        };
+        count("Columns", "columns", cover_.columns, "Number of cells across the texture square.");
+        count("Rows", "rows", cover_.rows, "Number of cells up the texture square.");
+    } else
+        options.push_back(
+            {"Per face", 88,
+             [&](float field) {
+                 ui::integer_field(theme, "per face", cover_.per_face,
+                                   {.lo = 0, .hi = 1000, .zero = "by size"}, field);
+             },
+             "Number of tiles along each side of a face of what is covered; 0: as the size says."});
     options.push_back({"Vary height", 88,
                        [&](float field) {
                            ui::number_field(theme, "vary height", cover_.height_variation,

@@ -179,7 +179,9 @@ std::vector<Command> fitting_commands()
             MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}},
             MorphTiles{.object = 8, .into = 2},
             CoverWithTiles{
-                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}}};
+                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}},
+            Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
+            ClearUnwrap{.objects = {1}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -90,6 +90,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Mix the tiles of Cylinder with Ball",
         "Let the tiles of Cylinder become Ball",
         "Cover Ball with Cylinder",
+        "Unwrap Table",
+        "Give Table its own UVs back",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

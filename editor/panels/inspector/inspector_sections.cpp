@@ -3,6 +3,7 @@
 
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_tiles.h"
+#include "editor/panels/inspector/inspector_unwrap.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"
 
@@ -58,6 +59,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {always, draw_transform},
         {always, draw_material},
         {has_triangles, draw_simplify},
+        {has_triangles, draw_unwrap},
         {always, draw_other_numbers},
     };
     return all;

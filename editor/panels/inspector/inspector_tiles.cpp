@@ -103,9 +103,14 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     ValueRows rows{theme, &keys};
     FieldRows<TileCover> fields(rows, cover, "tiles.cover");
     fields(&TileCover::pattern);
-    if (cover.pattern != TilePattern::none) {
+    if (cover.pattern == TilePattern::texture) {
+        fields(&TileCover::columns);
+        fields(&TileCover::rows);
+    } else if (cover.pattern != TilePattern::none) {
         fields(&TileCover::size);
         fields(&TileCover::per_face);
+    }
+    if (cover.pattern != TilePattern::none) {
         fields(&TileCover::height_variation);
         if (cover.height_variation > 0) fields(&TileCover::seed);
     }

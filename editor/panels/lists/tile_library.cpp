@@ -21,9 +21,9 @@ struct TileLibrary {
 };
 
 // At scale 1.
-constexpr glm::vec2 cell{76, 76};
+constexpr glm::vec2 library_cell{76, 76};
 constexpr float most_share = 0.4f; // of the height of the picture
-constexpr float cell_gap = 6, pad = 12, heading = 34, most_rows = 2, most_columns = 8;
+constexpr float cell_gap = 6, pad = 12, heading_side = 34, most_rows = 2, most_columns = 8;
 
 // The library shows the models that are there to be tiles.
 std::vector<const OwnModel*> tile_models()
@@ -65,26 +65,26 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
     const std::vector<const OwnModel*> tiles = tile_models();
     auto& library = editor.memory.of<TileLibrary>();
     const ui::Palette& c = theme.color;
-    const glm::vec2 size = theme.px(1) * cell;
+    const glm::vec2 size = theme.px(1) * library_cell;
     const float gap = theme.px(cell_gap), edge = theme.px(pad);
     const float room = foot.view().width() - 2 * edge - theme.px(2 * pad);
     const float columns = std::clamp(std::floor((room + gap) / (size.x + gap)), 1.0f, most_columns);
     const float rows = std::ceil(static_cast<float>(tiles.size()) / columns);
     const bool there = !editor.files.own_models_folder.empty();
-    const float fit = std::floor((most_share * foot.view().height() - theme.px(heading)) /
+    const float fit = std::floor((most_share * foot.view().height() - theme.px(heading_side)) /
                                  (size.y + gap)); // rows
     const bool open = there && !library.folded && fit >= 1;
     const float width = columns * (size.x + gap) - gap + 2 * theme.px(pad);
     const float shown = open ? std::min({rows, most_rows, fit}) * (size.y + gap) + theme.px(6) : 0;
     const float left = foot.view().lo.x + edge;
     const ui::Rect view = foot.above(left, left + width);
-    const float height = theme.px(heading) + shown;
+    const float height = theme.px(heading_side) + shown;
     const ui::Rect card = ui::rect_at({left, view.hi.y - height - edge}, {width, height});
     ui::paint_card(theme, card);
     ui::lower_area("tile library", card); // takes the clicks
 
     const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
-                           {card.hi.x - theme.px(36), card.lo.y + theme.px(heading)}};
+                           {card.hi.x - theme.px(36), card.lo.y + theme.px(heading_side)}};
     ui::paint_text(theme.font.strong, head, c.text, "Tiles");
     const std::vector<std::string> with = painted_with(editor, *chosen);
     const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
