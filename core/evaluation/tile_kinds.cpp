@@ -82,6 +82,15 @@ TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
     return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(box, parts, turned)};
 }
 
+TileCell tile_cell(const TileKind& kind)
+{
+    TileCell cell = tile_cell(kind.parts, kind.turned);
+    if (!kind.from_zero) return cell;
+    cell.top = std::max(0.0, cell.middle_of_floor.z + cell.top);
+    cell.middle_of_floor.z = 0;
+    return cell;
+}
+
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
 {
     if (kinds.objects.size() < 2) return nullptr;
@@ -145,6 +154,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
+        kind.from_zero = std::holds_alternative<HeightShape>(object.source);
         if (plays_apart && k > 0) {
             Playing playing = object.playing;
             playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);

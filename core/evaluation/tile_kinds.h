@@ -14,6 +14,7 @@ struct TileKind {
     Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
     std::uint32_t first_material = 0;               // of its materials among those of the layer
     int first_mesh = 0;                             // of its meshes among those of the layer
+    bool from_zero = false; // it stands in z = 0, as heights do, and not on its lowest point
     bool operator==(const TileKind&) const = default;
 };
 
@@ -39,6 +40,7 @@ Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
 double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the box of an object's parts that becomes a tile.
 TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
+TileCell tile_cell(const TileKind& kind);
 
 // Gives the materials of the objects that are mixed in, behind one another; null: there are none.
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);

@@ -18,6 +18,7 @@ struct TileCover {
     int per_face = 0;  // number of tiles along each side of a face; 0: as `size` says
     double height_variation = 0; // 0..1: heights are smaller by up to that share
     int seed = 1;
+    bool even_height = false; // tiles are as high as their object everywhere, in metres
     bool operator==(const TileCover&) const = default;
 };
 

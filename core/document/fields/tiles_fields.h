@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/field.h"
+#include "core/document/fields/mask_fields.h"
+#include "core/document/fields/mix_fields.h"
 
 namespace trivar {
 
@@ -102,17 +103,6 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(-1000, 1000).called("Slide Y"));
     }
 };
-template <> struct FieldsOf<MixedTile> {
-    static constexpr std::string_view
-        told_as = "[mixed tile](#mixed-tile)",
-        weight_help = "how often it is there, beside the weights of the others",
-        besides_help = "with what the layer is mixed from now on, besides; they are hidden";
-    static void fields(auto& m, auto&& field)
-    {
-        field("object", m.object, "id of an object", required);
-        field("weight", m.weight, weight_help, in_range(0, 1000));
-    }
-};
 template <> struct FieldsOf<TileCover> {
     static constexpr std::string_view told_as = "[tile cover](#tile-cover)";
     static void fields(auto& c, auto&& field)
@@ -130,6 +120,9 @@ template <> struct FieldsOf<TileCover> {
         field("height_variation", c.height_variation,
               "heights are smaller by up to this share, at random", in_range(0, 1).in(Unit::share));
         field("seed", c.seed, "of the random numbers", in_range(0, 1e9).without_keys());
+        field("even_height", c.even_height,
+              "tiles are as high as their object everywhere, and not in proportion to their length",
+              later.without_keys().called("Height of tiles").says("the object's own", "by length"));
     }
 };
 template <> struct FieldsOf<Tiling> {
@@ -144,6 +137,8 @@ template <> struct FieldsOf<Tiling> {
         field("into", t.into, "id of what its own tiles become by the morph; 0: nothing",
               later.without_keys());
         field("cover", t.cover, "how they cover all of it", later);
+        field("masks", t.masks, "where there are more of them, larger or higher ones",
+              later.called("Mask"));
     }
 };
 
