@@ -168,7 +168,8 @@ Ref<Covers::CoverMasks> Covers::masks(const CoverInput& input, const Ref<CoverLa
     return masks_({layout, found.masks, found.textured}, [&] {
         return timed(input.timings, "tiles", [&] {
             CoverMasks out;
-            if (found.drive(MaskDrives::density) || found.drive(MaskDrives::scale))
+            if (found.drive(MaskDrives::density) || found.drive(MaskDrives::scale) ||
+                found.drive(MaskDrives::morph))
                 out.tiles = found.at(layout->middles);
             if (found.drive(MaskDrives::height))
                 for (const MaskFactors& each : found.at(layout->rest))
@@ -208,16 +209,17 @@ CoverParts Covers::operator()(const CoverInput& input)
     if (laid->crowded)
         out.notices.push_back("its tiles are smaller than their size says: each face of what they "
                               "cover carries one at least");
+    const Ref<CoverMasks> masked = masks(input, laid);
     std::vector<std::size_t> kind_of_tile, counts(cells.size(), 0);
     for (std::size_t k = 0; k < covering.tiles().size(); ++k) {
-        kind_of_tile.push_back(input.kinds.of(seed_of(cover, k)));
+        kind_of_tile.push_back(
+            input.kinds.of(seed_of(cover, k), masked->tiles.empty() ? 1 : masked->tiles[k].morph));
         counts[kind_of_tile.back()] += input.members.size();
     }
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {
         out.notices.push_back(std::move(words));
         return out;
     }
-    const Ref<CoverMasks> masked = masks(input, laid);
     for (const auto& [member, parts] : input.members) {
         if (parts.size() != input.pieces.size()) continue; // a part is too far away
         timed(input.timings, "tiles", [&] {

@@ -18,8 +18,8 @@ struct FoundMasks {
     bool operator==(const FoundMasks&) const = default;
 
     bool drive(MaskDrives what) const { return masks && masks->drive(what); }
-    // The factors at places of the base at rest, in the space of its model. In parallel; about 2
-    // microseconds each where texture coordinates are read.
+    // The factors at places of the base at rest, in the space of its model. In parallel; two rays
+    // each where texture coordinates are read.
     std::vector<MaskFactors> at(std::span<const SurfacePoint> places) const;
 };
 

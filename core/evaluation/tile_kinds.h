@@ -22,6 +22,7 @@ struct TileKind {
 struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
+        bool masked = false; // a mask chooses the phase, from not yet morphed to altogether
         bool operator==(const Mixed&) const = default;
     };
     std::vector<TileKind> all;
@@ -30,7 +31,8 @@ struct TileKinds {
     std::string trouble;         // why tiles do not become what they should; empty: they do
     bool operator==(const TileKinds&) const = default;
 
-    std::size_t of(std::uint32_t seed) const; // the kind of a tile, by its seed alone
+    // The kind of a tile, by its seed alone, or by its share of the morph where a mask says that.
+    std::size_t of(std::uint32_t seed, double morph = 1) const;
 };
 
 // Bounds an object's parts at rest, turned. O(#V).

@@ -282,8 +282,10 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
             std::vector<TileCell> cells;
             for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind));
             std::vector<std::size_t> kind_of_tile, counts;
-            for (const Tile& tile : strokes.layout->tiles)
-                kind_of_tile.push_back(of_layer.of(tile.seed));
+            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i)
+                kind_of_tile.push_back(
+                    of_layer.of(strokes.layout->tiles[i].seed,
+                                strokes.factors ? (*strokes.factors)[i].morph : 1));
             std::vector<std::vector<PlacedTile>> all(kinds.size());
             for (const auto& [member, parts] : members) {
                 if (parts.size() != pieces.size()) continue; // a part is too far away

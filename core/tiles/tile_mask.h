@@ -7,7 +7,7 @@
 namespace trivar {
 
 // What of the tiles a mask drives.
-enum class MaskDrives { density, scale, height };
+enum class MaskDrives { density, scale, height, morph };
 
 // Where a mask has its values from.
 enum class MaskFrom {

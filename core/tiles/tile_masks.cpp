@@ -121,6 +121,7 @@ MaskFactors TileMasks::at(const MaskPlace& place) const
         case MaskDrives::density: out.density *= factor; break;
         case MaskDrives::scale: out.scale *= factor; break;
         case MaskDrives::height: out.height *= factor; break;
+        case MaskDrives::morph: out.morph *= factor; break;
         }
     }
     return out;

@@ -20,7 +20,7 @@ struct MaskPlace {
 
 // What all masks of a layer together make of a tile: products of their factors.
 struct MaskFactors {
-    double density = 1, scale = 1, height = 1;
+    double density = 1, scale = 1, height = 1, morph = 1;
     bool operator==(const MaskFactors&) const = default;
 };
 
@@ -43,7 +43,7 @@ struct TileMasks {
 
     bool drive(MaskDrives what) const; // whether one of them does
     bool read_uvs() const;
-    // Pure and thread-safe; some tens of nanoseconds for each mask.
+    // Pure and thread-safe. O(#masks), and what a LineDistance takes.
     MaskFactors at(const MaskPlace& place) const;
 };
 

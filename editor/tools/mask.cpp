@@ -184,7 +184,7 @@ void MaskTool::options(Session&, const ui::Theme& theme, float width)
         {"Drives", 96,
          [&](float field) {
              int drives = static_cast<int>(settings_.drives);
-             ui::choice(theme, "drives", drives, {"Density", "Scale", "Height"}, field);
+             ui::choice(theme, "drives", drives, {"Density", "Scale", "Height", "Morph"}, field);
              settings_.drives = static_cast<MaskDrives>(drives);
          },
          "What of the tiles fades. Another gradient for the same replaces the first one."});

@@ -196,6 +196,23 @@ TEST(MorphTiles, ComeOneAfterTheOther)
     EXPECT_TRUE(std::ranges::is_sorted(halfway));
 }
 
+TEST(MorphTiles, FollowAMask)
+{
+    const auto heights = [](double value) {
+        const Document document =
+            morphing_document(AddBox{.shape = {.size = {0.2, 0.2, 0.05}, .segments = {1, 1, 1}}},
+                              {.morph = 1, .phases = 3});
+        return heights_of(
+            after(document,
+                  MaskTiles{10, 0, {.drives = MaskDrives::morph, .low = value, .high = value}}));
+    };
+    for (const auto& [value, height] :
+         {std::pair(0.0, 0.02), std::pair(0.5, 0.0125), std::pair(1.0, 0.005)}) {
+        ASSERT_EQ(heights(value).size(), 1u);
+        EXPECT_NEAR(heights(value).at(0), height, 1e-3);
+    }
+}
+
 TEST(MorphTiles, SayWhyTheyStayWhatTheyAre)
 {
     const Document document = morphing_document(AddSphere{}, {.morph = 1});

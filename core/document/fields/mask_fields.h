@@ -6,8 +6,8 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<MaskDrives>{"density", "scale",
-                                                                          "height"};
+inline constexpr std::array<std::string_view, 4> choice_names<MaskDrives>{"density", "scale",
+                                                                          "height", "morph"};
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<MaskFrom>{"image", "line", "point",
                                                                         "curve"};
