@@ -2,6 +2,7 @@
 #include "editor/actions/mask_actions.h"
 
 #include "core/base/rejected.h"
+#include "core/base/rounded.h"
 #include "core/commands/heights.h"
 #include "core/commands/mask_tiles.h"
 #include "core/evaluation/tiled_base.h"
@@ -64,31 +65,34 @@ void mask_by_image(Editor& e, Id layer, int number, const std::string& path)
     if (run_with_image(session, command, path)) session.selected = layer;
 }
 
-// How high a displacement stands at first, metres on the model.
-double usual_height(const Session& session, Id base)
+double face_count(const EvaluatedObject& shown)
 {
-    constexpr double share = 0.03; // of the largest side
-    const auto shown = session.evaluated().objects.find(base);
-    if (shown == session.evaluated().objects.end() || shown->second->parts.empty()) return 0.05;
-    const Part& part = shown->second->parts.front();
-    const glm::dvec3 size = shown->second->bounds->size();
-    const double scale =
-        RestToWorld(part, mesh_to_model(*shown->second, object(session.document(), base), part))
-            .scale({0, 0, 0});
-    const double side = std::max({size.x, size.y, size.z, 1e-6});
-    return scale > 0 ? share * side / scale : share * side;
+    double faces = 0;
+    for (const Part& part : shown.parts) faces += static_cast<double>(part.rest->face_count());
+    return std::max(1.0, faces);
 }
 
-// Sheets are as fine as the faces are few.
-int usual_segments(const Session& session, Id base)
+// The heights of a displacement at first, for what an object shows: metres on its model, lower
+// where faces are small, and sheets that are as fine as the faces are few.
+HeightShape usual_heights(const Session& session, Id base)
 {
+    constexpr double share = 0.03, share_of_face = 0.25; // of the largest side, of that of a face
     constexpr double vertices = 400'000;
-    const auto shown = session.evaluated().objects.find(base);
-    if (shown == session.evaluated().objects.end()) return 32;
-    double faces = 0;
-    for (const Part& part : shown->second->parts)
-        faces += static_cast<double>(part.rest->face_count());
-    return std::clamp(static_cast<int>(std::sqrt(vertices / std::max(1.0, faces))), 2, 256);
+    HeightShape out;
+    const auto found = session.evaluated().objects.find(base);
+    if (found == session.evaluated().objects.end() || found->second->parts.empty()) return out;
+    const EvaluatedObject& shown = *found->second;
+    const double faces = face_count(shown);
+    out.segments = std::clamp(static_cast<int>(std::sqrt(vertices / faces)), 2, 256);
+    const Part& part = shown.parts.front();
+    const glm::dvec3 size = shown.bounds->size();
+    const double side = std::max({size.x, size.y, size.z, 1e-6});
+    const double scale =
+        RestToWorld(part, mesh_to_model(shown, object(session.document(), base), part))
+            .scale({0, 0, 0});
+    const double height = std::min(share * side, share_of_face * side / std::sqrt(faces));
+    out.height = rounded(scale > 0 ? height / scale : height, 2);
+    return out;
 }
 
 void displace_by(Editor& e, Id base, const std::string& path)
@@ -96,10 +100,8 @@ void displace_by(Editor& e, Id base, const std::string& path)
     Session& session = e.session;
     if (!session.document().objects.contains(base)) return;
     const Id id = session.committed().next_id;
-    Displace command{.base = base};
+    Displace command{.base = base, .shape = usual_heights(session, base)};
     command.shape.image = std::filesystem::absolute(path).string();
-    command.shape.height = usual_height(session, base);
-    command.shape.segments = usual_segments(session, base);
     if (!object(session.document(), base).surfacing) command.material = new_material;
     if (run_with_image(session, command, path)) session.selected = id;
 }
@@ -122,7 +124,7 @@ void mask_by_curve(Editor& e)
         e.session.evaluated().objects.find(object(e.session.document(), layer).tiles->base);
     if (shown != e.session.evaluated().objects.end()) {
         const glm::dvec3 size = shown->second->bounds->size();
-        command.mask.stop = 0.25 * std::max({size.x, size.y, size.z, 1e-6});
+        command.mask.stop = rounded(0.25 * std::max({size.x, size.y, size.z, 1e-6}), 2);
     }
     if (e.session.run(command)) e.session.selected = layer;
 }

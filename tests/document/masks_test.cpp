@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
 #include "core/files/image.h"
+#include "core/scene/moved_history.h"
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
 
@@ -313,6 +314,28 @@ TEST(Displace, PutsEachPointAtItsHeightOverThePlane)
         for (const glm::vec3& p : part.mesh()->positions)
             highest = std::max(highest, static_cast<double>(p.z));
     EXPECT_GT(highest, 3 * 0.5 * 0.6);
+}
+
+TEST(TileMasks, FindTheirPictureWhereTheSceneHasMoved)
+{
+    History history;
+    history.run(AddTorus{});
+    history.run(AddPlane{});
+    history.run(CoverWithTiles{masked_tile, masked_base, {.pattern = TilePattern::grid}});
+    history.run(MaskTiles{masked_tile, 0, {.from = MaskFrom::image, .image = "pictures/a.png"}});
+    history.run(AddHeights{.shape = {.image = "pictures/b.png"}});
+    EXPECT_TRUE(imports_by_relative_path(history));
+    std::vector<std::string> files;
+    moved(history, "/scenes/old", "/scenes/new")
+        .retell(
+            [&](const History::Step& step) {
+                if (const auto* mask = std::get_if<MaskTiles>(&step.command))
+                    files.push_back(mask->mask.image);
+                if (const auto* heights = std::get_if<AddHeights>(&step.command))
+                    files.push_back(heights->shape.image);
+            },
+            [] {});
+    EXPECT_THAT(files, ::testing::ElementsAre("../old/pictures/a.png", "../old/pictures/b.png"));
 }
 
 TEST(Displace, SaysWhenItsPictureIsMissing)
