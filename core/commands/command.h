@@ -5,9 +5,11 @@
 #include "core/commands/apply_shape.h"
 #include "core/commands/arrange.h"
 #include "core/commands/group.h"
+#include "core/commands/heights.h"
 #include "core/commands/import.h"
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
+#include "core/commands/mask_tiles.h"
 #include "core/commands/material.h"
 #include "core/commands/mix_tiles.h"
 #include "core/commands/paste.h"
@@ -48,7 +50,7 @@ using AnyCommand =
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
-                 Unwrap, ClearUnwrap>;
+                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/copied_tiling.h"
+#include "core/commands/heights.h"
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
@@ -46,6 +47,7 @@ struct CopiedObject {
     std::optional<TeapotShape> teapot;
     std::optional<TextShape> text = {};
     std::optional<LatticeShape> lattice = {};
+    std::optional<HeightShape> heights = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -94,6 +96,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("teapot", c.teapot, "its shape, as of add_teapot");
         field("text", c.text, "its shape, as of add_text");
         field("lattice", c.lattice, "its box of control points, as of add_lattice");
+        field("heights", c.heights, "its shape, as of add_heights");
         field("transform", c.transform, "its transform, in its group if that is copied, too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");

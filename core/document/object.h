@@ -10,6 +10,7 @@
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
 #include "core/tiles/tile_cover.h"
+#include "core/tiles/tile_mask.h"
 #include "core/tiles/tile_stroke.h"
 #include "core/unwrap/methods.h"
 
@@ -115,6 +116,7 @@ struct Tiling {
     std::vector<MixedTile> others = {};   // what it is mixed with
     Id into = 0;                          // what its own tiles become by the morph; 0: nothing
     TileCover cover = {};                 // besides the strokes
+    std::vector<TileMask> masks = {};     // of strokes and cover alike
     bool operator==(const Tiling&) const = default;
 };
 

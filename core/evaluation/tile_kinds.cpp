@@ -33,6 +33,13 @@ const Clip* clip_of(const Shape& shape, const Playing& playing)
     return clip != shape.model->clips.end() ? &*clip : nullptr;
 }
 
+bool morph_is_masked(const Tiling& tiling)
+{
+    return std::ranges::any_of(tiling.masks, [](const TileMask& mask) {
+        return !mask.hidden && mask.drives == MaskDrives::morph;
+    });
+}
+
 bool can_become(const std::vector<Part>& from, const std::vector<Part>& to)
 {
     return std::ranges::equal(
@@ -48,9 +55,13 @@ std::size_t vertex_count(const std::vector<Part>& parts)
 
 } // namespace
 
-std::size_t TileKinds::of(std::uint32_t seed) const
+std::size_t TileKinds::of(std::uint32_t seed, double morph) const
 {
     const Mixed& object = objects[kind_of(seed, weights)];
+    if (object.masked)
+        return object.first +
+               static_cast<std::size_t>(std::lround(std::clamp(morph, 0.0, 1.0) *
+                                                    (static_cast<double>(object.phases) - 1)));
     const auto phases = static_cast<double>(object.phases);
     return object.first +
            std::min(object.phases - 1,
@@ -80,6 +91,15 @@ TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
     const glm::dvec3 size = box.size(), middle = box.center();
     const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
     return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(box, parts, turned)};
+}
+
+TileCell tile_cell(const TileKind& kind)
+{
+    TileCell cell = tile_cell(kind.parts, kind.turned);
+    if (!kind.from_zero) return cell;
+    cell.top = std::max(0.0, cell.middle_of_floor.z + cell.top);
+    cell.middle_of_floor.z = 0;
+    return cell;
 }
 
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
@@ -137,7 +157,8 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     const TileLook& look = input.object.tiles->look;
     const Clip* clip = clip_of(*stage.shape, object.playing);
     const bool plays_apart = clip && look.clip_variation > 0,
-               morphs_apart = !morph.into.empty() && look.morph_variation > 0;
+               masked = !morph.into.empty() && morph_is_masked(*input.object.tiles),
+               morphs_apart = masked || (!morph.into.empty() && look.morph_variation > 0);
     const int phases = plays_apart || morphs_apart ? look.phases : 1;
     Posing& posing = posings_[id];
     posing.keep(3 * static_cast<std::size_t>(phases));
@@ -145,14 +166,16 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
+        kind.from_zero = std::holds_alternative<HeightShape>(object.source);
         if (plays_apart && k > 0) {
             Playing playing = object.playing;
             playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);
             kind.parts = parts_in_model(
                 *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
         }
+        const double share = phases > 1 ? k / (phases - 1.0) : 0;
         if (!morph.into.empty())
-            move_on(kind, morph, morph_of(look, phases > 1 ? k / (phases - 1.0) : 0));
+            move_on(kind, morph, masked ? look.morph * share : morph_of(look, share));
         out.push_back(std::move(kind));
     }
     return out;
@@ -182,6 +205,7 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
     };
     const Morph morph = morph_of_layer(layer, input, kinds.trouble);
     add(phases_of(input.id, layer, morph, input), tiling.weight, nullptr);
+    kinds.objects.front().masked = !morph.into.empty() && morph_is_masked(tiling);
     for (const MixedTile& each : tiling.others) {
         const auto found = input.done.find(each.object);
         if (found == input.done.end() || found->second->parts.empty() ||

@@ -14,6 +14,7 @@ struct TileKind {
     Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
     std::uint32_t first_material = 0;               // of its materials among those of the layer
     int first_mesh = 0;                             // of its meshes among those of the layer
+    bool from_zero = false; // it stands in z = 0, as heights do, and not on its lowest point
     bool operator==(const TileKind&) const = default;
 };
 
@@ -21,6 +22,7 @@ struct TileKind {
 struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
+        bool masked = false; // a mask chooses the phase, from not yet morphed to altogether
         bool operator==(const Mixed&) const = default;
     };
     std::vector<TileKind> all;
@@ -29,7 +31,8 @@ struct TileKinds {
     std::string trouble;         // why tiles do not become what they should; empty: they do
     bool operator==(const TileKinds&) const = default;
 
-    std::size_t of(std::uint32_t seed) const; // the kind of a tile, by its seed alone
+    // The kind of a tile, by its seed alone, or by its share of the morph where a mask says that.
+    std::size_t of(std::uint32_t seed, double morph = 1) const;
 };
 
 // Bounds an object's parts at rest, turned. O(#V).
@@ -39,6 +42,7 @@ Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
 double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the box of an object's parts that becomes a tile.
 TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
+TileCell tile_cell(const TileKind& kind);
 
 // Gives the materials of the objects that are mixed in, behind one another; null: there are none.
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);

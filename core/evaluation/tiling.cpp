@@ -94,15 +94,20 @@ std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base
 // `cells` hold the kind of each tile and the cell of each kind.
 void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
                  const TileLayout& layout, const TileCharts& charts,
-                 const std::vector<TilePatch>& patches, const TileLook& look,
-                 const std::vector<std::size_t>& kinds, const std::vector<TileCell>& cells,
-                 TileCounts& told)
+                 const std::vector<MaskFactors>* factors, const std::vector<TilePatch>& patches,
+                 const TileLook& look, const std::vector<std::size_t>& kinds,
+                 const std::vector<TileCell>& cells, TileCounts& told)
 {
-    enum class Fate : char { as_wanted, lowered, folded, at_border, not_grown };
+    enum class Fate : char { as_wanted, lowered, folded, at_border, not_there };
     std::vector<PlacedTile> all(patches.size());
     std::vector<Fate> fates(patches.size(), Fate::as_wanted);
     parallel_blocks(patches.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            const MaskFactors masked = factors ? (*factors)[i] : MaskFactors{};
+            if (masked.scale < smallest || !is_there(layout.tiles[i].seed, masked.density)) {
+                fates[i] = Fate::not_there;
+                continue;
+            }
             if (charts.cut(i) > most_cut) {
                 fates[i] = Fate::at_border;
                 continue;
@@ -112,13 +117,13 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
             const TileMotion motion =
                 motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
             if (motion.size < smallest) {
-                fates[i] = Fate::not_grown;
+                fates[i] = Fate::not_there;
                 continue;
             }
             tile.patch = patches[i];
             if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
-            tile.height =
-                side_in_world(tile.patch) * layout.tiles[i].height * look.height * motion.height;
+            tile.height = side_in_world(tile.patch) * layout.tiles[i].height * look.height *
+                          motion.height * masked.height;
             const double top = tile.height * cell.top / cell.side;
             tile.base = -look.sink * top;
             if (!look.guard) continue;
@@ -223,7 +228,7 @@ Ref<TileCharts> TilingStep::charts(const FoundLimit& limit, const Ref<TileBase>&
 }
 
 TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLimit& limit,
-                                        const StepInput& input)
+                                        const FoundMasks& masks, const StepInput& input)
 {
     const Tiling& tiling = *input.object.tiles;
     const bool by_texture = tiling.cover.pattern == TilePattern::texture;
@@ -235,7 +240,7 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
             meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
         base = bases_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
     }
-    Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
+    Ref<TileLayout> whole = layouts_({base, tiling.strokes}, [&] {
         return timed(input.timings, "tiles",
                      [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
     });
@@ -244,15 +249,17 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
         others = timed(input.timings, "tiles", [&] {
             return textures_(pieces, base, limit.base != nullptr, tiling.cover);
         });
-        layout = joined_({layout, others}, [&] { return make_ref(joined(*layout, *others)); });
+        whole = joined_({whole, others}, [&] { return make_ref(joined(*whole, *others)); });
     }
+    const auto& [layout, factors] =
+        timed(input.timings, "tiles", [&] { return masks_of_.masked(base, whole, masks); });
     const TileLook& look = tiling.look;
     const SlideKey key{base, layout, look.turn_deg, look.scale, look.slide_x, look.slide_y};
     const Ref<TileLayout> slid =
         look.slide_x == 0 && look.slide_y == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    return {base, slid, charts(limit, base, slid, look, input.timings), others};
+    return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};
 }
 
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -269,10 +276,11 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const TiledPieces pieces =
         pieces_of(*shown, object(input.document, tiling.base), members.begin()->second);
     const FoundLimit limit = limits_(pieces);
-    const Painted strokes = painted(pieces, limit, input);
+    const FoundMasks masks = masks_of_(pieces, input);
+    const Painted strokes = painted(pieces, limit, masks, input);
     const TileLook& look = tiling.look;
     const TileKinds of_layer = kinds_of_(*before, input);
-    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer}, [&] {
+    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
@@ -280,15 +288,18 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         TileCounts told;
         if (strokes.charts) {
             std::vector<TileCell> cells;
-            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind.parts, kind.turned));
+            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind));
             std::vector<std::size_t> kind_of_tile, counts;
-            for (const Tile& tile : strokes.layout->tiles)
-                kind_of_tile.push_back(of_layer.of(tile.seed));
+            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i)
+                kind_of_tile.push_back(
+                    of_layer.of(strokes.layout->tiles[i].seed,
+                                strokes.factors ? (*strokes.factors)[i].morph : 1));
             std::vector<std::vector<PlacedTile>> all(kinds.size());
             for (const auto& [member, parts] : members) {
                 if (parts.size() != pieces.size()) continue; // a part is too far away
                 timed(input.timings, "tiles", [&] {
                     place_tiles(all, *strokes.base, *strokes.layout, *strokes.charts,
+                                strokes.factors.get(),
                                 patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
                                 kind_of_tile, cells, told);
                 });
@@ -311,7 +322,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
             }
         }
         if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
-        CoverParts cover = covers_({tiling, of_layer, pieces, limit, members, input.timings});
+        CoverParts cover =
+            covers_({tiling, of_layer, pieces, limit, members, masks, input.timings});
         stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
         told += cover.counts;
         if (strokes.by_texture)
@@ -319,6 +331,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                                  strokes.by_texture->notices.end());
         tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
         stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
+        stage.notices.insert(stage.notices.end(), masks.notices.begin(), masks.notices.end());
+        stage.lacks.insert(stage.lacks.end(), masks.lacks.begin(), masks.lacks.end());
         return make_ref(std::move(stage));
     });
 }

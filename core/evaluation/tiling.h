@@ -3,6 +3,7 @@
 
 #include "core/evaluation/covers.h"
 #include "core/evaluation/texture_tiles.h"
+#include "core/evaluation/masking.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
@@ -45,6 +46,7 @@ private:
         TileLook look;
         TileCover cover;
         TileKinds kinds;
+        FoundMasks masks;
         bool operator==(const Key&) const = default;
     };
     struct Painted { // all null where there are neither strokes nor tiles by texture
@@ -52,6 +54,7 @@ private:
         Ref<TileLayout> layout;
         Ref<TileCharts> charts;
         Ref<TextureLayout> by_texture; // null: none
+        Ref<std::vector<MaskFactors>> factors; // of the masks; null: 1
     };
     struct LastCharts { // of which those of tiles that stay are taken over
         Ref<TileBase> base;
@@ -61,7 +64,8 @@ private:
     };
     Ref<TileCharts> charts(const FoundLimit& limit, const Ref<TileBase>& base,
                            const Ref<TileLayout>& layout, const TileLook& look, Timings& timings);
-    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const StepInput& input);
+    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const FoundMasks& masks,
+                    const StepInput& input);
 
     LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;
@@ -72,6 +76,7 @@ private:
     Recent<ChartKey, Ref<TileCharts>> charts_;
     LastCharts last_;
     TileKindsOf kinds_of_;
+    MasksOf masks_of_;
     Covers covers_;
     Recent<Key, Ref<Stage>> shown_;
 };

@@ -7,6 +7,7 @@
 #include "editor/actions/help_actions.h"
 #include "editor/actions/key_actions.h"
 #include "editor/actions/lattice_actions.h"
+#include "editor/actions/mask_actions.h"
 #include "editor/actions/model_actions.h"
 #include "editor/actions/placement_actions.h"
 #include "editor/actions/reset_actions.h"
@@ -50,6 +51,7 @@ std::vector<Action> all_actions()
     add_edit_actions(a);
     add_tile_actions(a);
     add_unwrap_actions(a);
+    add_mask_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
     a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {

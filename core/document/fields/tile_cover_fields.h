@@ -9,17 +9,6 @@ template <>
 inline constexpr std::array<std::string_view, 5> choice_names<TilePattern>{"none", "grid", "brick",
                                                                            "hexagon", "texture"};
 
-template <> struct FieldsOf<MixedTile> {
-    static constexpr std::string_view
-        told_as = "[mixed tile](#mixed-tile)",
-        weight_help = "how often it is there, beside the weights of the others",
-        besides_help = "with what the layer is mixed from now on, besides; they are hidden";
-    static void fields(auto& m, auto&& field)
-    {
-        field("object", m.object, "id of an object", required);
-        field("weight", m.weight, weight_help, in_range(0, 1000));
-    }
-};
 template <> struct FieldsOf<TileCover> {
     static constexpr std::string_view told_as = "[tile cover](#tile-cover)";
     static void fields(auto& c, auto&& field)
@@ -37,6 +26,9 @@ template <> struct FieldsOf<TileCover> {
         field("height_variation", c.height_variation,
               "heights are smaller by up to this share, at random", in_range(0, 1).in(Unit::share));
         field("seed", c.seed, "of the random numbers", in_range(0, 1e9).without_keys());
+        field("even_height", c.even_height,
+              "tiles are as high as their object everywhere, and not in proportion to their length",
+              later.without_keys().called("Height of tiles").says("the object's own", "by length"));
         field("columns", c.columns, "number of cells along u, with the pattern texture",
               later_in_range(1, 2000).resting_at(20).without_keys());
         field("rows", c.rows, "number of cells along v, with the pattern texture",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/fields/mask_fields.h"
+#include "core/document/fields/mix_fields.h"
 #include "core/document/fields/tile_cover_fields.h"
 
 namespace trivar {
@@ -110,6 +112,8 @@ template <> struct FieldsOf<Tiling> {
         field("into", t.into, "id of what its own tiles become by the morph; 0: nothing",
               later.without_keys());
         field("cover", t.cover, "how they cover all of it", later);
+        field("masks", t.masks, "where there are more of them, larger or higher ones",
+              later.called("Mask"));
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_sections.h"
 
+#include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/panels/inspector/inspector_unwrap.h"
@@ -54,6 +55,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_made_of<ImportedFile>,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},
         {is_made_of<TextShape>, draw_text},
+        {is_made_of<HeightShape>, draw_heights},
         {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,
                                        Id id) { draw_refinement(editor, theme, {id}); }},
         {always, draw_transform},

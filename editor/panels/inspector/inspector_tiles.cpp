@@ -4,6 +4,7 @@
 #include "core/commands/mix_tiles.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/key_gutter.h"
 #include "editor/tools/cover.h"
 #include "ui/icons.h"
@@ -112,6 +113,7 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     }
     if (cover.pattern != TilePattern::none) {
         fields(&TileCover::height_variation);
+        fields(&TileCover::even_height);
         if (cover.height_variation > 0) fields(&TileCover::seed);
     }
     // The first time, tiles get a size that fits what they cover.
@@ -164,6 +166,7 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
     propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
     if (tiling.base != 0) draw_cover(editor, theme, id, tiling, keys);
+    draw_masks(editor, theme, id, tiling, keys);
     for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
         stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
     ui::gap(theme, 8);
