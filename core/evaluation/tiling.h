@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/covers.h"
+#include "core/evaluation/strands.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
@@ -69,6 +70,7 @@ private:
     LastCharts last_;
     TileKindsOf kinds_of_;
     Covers covers_;
+    Strands strands_;
     Recent<Key, Ref<Stage>> shown_;
 };
 

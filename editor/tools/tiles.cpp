@@ -16,11 +16,13 @@
 namespace trivar {
 namespace {
 
-constexpr double sample_step = 0.25; // of the size of a tile, between samples
+// Of the size of a tile, between samples; those of strands are few, and so easy to move.
+constexpr double sample_step = 0.25, strand_step = 1;
 
 bool lays_tiles(TileBrush brush)
 {
-    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill;
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill ||
+           brush == TileBrush::strand;
 }
 
 // The brush as a ring that lies on the surface.
@@ -184,6 +186,8 @@ double TilesTool::size(const Session& session) const
 void TilesTool::use(Session& session, const ViewportInput& input)
 {
     if (gesture_) return go_on(session, input);
+    const Id strands_of = lays_strands() && !begins_layer(session) ? tile(session) : 0;
+    if (strands_.use(session, input, surface_, strands_of)) return hit_.reset();
     find_place(session, input);
     if (!input.pressed || session.committing()) return;
     if (hit_)
@@ -228,6 +232,15 @@ void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
     if (samples.size() >= most_tile_samples) return;
     if (gesture_->stroke.brush == TileBrush::grab && samples.size() == 2) {
         samples.back() = {hit.at_rest, time_s, 1};
+        ++gesture_->moves;
+        return;
+    }
+    const bool strand = gesture_->stroke.brush == TileBrush::strand;
+    if (strand && samples.size() > 1 &&
+        glm::distance(samples.back().at.p, samples[samples.size() - 2].at.p) <
+            strand_step * gesture_->stroke.size) {
+        // The last sample goes with the mouse until it is far enough from the one before.
+        samples.back() = {hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)};
         ++gesture_->moves;
         return;
     }
@@ -307,6 +320,7 @@ void TilesTool::finish(Session& session)
 
 void TilesTool::cancel(Session& session)
 {
+    strands_.cancel(session);
     if (!gesture_) return;
     gesture_.reset();
     wanted_.clear();
@@ -323,9 +337,10 @@ bool TilesTool::resize(Session& session, double factor)
 void TilesTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
+    strands_.overlay(session, theme, input);
     if (!hit_) return;
-    const bool one =
-        covers_ || settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
+    const bool one = covers_ || settings_.brush == TileBrush::line ||
+                     settings_.brush == TileBrush::grab || lays_strands();
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
                one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
@@ -342,6 +357,8 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{"left"}, "Let go when done"},
                 {{"wheel"}, "Radius"},
                 {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.busy()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.hovers()) return {{{"left"}, "Drag the point of the strand"}};
     if (tile(session) == 0 && !begins_layer(session))
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},

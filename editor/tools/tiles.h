@@ -3,6 +3,7 @@
 
 #include "core/commands/tiles.h"
 #include "editor/tools/painted_surface.h"
+#include "editor/tools/strand_handles.h"
 #include "editor/tools/tool.h"
 #include "ui/option_bar.h"
 
@@ -32,8 +33,8 @@ public:
     void choose_model(Session& session, const std::string& file, bool also) override;
     std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value(); }
-    bool takes_wheel() const override { return busy(); }
+    bool busy() const override { return gesture_.has_value() || strands_.busy(); }
+    bool takes_wheel() const override { return gesture_.has_value(); }
     bool resize(Session& session, double factor) override;
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
@@ -54,6 +55,7 @@ private:
         bool over = false;        // the button was let go while its model was being read
     };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
+    bool lays_strands() const { return !covers_ && settings_.brush == TileBrush::strand; }
     bool lays() const;                               // the brush makes tiles where there are none
     void cover_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     // What would be painted with of the scene, and onto what; 0: nothing.
@@ -85,6 +87,7 @@ private:
     Id under_ = 0;                  // what the brush is over
     std::optional<SurfaceHit> hit_; // under the mouse
     std::optional<Gesture> gesture_;
+    StrandHandles strands_;         // of the selected layer, while the brush lays strands
     int strokes_ = 0; // number of strokes so far, which become their seeds
 };
 

@@ -6,8 +6,8 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 8> choice_names<TileBrush>{
-    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab"};
+inline constexpr std::array<std::string_view, 9> choice_names<TileBrush>{
+    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab", "strand"};
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<TileHeading>{"along_stroke", "upward",
                                                                            "random"};
@@ -33,8 +33,9 @@ template <> struct FieldsOf<TileStroke> {
     static void fields(auto& s, auto&& field)
     {
         field("brush", s.brush,
-              "scatter, line and fill lay tiles; erase, comb, resize and raise change those under "
-              "the brush; grab moves the one nearest to the first sample to the last sample");
+              "scatter, line and fill lay tiles; strand lays them end to end; erase, comb, resize "
+              "and raise change those under the brush; grab moves the one nearest to the first "
+              "sample to the last sample");
         field("samples", s.samples, "the points of the stroke", required);
         field("radius", s.radius, "of the brush, metres on the model",
               positive.called("Brush radius").in(Unit::metres));
@@ -53,6 +54,14 @@ template <> struct FieldsOf<TileStroke> {
               in_range(-1, 1));
         field("seed", s.seed, "of the random numbers", in_range(0, 1e9));
         field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
+        field("width", s.width, "of a strand: factor of the width of its tiles",
+              later_in_range(0.01, 100).resting_at(1).in(Unit::times));
+        field("taper", s.taper,
+              "of a strand: share by which it is narrower and lower at its end",
+              later_in_range(0, 1).in(Unit::share));
+        field("apart", s.apart,
+              "the ends of a strand do not join with those of others near them, or each other",
+              later.called("Ends").says("apart", "joined"));
     }
 };
 template <> struct FieldsOf<TileLook> {
@@ -100,6 +109,28 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(-1000, 1000).called("Slide X"));
         field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
               later_in_range(-1000, 1000).called("Slide Y"));
+        field("cell_x0", l.cell_x0,
+              "where the unit cell of the tile begins along X, as a share of its box",
+              later_in_range(-10, 10).called("Cell from X").in(Unit::share).without_keys());
+        field("cell_x1", l.cell_x1, "where it ends along X",
+              later_in_range(-10, 10).resting_at(1).called("Cell to X").in(Unit::share)
+                  .without_keys());
+        field("cell_y0", l.cell_y0, "where it begins along Y",
+              later_in_range(-10, 10).called("Cell from Y").in(Unit::share).without_keys());
+        field("cell_y1", l.cell_y1, "where it ends along Y",
+              later_in_range(-10, 10).resting_at(1).called("Cell to Y").in(Unit::share)
+                  .without_keys());
+        field("base_level", l.base_level,
+              "what of the tile lies on the surface, as a share of the height of its box",
+              later_in_range(-10, 10).in(Unit::share).without_keys());
+        field("overlap", l.overlap,
+              "how far the tiles of a strand reach into the next ones, in shares of their cells",
+              later_in_range(0, 0.45).in(Unit::share).without_keys());
+        field("roll_deg", l.roll_deg, "turn of the tiles of a strand about its path, degrees",
+              later_in_range(-36000, 36000).called("Roll").in(Unit::degrees));
+        field("alternate_deg", l.alternate_deg,
+              "turn of every other tile of a strand about its path, besides, degrees",
+              later_in_range(-360, 360).called("Alternate").in(Unit::degrees).without_keys());
     }
 };
 template <> struct FieldsOf<MixedTile> {

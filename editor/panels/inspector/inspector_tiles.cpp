@@ -8,6 +8,7 @@
 #include "editor/tools/cover.h"
 #include "ui/icons.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -26,6 +27,7 @@ std::string words_of_stroke(const TileStroke& stroke)
     case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
     case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
     case TileBrush::grab: return "Move a tile";
+    case TileBrush::strand: return "Strand, tiles of " + length(stroke.size);
     }
     return {};
 }
@@ -144,6 +146,13 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_length);
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
+    }
+    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
+            return stroke->brush == TileBrush::strand;
+        })) {
+        fields(&TileLook::overlap);
+        fields(&TileLook::roll_deg);
+        fields(&TileLook::alternate_deg);
     }
     fields(&TileLook::slide_x);
     fields(&TileLook::slide_y);
