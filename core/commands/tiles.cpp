@@ -104,7 +104,9 @@ Document with_tiling(Document document, Id id, Tiling tiling)
 Document applied(Document document, const PaintTiles& command)
 {
     check(command.stroke);
-    Tiling tiling = object(document, command.object).tiles.value_or(Tiling{});
+    Tiling fresh;
+    fresh.look.overlap = command.overlap;
+    Tiling tiling = object(document, command.object).tiles.value_or(fresh);
     tiling.base = command.base;
     tiling.strokes.push_back(make_ref(command.stroke));
     document = with_tiling(std::move(document), command.object, std::move(tiling));

@@ -14,6 +14,7 @@
 namespace trivar {
 
 const std::vector<std::string>& model_extensions(); // that can be imported
+bool is_model(const std::string& path);             // of a file, by its extension
 const std::vector<std::string>& export_extensions();
 inline constexpr const char* scene_extension = ".trivar";
 

@@ -17,15 +17,12 @@
 
 namespace trivar {
 namespace fs = std::filesystem;
-namespace {
 
 bool is_model(const std::string& path)
 {
     const auto& known = model_extensions();
     return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
 }
-
-} // namespace
 
 void Files::open_scene(const std::string& path)
 {

@@ -129,8 +129,18 @@ void TilesTool::choose_model(Session& session, const std::string& file, bool als
         return;
     }
     session.selected = {};
+    overlap_ = 0;
     if (!also) files_.clear();
     if (std::erase(files_, file) == 0 || files_.empty()) files_.push_back(file);
+}
+
+void TilesTool::fit_model(const TileFit& fit)
+{
+    overlap_ = fit.overlap;
+    if (fit.strand)
+        choose_brush(TileBrush::strand);
+    else if (lays_strands())
+        choose_brush(TileBrush::scatter);
 }
 
 std::optional<std::string> TilesTool::take_wanted_model()
@@ -205,6 +215,7 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     const bool fresh = begins_layer(session);
     Gesture g{fresh ? 0 : tile(session), under_, settings_};
     if (fresh) wanted_ = files_;
+    if (fresh) g.overlap = overlap_;
     mixing_ = 0;
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
@@ -302,7 +313,8 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others})) g.proposed = now;
+    if (session.propose_quietly(
+            PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap})) g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
@@ -311,7 +323,8 @@ void TilesTool::finish(Session& session)
     gesture_.reset();
     const bool taken = g.cover
                            ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                           : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others});
+                           : session.propose(
+                                 PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
     if (taken)
         session.commit();
     else

@@ -30,7 +30,14 @@ public:
         covers_ = true;
         cover_ = cover;
     }
+    // From now on strokes do that.
+    void choose_brush(TileBrush brush)
+    {
+        covers_ = false;
+        settings_.brush = brush;
+    }
     void choose_model(Session& session, const std::string& file, bool also) override;
+    void fit_model(const TileFit& fit) override;
     std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || strands_.busy(); }
@@ -52,6 +59,7 @@ private:
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
+        double overlap = 0;     // of a layer that begins
         bool over = false;        // the button was let go while its model was being read
     };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
@@ -79,6 +87,7 @@ private:
     std::vector<std::string> wanted_; // those still to be read, the first one next
     bool reading_ = false;            // one of them is being read
     Id mixing_ = 0; // the layer that is mixed with what is read; 0: the gesture waits for it
+    double overlap_ = 0; // of the layer that the next stroke begins
     TileStroke settings_{}; // all but lengths
     bool covers_ = false;   // a click covers what is under it, and there are no strokes
     TileCover cover_{.pattern = TilePattern::grid}; // all but its size

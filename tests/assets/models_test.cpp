@@ -171,7 +171,7 @@ TEST(Thorn, HasTheConnectivityOfTheFlowerSoThatTheyMorph)
 // In the planes x = 0 and x = 1 there are the same points, so that copies in a line continue.
 TEST(WovenTiles, EndAsTheyBegin)
 {
-    for (const char* name : {"tile_rope", "tile_braid", "tile_knit"}) {
+    for (const char* name : {"tile_rope", "tile_braid", "tile_lock", "tile_knit"}) {
         const make::Model model = made(name);
         for (const make::Mesh& part : model.nodes[0].parts) {
             std::vector<vec3> begin, end;

@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/key_gutter.h"
+#include "editor/panels/inspector/tile_cell.h"
 #include "editor/tools/cover.h"
 #include "ui/icons.h"
 
@@ -156,6 +157,12 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     }
     fields(&TileLook::slide_x);
     fields(&TileLook::slide_y);
+    rows.take(draw_tile_cell(session, theme, id, look));
+    fields(&TileLook::cell_x0);
+    fields(&TileLook::cell_x1);
+    fields(&TileLook::cell_y0);
+    fields(&TileLook::cell_y1);
+    fields(&TileLook::base_level);
     const Object& layer = object(session.document(), id);
     if (tiling.into != 0) {
         ui::fact_row(theme, "Become", object(session.document(), tiling.into).name,
