@@ -67,15 +67,14 @@ std::vector<double> station_heights(const StrandLayout& layout,
                              : 0.5 * (lengths[c] + lengths[static_cast<std::size_t>(other)]);
         };
         const double a = mean(cell.before), b = mean(cell.behind);
-        for (std::size_t k = 0; k < 4; ++k)
-            out[cell.stations[k]] = glm::mix(a, b, patch_nodes[k]);
+        for (std::size_t k = 0; k < 4; ++k) out[cell.stations[k]] = glm::mix(a, b, patch_nodes[k]);
     }
     return out;
 }
 
 // Lowers stations until no tile folds; those of a cell that folds in itself stay as they are.
 struct GuardedStrands {
-    std::vector<double> heights; // #stations
+    std::vector<double> heights;       // #stations
     std::vector<char> folded, lowered; // #cells
 };
 GuardedStrands guarded_strands(const StrandLayout& layout, const PosedStrands& posed,
@@ -120,8 +119,8 @@ Box turned_box(const TileKind& kind, const glm::dmat4& turn, bool posed)
 {
     Box box;
     for (const Part& part : kind.parts)
-        box.add(bounding_box(posed ? *part.mesh() : *part.rest,
-                             turn * kind.turned * part.to_world));
+        box.add(
+            bounding_box(posed ? *part.mesh() : *part.rest, turn * kind.turned * part.to_world));
     return box;
 }
 
@@ -143,7 +142,8 @@ std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& loo
 {
     const Box box = turned_box(kind, glm::dmat4(1), false);
     if (box.empty()) return {{}};
-    const glm::dvec3 size = box.size(), lo = box.lo + glm::dvec3(look.cell_x0, look.cell_y0, 0) * size,
+    const glm::dvec3 size = box.size(),
+                     lo = box.lo + glm::dvec3(look.cell_x0, look.cell_y0, 0) * size,
                      hi = box.lo + glm::dvec3(look.cell_x1, look.cell_y1, 1) * size;
     const glm::dvec3 axis(0, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2);
     const double whole = std::max({hi.x - lo.x, 1e-6 * size.y, 1e-6 * size.z, 1e-9}),
@@ -154,14 +154,14 @@ std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& loo
     for (int k = 0; k < (look.alternate_deg != 0 ? 2 : 1); ++k) {
         StrandPlace place;
         if (rolls)
-            place.turn = glm::translate(glm::dmat4(1), axis) *
-                         glm::rotate(glm::dmat4(1),
-                                     glm::radians(look.roll_deg + k * look.alternate_deg),
-                                     glm::dvec3(1, 0, 0)) *
-                         glm::translate(glm::dmat4(1), -axis);
+            place.turn =
+                glm::translate(glm::dmat4(1), axis) *
+                glm::rotate(glm::dmat4(1), glm::radians(look.roll_deg + k * look.alternate_deg),
+                            glm::dvec3(1, 0, 0)) *
+                glm::translate(glm::dmat4(1), -axis);
         const Box turned = turned_box(kind, place.turn, false);
-        place.half_width = rolls ? std::max(turned.hi.y - axis.y, axis.y - turned.lo.y)
-                                 : (hi.y - lo.y) / 2;
+        place.half_width =
+            rolls ? std::max(turned.hi.y - axis.y, axis.y - turned.lo.y) : (hi.y - lo.y) / 2;
         place.half_width = std::max(place.half_width, 1e-6 * length);
         place.length = length;
         place.origin = {lo.x + (whole - length) / 2, axis.y, 0};
@@ -225,8 +225,8 @@ StrandParts Strands::operator()(const StrandInput& input)
     const Ref<Charts> charts =
         timed(input.timings, "tiles", [&] { return this->charts(input, aspect * look.scale); });
     const auto cut = [&](const StrandCell& cell) {
-        return std::ranges::any_of(cell.stations,
-                                   [&](std::uint32_t s) { return (*charts)[s].cut > most_cell_cut; });
+        return std::ranges::any_of(
+            cell.stations, [&](std::uint32_t s) { return (*charts)[s].cut > most_cell_cut; });
     };
     int unmatched = 0;
     for (const auto& [member, parts] : input.members) {
@@ -236,12 +236,12 @@ StrandParts Strands::operator()(const StrandInput& input)
             std::vector<double> heights = station_heights(layout, posed.nodes);
             for (std::size_t s = 0; s < heights.size(); ++s) {
                 const StrandStation& station = layout.stations[s];
-                const TileMotion motion = motion_of({.wave = look.wave,
-                                                     .wave_phase = look.wave_phase,
-                                                     .wave_length = look.wave_length,
-                                                     .wave_direction = look.wave_direction},
-                                                    *input.layout, Tile{},
-                                                    input.base->position(station.at));
+                const TileMotion motion =
+                    motion_of({.wave = look.wave,
+                               .wave_phase = look.wave_phase,
+                               .wave_length = look.wave_length,
+                               .wave_direction = look.wave_direction},
+                              *input.layout, Tile{}, input.base->position(station.at));
                 heights[s] *= look.scale * look.height * station.height * motion.height;
             }
             std::vector<char> mirrored;
@@ -270,8 +270,8 @@ StrandParts Strands::operator()(const StrandInput& input)
                 const std::size_t kind = kind_of_cell[c],
                                   which = static_cast<std::size_t>(cell.number & 1) %
                                           places[kind].size();
-                PlacedTile tile{strand_patch(layout, c, posed.nodes, guarded.heights,
-                                             mirrored[c] != 0)};
+                PlacedTile tile{
+                    strand_patch(layout, c, posed.nodes, guarded.heights, mirrored[c] != 0)};
                 if (*there != glm::dvec2(0, 1))
                     tile.patch = part_along_x(tile.patch, there->x, there->y);
                 tile.base = -look.sink * places[kind][which].top;
@@ -293,13 +293,12 @@ StrandParts Strands::operator()(const StrandInput& input)
                             return {tile_model(std::move(tile.mesh), !part.posed), tile.unmatched};
                         });
                         unmatched += model.unmatched;
-                        out.parts.push_back(
-                            part_of(tile_set(model.tile, here,
-                                             Lazy<Ref<Mesh>>([tile = model.tile, here] {
-                                                 return make_ref(strand_mesh(*tile->mesh, *here));
-                                             })),
-                                    {member, part.key.mesh + kind.first_mesh,
-                                     strand_piece + static_cast<int>(which)}));
+                        out.parts.push_back(part_of(
+                            tile_set(model.tile, here, Lazy<Ref<Mesh>>([tile = model.tile, here] {
+                                         return make_ref(strand_mesh(*tile->mesh, *here));
+                                     })),
+                            {member, part.key.mesh + kind.first_mesh,
+                             strand_piece + static_cast<int>(which)}));
                     }
                 }
         });

@@ -90,8 +90,8 @@ TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, con
     const Box whole = box_at_rest(parts, turned), box = unit_cell_in(whole, look);
     const glm::dvec3 size = box.size(), middle = box.center();
     const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
-    TileCell cell{{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side,
-                  reach_over(whole, parts, turned)};
+    TileCell cell{
+        {middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(whole, parts, turned)};
     if (box.lo == whole.lo && box.hi == whole.hi) return cell;
     cell.top = std::max(0.0, cell.top - (box.lo.z - whole.lo.z));
     const glm::dvec2 away = glm::max(glm::dvec2(whole.hi - middle), glm::dvec2(middle - whole.lo));
@@ -125,8 +125,7 @@ TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInp
     return {};
 }
 
-void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share,
-                          const TileLook& look)
+void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look)
 {
     if (share == 0) return;
     const TileCell own = tile_cell(kind.parts, kind.turned, look),

@@ -250,7 +250,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         TileCounts told;
         if (strokes.charts) {
             std::vector<TileCell> cells;
-            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind.parts, kind.turned, look));
+            for (const TileKind& kind : kinds)
+                cells.push_back(tile_cell(kind.parts, kind.turned, look));
             std::vector<std::size_t> kind_of_tile, counts;
             for (const Tile& tile : strokes.layout->tiles)
                 kind_of_tile.push_back(of_layer.of(tile.seed));

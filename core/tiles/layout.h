@@ -20,7 +20,7 @@ struct Tile {
 
 struct TileLayout {
     std::vector<Tile> tiles;
-    StrandLayout strands; // laid end to end, besides
+    StrandLayout strands;  // laid end to end, besides
     double duration_s = 0; // of all strokes that lay tiles
     int lost = 0;          // number of samples that are on no surface any more
     bool too_many = false; // there would be more than most_tiles, or too many tries found no room

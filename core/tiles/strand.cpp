@@ -66,8 +66,8 @@ private:
     }
     const StrandStation& end_of(int cell, bool last) const
     {
-        return layout_.stations[layout_.cells[static_cast<std::size_t>(cell)]
-                                    .stations[last ? 3 : 0]];
+        return layout_
+            .stations[layout_.cells[static_cast<std::size_t>(cell)].stations[last ? 3 : 0]];
     }
     glm::dvec3 position_of_end(int cell, bool last) const
     {
@@ -170,7 +170,8 @@ private:
             layout_.cells.push_back(cell);
         }
         if (path.closed) link(cells + n - 1, cells, layout_.cells.back().stations[3] = first);
-        if (from_ >= 0) link(from_, cells, layout_.cells[static_cast<std::size_t>(from_)].stations[3]);
+        if (from_ >= 0)
+            link(from_, cells, layout_.cells[static_cast<std::size_t>(from_)].stations[3]);
         if (to_ >= 0)
             link(cells + n - 1, to_, layout_.cells[static_cast<std::size_t>(to_)].stations[0]);
     }
@@ -211,8 +212,9 @@ private:
     {
         const std::array<SurfacePoint, 1> one{point.at};
         const auto found = base_.locate(one, base_.diagonal());
-        return found[0] ? *found[0] : layout_.stations.empty() ? SurfacePlace{}
-                                                                : layout_.stations.back().at;
+        return found[0]                   ? *found[0]
+               : layout_.stations.empty() ? SurfacePlace{}
+                                          : layout_.stations.back().at;
     }
 
     StrandLayout& layout_;

@@ -52,8 +52,8 @@ struct NodeValues {
     {
         std::array<glm::dvec3, 16> values{};
         for (std::size_t j = 0; j < 4; ++j) {
-            const Row row{at(cell.stations[0], j), at(cell.stations[1], j),
-                          at(cell.stations[2], j), at(cell.stations[3], j)};
+            const Row row{at(cell.stations[0], j), at(cell.stations[1], j), at(cell.stations[2], j),
+                          at(cell.stations[3], j)};
             Row c = cubic_through(row);
             const auto third = [&](int other, bool before) {
                 const StrandCell& there = layout.cells[static_cast<std::size_t>(other)];
@@ -99,8 +99,7 @@ StationChart station_chart(const TileBase& base, const LimitBase* limit,
         glm::cross(there, in_tangent_plane(turned_from_to(n, there, station.x), there));
     const int steps = steps_from(surface, middle, wide / 2);
     for (std::size_t j = 0; j < 4; ++j) {
-        const GeodesicRay ray =
-            geodesic(surface, middle, wide * (patch_nodes[j] - 0.5) * y, steps);
+        const GeodesicRay ray = geodesic(surface, middle, wide * (patch_nodes[j] - 0.5) * y, steps);
         chart.smooth[j] = {surface.position(ray.at) + ray.left * ray.direction,
                            surface.normal(ray.at)};
         cut(ray.left);

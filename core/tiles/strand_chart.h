@@ -13,7 +13,7 @@ namespace trivar {
 // A StationChart is where the four nodes across a strand are at one of its stations: on straight
 // ways to both sides. Cells that meet at a station have its nodes in common.
 struct StationChart {
-    std::array<SurfacePlace, 4> flat; // at patch_nodes, on the triangles of the base
+    std::array<SurfacePlace, 4> flat;   // at patch_nodes, on the triangles of the base
     std::array<glm::dvec3, 4> beyond{}; // what a border cut off, in the space of the model
     std::array<SurfacePoint, 4> smooth; // on its limit surface at rest, where there is one
     std::size_t piece = 0;

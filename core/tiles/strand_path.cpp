@@ -30,8 +30,7 @@ std::vector<StrandPoint> distinct_points(const std::vector<StrandPoint>& points,
     std::vector<StrandPoint> out;
     for (const StrandPoint& each : points)
         if (out.empty() || glm::distance(out.back().at.p, each.at.p) > least) out.push_back(each);
-    while (closed && out.size() > 1 &&
-           glm::distance(out.back().at.p, out.front().at.p) <= least)
+    while (closed && out.size() > 1 && glm::distance(out.back().at.p, out.front().at.p) <= least)
         out.pop_back();
     return out;
 }
@@ -145,8 +144,8 @@ StrandPoint StrandPath::at(double length) const
     const double all = lengths.back();
     if (closed && all > 0) length -= all * std::floor(length / all);
     const auto found = std::ranges::upper_bound(lengths, length);
-    const std::size_t b = std::clamp<std::size_t>(
-        static_cast<std::size_t>(found - lengths.begin()), 1, points.size() - 1);
+    const std::size_t b = std::clamp<std::size_t>(static_cast<std::size_t>(found - lengths.begin()),
+                                                  1, points.size() - 1);
     const double way = lengths[b] - lengths[b - 1];
     return between(points[b - 1], points[b], way > 0 ? (length - lengths[b - 1]) / way : 0);
 }

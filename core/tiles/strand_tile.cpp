@@ -55,8 +55,8 @@ StrandTile strand_tile(Mesh mesh)
         const glm::vec3* like = nullptr;
         for (auto it = first.lower_bound(p.y - at_end);
              it != first.end() && it->first <= p.y + at_end; ++it) {
-            const float away = glm::distance(glm::vec2(p.y, p.z),
-                                             glm::vec2(it->second.y, it->second.z));
+            const float away =
+                glm::distance(glm::vec2(p.y, p.z), glm::vec2(it->second.y, it->second.z));
             if (away < least) least = away, like = &it->second;
         }
         if (!like) {
@@ -88,16 +88,15 @@ Mesh strand_mesh(const Mesh& unit, std::span<const PlacedTile> tiles)
             for (std::size_t v = 0; v < count; ++v) {
                 const glm::dvec3 u(unit.positions[v]);
                 const PlacedTile& tile = tiles[k];
-                TilePoint at =
-                    tile_point(tile.patch, {u.x, u.y, tile.height * u.z + tile.base});
+                TilePoint at = tile_point(tile.patch, {u.x, u.y, tile.height * u.z + tile.base});
                 at.z *= tile.height;
                 const std::size_t to = k * count + v;
                 out.positions[to] = glm::vec3(at.p) + 0.0f; // no negative zeros
                 if (!out.normals.empty()) {
                     const glm::dvec3 n(unit.normals[v]);
-                    out.normals[to] = unit_or_up(n.x * glm::cross(at.y, at.z) +
-                                                 n.y * glm::cross(at.z, at.x) +
-                                                 n.z * glm::cross(at.x, at.y));
+                    out.normals[to] =
+                        unit_or_up(n.x * glm::cross(at.y, at.z) + n.y * glm::cross(at.z, at.x) +
+                                   n.z * glm::cross(at.x, at.y));
                 }
                 if (!out.tangents.empty()) {
                     const glm::dvec3 a(unit.tangents[v]);

@@ -46,8 +46,8 @@ struct TileStroke {
     int seed = 1;
     bool hidden = false; // it does nothing
     double width = 1;    // of a strand: factor of the width of its tiles
-    double taper = 0;    // of a strand: 0..1, the share by which it is narrower and lower at its end
-    bool apart = false;  // of a strand: its ends do not join with others near them
+    double taper = 0;   // of a strand: 0..1, the share by which it is narrower and lower at its end
+    bool apart = false; // of a strand: its ends do not join with others near them
     bool operator==(const TileStroke&) const = default;
 };
 

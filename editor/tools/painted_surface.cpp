@@ -97,7 +97,8 @@ std::vector<std::optional<SurfaceHit>> PaintedSurface::seen(const Session& sessi
         const glm::dvec3 &w = places[i]->weights, n = area_normal(now);
         const double area = glm::length(n);
         out[i] = SurfaceHit{w.x * now[0] + w.y * now[1] + w.z * now[2],
-                            area > 0 ? n / area : glm::dvec3(0, 0, 1), at_rest[i]};
+                            area > 0 ? n / area : glm::dvec3(0, 0, 1),
+                            {at_rest_->position(*places[i]), at_rest_->normal(*places[i])}};
     }
     return out;
 }

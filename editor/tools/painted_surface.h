@@ -21,11 +21,10 @@ class PaintedSurface {
 public:
     // Nothing: the object shows no surface, or the ray misses it.
     std::optional<SurfaceHit> hit(const Session& session, Id object, const Ray& ray);
-    // Where points of the object at rest are seen; nothing where it has no surface at most `reach`
-    // away along their normals. About 2 microseconds each.
-    std::vector<std::optional<SurfaceHit>> seen(const Session& session, Id object,
-                                                std::span<const SurfacePoint> at_rest,
-                                                double reach);
+    // Where points of the object at rest are seen, moved onto its surface; nothing where it has no
+    // surface at most `reach` away along their normals. About 2 microseconds each.
+    std::vector<std::optional<SurfaceHit>>
+    seen(const Session& session, Id object, std::span<const SurfacePoint> at_rest, double reach);
 
 private:
     using RestMeshes = std::vector<std::pair<Ref<Mesh>, glm::dmat4>>; // of the parts, to the model

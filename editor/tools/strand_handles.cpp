@@ -9,6 +9,8 @@ namespace {
 
 // A point is under the mouse, or its strand is shown, if it is as near; pixels at scale 1.
 constexpr double point_reach_px = 9, strand_reach_px = 60;
+// How far along the strand points go along with the one that is dragged, in sizes of its tiles.
+constexpr double least_soft = 3;
 
 } // namespace
 
@@ -59,6 +61,41 @@ void StrandHandles::find(const Session& session, const ViewportInput& input,
     }
 }
 
+void StrandHandles::drag_to(const Session& session, const SurfaceHit& hit, PaintedSurface& surface,
+                            Id base)
+{
+    const std::vector<TileSample>& before = drag_->before.samples;
+    const std::size_t held = drag_->held.sample;
+    const double reach = ImGui::GetIO().KeyCtrl
+                             ? 0
+                             : std::max(drag_->before.radius, least_soft * drag_->before.size);
+    const glm::dvec3 way = hit.at_rest.p - before[held].at.p;
+    // How far samples are from the one in the hand, along the stroke.
+    std::vector<double> away(before.size(), 0);
+    for (std::size_t i = held; i-- > 0;)
+        away[i] = away[i + 1] + glm::distance(before[i].at.p, before[i + 1].at.p);
+    for (std::size_t i = held + 1; i < before.size(); ++i)
+        away[i] = away[i - 1] + glm::distance(before[i].at.p, before[i - 1].at.p);
+    std::vector<SurfacePoint> wanted;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const double r = reach > 0 ? std::min(1.0, away[i] / reach) : 1,
+                     share = (1 - r * r) * (1 - r * r);
+        wanted.push_back({before[i].at.p + share * way, before[i].at.normal});
+    }
+    const auto seen = surface.seen(session, base, wanted, glm::length(way) + drag_->before.size);
+    std::vector<TileSample> samples = before;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (seen[i] && wanted[i] != before[i].at) samples[i].at = seen[i]->at_rest;
+    samples[held].at = hit.at_rest;
+    drag_->proposed = drag_->proposed && samples == drag_->stroke.samples;
+    drag_->stroke.samples = std::move(samples);
+    for (auto& [hold, p_world] : shown_)
+        if (hold == drag_->held)
+            p_world = hit.p_world;
+        else if (seen[hold.sample])
+            p_world = seen[hold.sample]->p_world;
+}
+
 bool StrandHandles::use(Session& session, const ViewportInput& input, PaintedSurface& surface,
                         Id layer)
 {
@@ -71,7 +108,8 @@ bool StrandHandles::use(Session& session, const ViewportInput& input, PaintedSur
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed) return true;
         const Tiling& tiling = *object(session.document(), layer).tiles;
-        drag_ = StrandDrag{layer, *hovered_, *tiling.strokes[hovered_->stroke]};
+        const TileStroke& stroke = *tiling.strokes[hovered_->stroke];
+        drag_ = StrandDrag{layer, *hovered_, stroke, stroke};
         drag_->from_px = input.mouse;
         return true;
     }
@@ -84,13 +122,8 @@ bool StrandHandles::use(Session& session, const ViewportInput& input, PaintedSur
     }
     if (drag_->moved)
         if (const auto hit = surface.hit(session, there->second->tiles->base,
-                                         ray_through(session.view.camera, input.mouse))) {
-            SurfacePoint& at = drag_->stroke.samples[drag_->held.sample].at;
-            drag_->proposed = drag_->proposed && at == hit->at_rest;
-            at = hit->at_rest;
-            for (auto& [hold, p_world] : shown_)
-                if (hold == drag_->held) p_world = hit->p_world;
-        }
+                                         ray_through(session.view.camera, input.mouse)))
+            drag_to(session, *hit, surface, there->second->tiles->base);
     const auto edit = [&] { return EditTileStroke{drag_->layer, number, drag_->stroke}; };
     if (input.released || !input.down) {
         const EditTileStroke last = edit();
@@ -116,14 +149,13 @@ void StrandHandles::overlay(const Session& session, const ui::Theme& theme,
         if (at.depth_world > 0) line.push_back(input.rect.lo + glm::vec2(at.p_px));
     }
     if (line.size() == shown_.size() && line.size() > 1) {
-        ui::paint_path(line, theme.color.halo, theme.line(3));
-        ui::paint_path(line, theme.color.stroke, theme.line(1.4f));
+        ui::paint_path(line, theme.color.stroke, theme.line(1.2f));
     }
     for (const auto& [hold, p_world] : shown_) {
         const PicturePoint at = project(session.view.camera, p_world);
         if (at.depth_world <= 0) continue;
         const bool on = hovered_ && *hovered_ == hold;
-        ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), theme.scale * (on ? 6.5f : 4.5f),
+        ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), theme.scale * (on ? 6.5f : 3.5f),
                       on ? theme.color.selected : theme.color.stroke, theme.color.halo,
                       1.5f * theme.scale);
     }

@@ -8,7 +8,8 @@
 namespace trivar {
 
 // StrandHandles are the points of the strands of a layer of tiles, which hands drag over the
-// surface. Those of one strand are shown: the one that the mouse is nearest to. A drag is one step.
+// surface. Those of one strand are shown: the one that the mouse is nearest to. A drag is one step;
+// points near the one that is dragged go along, but for Ctrl.
 class StrandHandles {
 public:
     // `layer` is the layer that is selected; 0: none. Returns whether the mouse is on a point, or
@@ -28,10 +29,11 @@ private:
     struct StrandDrag {
         Id layer = 0;
         StrandHold held;
-        TileStroke stroke; // as it becomes
+        TileStroke before, stroke; // as it becomes
         bool moved = false, proposed = true;
         glm::dvec2 from_px{0};
     };
+    void drag_to(const Session& session, const SurfaceHit& hit, PaintedSurface& surface, Id base);
     void find(const Session& session, const ViewportInput& input, PaintedSurface& surface,
               Id layer);
 

@@ -313,18 +313,17 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(
-            PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap})) g.proposed = now;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap}))
+        g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
 {
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    const bool taken = g.cover
-                           ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                           : session.propose(
-                                 PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
+    const bool taken =
+        g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
+                : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
     if (taken)
         session.commit();
     else

@@ -10,9 +10,9 @@ namespace trivar {
 namespace {
 
 // As the option bar lists them; after Fill comes the cover, which is no brush of strokes.
-constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line,   TileBrush::strand,
-                                      TileBrush::fill,    TileBrush::erase,  TileBrush::comb,
-                                      TileBrush::resize,  TileBrush::raise,  TileBrush::grab};
+constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line,  TileBrush::strand,
+                                      TileBrush::fill,    TileBrush::erase, TileBrush::comb,
+                                      TileBrush::resize,  TileBrush::raise, TileBrush::grab};
 constexpr int cover_brush = 4; // in that list
 
 } // namespace
@@ -31,18 +31,17 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
              const auto now = std::ranges::find(brushes_in_order, settings_.brush);
              int kind = static_cast<int>(now - brushes_in_order.begin());
              kind = covers_ ? cover_brush : kind >= cover_brush ? kind + 1 : kind;
-             ui::choice(
-                 theme, "brush", kind,
-                 {"Scatter", "Line", "Strand", "Fill", "Cover", "Erase", "Comb", "Resize", "Raise",
-                  "Grab"},
-                 field);
+             ui::choice(theme, "brush", kind,
+                        {"Scatter", "Line", "Strand", "Fill", "Cover", "Erase", "Comb", "Resize",
+                         "Raise", "Grab"},
+                        field);
              covers_ = kind == cover_brush;
              const int stroke = kind > cover_brush ? kind - 1 : kind;
              if (!covers_) settings_.brush = brushes_in_order[static_cast<std::size_t>(stroke)];
          },
-         "Scatter, Line and Fill lay tiles, Strand lays them end to end, Cover lays them all over what is clicked, Grab moves a "
-         "single one; the others change those under the brush. With Ctrl, tiles are erased; with "
-         "Shift, the stroke is straight."});
+         "Scatter, Line and Fill lay tiles, Strand lays them end to end, Cover lays them all over "
+         "what is clicked, Grab moves a single one; the others change those under the brush. With "
+         "Ctrl, tiles are erased; with Shift, the stroke is straight."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
                             const ui::NumberStyle& style, const char* help, auto&& taken) {
@@ -75,8 +74,8 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
     }
     if (strand) {
         const ui::NumberStyle times{.lo = 0.01, .hi = 100, .unit = "x"};
-        number("Width", "width", settings_.width, times,
-               "Factor of the width of the strand.", nothing);
+        number("Width", "width", settings_.width, times, "Factor of the width of the strand.",
+               nothing);
         number("Height", "height", settings_.height, times, "Factor of the height of the strand.",
                nothing);
         number("Taper", "taper", settings_.taper, {.lo = 0, .hi = 1},

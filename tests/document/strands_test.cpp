@@ -137,6 +137,32 @@ TEST(StrandLayers, StayOneWhereTilesAreLowered)
     EXPECT_THAT(notices_of(document), ::testing::Contains(::testing::HasSubstr("lowered")));
 }
 
+TEST(StrandLayers, AreOneOnALimitSurface)
+{
+    ImportModel torus;
+    torus.file.path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/cages/torus.obj";
+    torus.file.subdivisions = 2;
+    AddPlane ribbon;
+    ribbon.shape = {.size = {0.2, 0.1}, .segments = {ribbon_columns, ribbon_rows}};
+    Document document = after(after(Document{}, torus), ribbon);
+    const Evaluation shown = new_evaluator()(document, 1);
+    const Box box = *shown.objects.at(strand_base)->bounds;
+    TileStroke stroke; // round the outside of the ring, seen from its middle
+    stroke.brush = TileBrush::strand;
+    stroke.size = 0.1;
+    const glm::dvec3 middle = box.center();
+    for (int i = 0; i <= 24; ++i) {
+        const double a = glm::two_pi<double>() * i / 24;
+        const glm::dvec3 out(std::cos(a), std::sin(a), 0);
+        stroke.samples.push_back({{middle + 0.5 * box.size().x * out, out}, 0.1 * i, 1});
+    }
+    document = after(document, PaintTiles{strand_tile_id, strand_base, stroke});
+    const StrandCounts closed = counted(document);
+    EXPECT_GT(closed.tiles, 10u);
+    EXPECT_EQ(closed.points, closed.tiles * ribbon_columns * (ribbon_rows + 1));
+    EXPECT_TRUE(notices_of(document).empty());
+}
+
 TEST(StrandLayers, GrowAlongTheirPath)
 {
     const auto at = [](double growth) {
@@ -174,7 +200,8 @@ TEST(StrandLayers, FillTheirCellWithAPartOfTheTile)
     look.cell_x0 = 0.25;
     look.cell_x1 = 0.75;
     const Document document = after(with_strand(), SetTiles{{strand_tile_id}, look});
-    const Box box = new_evaluator()(document, 1).objects.at(strand_tile_id)->parts[0].tiles->model->box;
+    const Box box =
+        new_evaluator()(document, 1).objects.at(strand_tile_id)->parts[0].tiles->model->box;
     EXPECT_NEAR(box.lo.x, -0.5, 1e-6);
     EXPECT_NEAR(box.hi.x, 1.5, 1e-6);
     look.cell_x1 = 0.2;
@@ -194,8 +221,7 @@ TEST(StrandLayers, SayWhatIsWrong)
 {
     TileStroke one = strand_round_the_ball(0, 3);
     one.samples.resize(1);
-    const Document document =
-        after(with_ribbon(), PaintTiles{strand_tile_id, strand_base, one});
+    const Document document = after(with_ribbon(), PaintTiles{strand_tile_id, strand_base, one});
     EXPECT_THAT(notices_of(document), ::testing::Contains(::testing::HasSubstr("too short")));
     TileStroke off = strand_round_the_ball(0, 3);
     for (TileSample& each : off.samples) each.at.p *= 5;

@@ -31,7 +31,9 @@ Mesh rope()
                          r = 0.12 + 0.03 * std::cos(3 * glm::two_pi<double>() * j / around);
             mesh.positions.emplace_back(x, 0.5 + r * std::cos(a), 0.16 + r * std::sin(a));
         }
-    const auto at = [](int i, int j) { return static_cast<std::uint32_t>(around * i + j % around); };
+    const auto at = [](int i, int j) {
+        return static_cast<std::uint32_t>(around * i + j % around);
+    };
     for (int i = 0; i < along; ++i)
         for (int j = 0; j < around; ++j)
             add_face(mesh, std::array{at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
@@ -73,8 +75,7 @@ std::vector<PlacedTile> tiles_of(const TileBase& base, const StrandLayout& layou
     }
     std::vector<PlacedTile> out;
     for (std::size_t c = 0; c < layout.cells.size(); ++c)
-        if (!layout.cells[c].gone)
-            out.push_back({strand_patch(layout, c, nodes, heights, false)});
+        if (!layout.cells[c].gone) out.push_back({strand_patch(layout, c, nodes, heights, false)});
     return out;
 }
 
@@ -163,8 +164,8 @@ TEST(Strands, CloseWhereTheyEndNearTheirBeginning)
         round.emplace_back(1.4 * std::cos(0.127 * i), 1.4 * std::sin(0.127 * i), 0);
     const TileLayout layout = laid(base, {strand_over(base, round)});
     EXPECT_EQ(layout.strands.cells.size() % 2, 0u);
-    const Mesh mesh = strand_mesh(strand_tile(rope()).mesh,
-                                  tiles_of(base, layout.strands, at_rest(base)));
+    const Mesh mesh =
+        strand_mesh(strand_tile(rope()).mesh, tiles_of(base, layout.strands, at_rest(base)));
     EXPECT_EQ(open_edges(mesh), 0u);
     TileStroke apart = strand_over(base, round);
     apart.apart = true;
@@ -189,10 +190,10 @@ TEST(Strands, GoOnFromTheEndsOfOthers)
         return open_edges(
             strand_mesh(unit, tiles_of(base, laid(base, strokes).strands, at_rest(base))));
     };
-    EXPECT_EQ(open({arc(0, 1.2, 0), arc(1.27, 2.4, 0.5)}), ends);          // from its end
-    EXPECT_EQ(open({arc(0, 1.2, 0), arc(2.4, 1.27, 0)}), ends);            // turned round
+    EXPECT_EQ(open({arc(0, 1.2, 0), arc(1.27, 2.4, 0.5)}), ends);              // from its end
+    EXPECT_EQ(open({arc(0, 1.2, 0), arc(2.4, 1.27, 0)}), ends);                // turned round
     EXPECT_EQ(open({arc(0, 1.2, 0), arc(2, 3, 0), arc(1.27, 1.93, 0)}), ends); // between two
-    EXPECT_EQ(open({arc(0, 1.2, 0), arc(1.4, 2.4, 0)}), 2 * ends);         // too far away
+    EXPECT_EQ(open({arc(0, 1.2, 0), arc(1.4, 2.4, 0)}), 2 * ends);             // too far away
     const StrandLayout both = laid(base, {arc(0, 1.2, 0), arc(1.27, 2.4, 0.5)}).strands;
     std::size_t joined = 0;
     for (std::size_t c = 0; c < both.cells.size(); ++c) {
@@ -302,8 +303,8 @@ TEST(Strands, AreErasedAndChangedByBrushes)
     change.radius = 0.3;
     change.brush = TileBrush::erase;
     const Mesh unit = strand_tile(rope()).mesh;
-    EXPECT_EQ(open_edges(strand_mesh(unit, tiles_of(base, laid(base, {stroke, change}).strands,
-                                                    at_rest(base)))),
+    EXPECT_EQ(open_edges(strand_mesh(
+                  unit, tiles_of(base, laid(base, {stroke, change}).strands, at_rest(base)))),
               2 * ends);
     change.brush = TileBrush::resize;
     const auto wider = laid(base, {stroke, change});

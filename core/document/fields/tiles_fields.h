@@ -56,8 +56,7 @@ template <> struct FieldsOf<TileStroke> {
         field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
         field("width", s.width, "of a strand: factor of the width of its tiles",
               later_in_range(0.01, 100).resting_at(1).in(Unit::times));
-        field("taper", s.taper,
-              "of a strand: share by which it is narrower and lower at its end",
+        field("taper", s.taper, "of a strand: share by which it is narrower and lower at its end",
               later_in_range(0, 1).in(Unit::share));
         field("apart", s.apart,
               "the ends of a strand do not join with those of others near them, or each other",
@@ -113,12 +112,18 @@ template <> struct FieldsOf<TileLook> {
               "where the unit cell of the tile begins along X, as a share of its box",
               later_in_range(-10, 10).called("Cell from X").in(Unit::share).without_keys());
         field("cell_x1", l.cell_x1, "where it ends along X",
-              later_in_range(-10, 10).resting_at(1).called("Cell to X").in(Unit::share)
+              later_in_range(-10, 10)
+                  .resting_at(1)
+                  .called("Cell to X")
+                  .in(Unit::share)
                   .without_keys());
         field("cell_y0", l.cell_y0, "where it begins along Y",
               later_in_range(-10, 10).called("Cell from Y").in(Unit::share).without_keys());
         field("cell_y1", l.cell_y1, "where it ends along Y",
-              later_in_range(-10, 10).resting_at(1).called("Cell to Y").in(Unit::share)
+              later_in_range(-10, 10)
+                  .resting_at(1)
+                  .called("Cell to Y")
+                  .in(Unit::share)
                   .without_keys());
         field("base_level", l.base_level,
               "what of the tile lies on the surface, as a share of the height of its box",

@@ -31,7 +31,8 @@ struct DrawnTile {
     glm::dvec3 size{1}; // of the box, in any unit
 };
 
-DrawnTile drawn_tile(const EvaluatedObject& layer)
+// `turned` is the layer's own rotation and scale. In their cells tiles may be stretched across.
+DrawnTile drawn_tile(const EvaluatedObject& layer, const glm::dmat4& turned)
 {
     DrawnTile out;
     Box box;
@@ -47,13 +48,18 @@ DrawnTile drawn_tile(const EvaluatedObject& layer)
         box.add(part.tiles->model->box);
     }
     if (box.empty()) return out;
-    out.size = glm::max(box.size(), glm::dvec3(1e-6));
+    const glm::dvec3 in_cell = glm::max(box.size(), glm::dvec3(1e-9));
+    Box own;
+    for (const Shape::NodeMesh& each : layer.shape->meshes)
+        own.add(bounding_box(*each.rest, turned * each.to_model));
+    out.size = own.empty() ? in_cell : own.size();
+    out.size = glm::max(out.size, 1e-6 * glm::max(out.size.x, glm::max(out.size.y, out.size.z)));
     for (const Ref<Mesh>& mesh : meshes)
         for (const glm::uvec3& t : triangles(*mesh)) {
             DrawnTile::Face face;
             for (int k = 0; k < 3; ++k)
-                face.p[static_cast<std::size_t>(k)] = glm::vec3(
-                    (glm::dvec3(mesh->positions[t[k]]) - box.lo) / out.size);
+                face.p[static_cast<std::size_t>(k)] =
+                    glm::vec3((glm::dvec3(mesh->positions[t[k]]) - box.lo) / in_cell);
             const glm::vec3 scale(out.size),
                 n = glm::cross((face.p[1] - face.p[0]) * scale, (face.p[2] - face.p[0]) * scale);
             const float length = glm::length(n);
@@ -81,8 +87,8 @@ struct CellView {
 ui::Color mixed_color(ui::Color a, ui::Color b, float share)
 {
     const ImVec4 x = ImGui::ColorConvertU32ToFloat4(a), y = ImGui::ColorConvertU32ToFloat4(b);
-    return ImGui::ColorConvertFloat4ToU32({glm::mix(x.x, y.x, share), glm::mix(x.y, y.y, share),
-                                           glm::mix(x.z, y.z, share), 1});
+    return ImGui::ColorConvertFloat4ToU32(
+        {glm::mix(x.x, y.x, share), glm::mix(x.y, y.y, share), glm::mix(x.z, y.z, share), 1});
 }
 
 void paint_tile(const ui::Theme& theme, const CellView& view, const DrawnTile& tile)
@@ -144,8 +150,8 @@ double& value_of(TileLook& look, CellLine line)
 void drag_line(const CellView& view, TileLook& look, CellLine line, glm::vec2 mouse, float snap)
 {
     const bool along = line == CellLine::x0 || line == CellLine::x1;
-    const double share = along ? (mouse.x - view.origin.x) / view.scale.x
-                               : (view.origin.y - mouse.y) / view.scale.y;
+    const double share =
+        along ? (mouse.x - view.origin.x) / view.scale.x : (view.origin.y - mouse.y) / view.scale.y;
     const double per_px = 1.0 / (along ? view.scale.x : view.scale.y);
     double to = std::round(share * 1e3) / 1e3; // values that people can read
     for (const double side : {0.0, 0.5, 1.0})
@@ -239,7 +245,10 @@ ui::Edit draw_tile_cell(const Session& session, const ui::Theme& theme, Id layer
 {
     const auto found = session.evaluated().objects.find(layer);
     if (found == session.evaluated().objects.end()) return ui::Edit::none;
-    const DrawnTile tile = drawn_tile(*found->second);
+    const auto there = session.document().objects.find(layer);
+    if (there == session.document().objects.end()) return ui::Edit::none;
+    const DrawnTile tile =
+        drawn_tile(*found->second, glm::dmat4(glm::dmat3(there->second->transform.matrix())));
     if (tile.faces.empty()) return ui::Edit::none;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x + theme.size.padding,
@@ -247,8 +256,7 @@ ui::Edit draw_tile_cell(const Session& session, const ui::Theme& theme, Id layer
     const double round = room_round * std::max({tile.size.x, tile.size.y, tile.size.z});
     // Pixels per unit, the same in both views: what is narrowest decides.
     const float fit = static_cast<float>(
-        std::min({width / (tile.size.x + 2 * round),
-                  theme.px(most_top) / (tile.size.y + 2 * round),
+        std::min({width / (tile.size.x + 2 * round), theme.px(most_top) / (tile.size.y + 2 * round),
                   theme.px(most_side) / (tile.size.z + 2 * round)}));
     const float middle = left + width / 2, gap = theme.px(4);
     ui::Edit edit = ui::Edit::none;

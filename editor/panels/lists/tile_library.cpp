@@ -140,8 +140,8 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
             ui::rect_at(glm::vec2(at.x, at.y) + place * (size + glm::vec2(gap)), size);
         const bool now = std::ranges::find(with, tiles[i].name) != with.end();
         const bool clicked = tiles[i].own
-                               ? draw_model(editor, theme, r, *tiles[i].own, now)
-                               : draw_model_cell(editor, theme, r, tiles[i].name, {}, now);
+                                 ? draw_model(editor, theme, r, *tiles[i].own, now)
+                                 : draw_model_cell(editor, theme, r, tiles[i].name, {}, now);
         if (clicked) choose_tile(editor, tiles[i], ImGui::GetIO().KeyShift);
     }
     ImGui::SetCursorScreenPos({at.x, at.y + rows * (size.y + gap)});

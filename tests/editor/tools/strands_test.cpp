@@ -42,8 +42,7 @@ struct StrandsRig : Rig {
     }
     glm::vec2 seen(const glm::dvec3& p_world)
     {
-        return layout().view.lo +
-               glm::vec2(project(editor.session.view.camera, p_world).p_px);
+        return layout().view.lo + glm::vec2(project(editor.session.view.camera, p_world).p_px);
     }
 };
 
@@ -72,16 +71,29 @@ TEST(StrandTool, DragsAPointOfAStrandInOneStep)
     const glm::vec2 at = rig.seen(was.samples[middle].at.p);
     rig.move(at);
     rig.wait();
+    rig.hold(ui::key_left_control); // without its neighbours
     rig.draw({at, at + glm::vec2(0, -12), at + glm::vec2(0, -25)});
+    rig.hold(ui::key_left_control, false);
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 1);
     ASSERT_EQ(rig.strokes().size(), 1u);
-    const TileStroke& now = *rig.strokes()[0];
-    ASSERT_EQ(now.samples.size(), was.samples.size());
-    for (std::size_t i = 0; i < now.samples.size(); ++i)
-        EXPECT_EQ(now.samples[i] == was.samples[i], i != middle);
-    EXPECT_GT(now.samples[middle].at.p.z, was.samples[middle].at.p.z + 0.05);
-    EXPECT_NEAR(glm::length(now.samples[middle].at.p), 1, 0.01);
+    const TileStroke alone = *rig.strokes()[0];
+    ASSERT_EQ(alone.samples.size(), was.samples.size());
+    for (std::size_t i = 0; i < alone.samples.size(); ++i)
+        EXPECT_EQ(alone.samples[i] == was.samples[i], i != middle);
+    EXPECT_GT(alone.samples[middle].at.p.z, was.samples[middle].at.p.z + 0.05);
+    EXPECT_NEAR(glm::length(alone.samples[middle].at.p), 1, 0.01);
+    rig.editor.session.undo();
+    rig.wait();
+    rig.move(at);
+    rig.wait();
+    rig.draw({at, at + glm::vec2(0, -12), at + glm::vec2(0, -25)});
+    rig.wait();
+    const TileStroke& soft = *rig.strokes()[0];
+    ASSERT_EQ(soft.samples.size(), was.samples.size());
+    EXPECT_NEAR(glm::distance(soft.samples[middle].at.p, alone.samples[middle].at.p), 0, 1e-6);
+    EXPECT_GT(soft.samples[middle - 1].at.p.z, was.samples[middle - 1].at.p.z + 0.01);
+    for (const TileSample& each : soft.samples) EXPECT_NEAR(glm::length(each.at.p), 1, 0.01);
 }
 
 TEST(StrandTool, LetsGoOfAPointWithoutATrace)
