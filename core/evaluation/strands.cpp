@@ -136,6 +136,96 @@ glm::dmat4 unit_of(const StrandPlace& place, double aspect)
     return out * place.turn;
 }
 
+// The places of all kinds, and what their cells must hold.
+struct KindPlaces {
+    std::vector<std::vector<StrandPlace>> of; // #kinds
+    double aspect = 1e-6; // width of the cells to their length: that of the widest kind
+    double top = 0;       // of the highest kind, in lengths over the surface
+    double reach = 1;     // how many times as long or wide as its cell the largest kind is
+};
+KindPlaces places_of(const TileKinds& kinds, const TileLook& look)
+{
+    KindPlaces out;
+    for (const TileKind& kind : kinds.all)
+        for (const StrandPlace& place : out.of.emplace_back(strand_places(kind, look))) {
+            out.aspect = std::max(out.aspect, 2 * place.half_width / place.length);
+            out.top = std::max(out.top, (1 - look.sink) * place.top);
+        }
+    for (std::size_t k = 0; k < out.of.size(); ++k)
+        for (const StrandPlace& place : out.of[k]) {
+            const Box box = turned_box(kinds.all[k], place.turn, true);
+            if (box.empty()) continue;
+            const glm::dvec3 before = (place.origin - box.lo) / place.length,
+                             behind = (box.hi - place.origin) / place.length;
+            out.reach = std::max({out.reach, 1 + 2 * before.x, 2 * behind.x - 1,
+                                  2 * before.y / out.aspect, 2 * behind.y / out.aspect});
+        }
+    // But for rounding, a tile that fills its cell does not reach out of it.
+    if (out.reach < 1 + 1e-6) out.reach = 1;
+    return out;
+}
+
+std::vector<double> heights_now(const StrandInput& input, const std::vector<StrandNodes>& nodes)
+{
+    const TileLook& look = input.tiling.look;
+    const StrandLayout& layout = input.layout->strands;
+    const TileLook wave{.wave = look.wave,
+                        .wave_phase = look.wave_phase,
+                        .wave_length = look.wave_length,
+                        .wave_direction = look.wave_direction};
+    std::vector<double> out = station_heights(layout, nodes);
+    for (std::size_t s = 0; s < out.size(); ++s) {
+        const StrandStation& station = layout.stations[s];
+        const TileMotion motion =
+            motion_of(wave, *input.layout, Tile{}, input.base->position(station.at));
+        out[s] *= look.scale * look.height * station.height * motion.height;
+    }
+    return out;
+}
+
+// The tiles of each kind, in each of its places.
+using TilesOfKinds = std::vector<std::array<std::vector<PlacedTile>, 2>>;
+
+TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<StationChart>& charts,
+                              const PosedStrands& posed, const KindPlaces& places,
+                              const std::vector<std::size_t>& kinds, TileCounts& told)
+{
+    const TileLook& look = input.tiling.look;
+    const StrandLayout& layout = input.layout->strands;
+    std::vector<char> mirrored;
+    for (const StrandCell& cell : layout.cells)
+        mirrored.push_back(posed.mirrored[charts[cell.stations[0]].piece]);
+    const std::vector<char> none(layout.cells.size(), 0);
+    GuardedStrands guarded{heights_now(input, posed.nodes), none, none};
+    if (look.guard)
+        guarded = guarded_strands(layout, posed, std::move(guarded.heights), mirrored, places.top,
+                                  places.reach);
+    TilesOfKinds out(places.of.size());
+    for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+        const StrandCell& cell = layout.cells[c];
+        const auto there = grown(cell, look.growth, input.layout->duration_s);
+        if (cell.gone || !there) continue;
+        if (std::ranges::any_of(cell.stations, [&](std::uint32_t station) {
+                return charts[station].cut > most_cell_cut;
+            })) {
+            ++told.at_borders;
+            continue;
+        }
+        if (guarded.folded[c]) {
+            ++told.folded;
+            continue;
+        }
+        told.lowered += guarded.lowered[c];
+        const std::vector<StrandPlace>& of_kind = places.of[kinds[c]];
+        const std::size_t which = static_cast<std::size_t>(cell.number & 1) % of_kind.size();
+        PlacedTile tile{strand_patch(layout, c, posed.nodes, guarded.heights, mirrored[c] != 0)};
+        if (*there != glm::dvec2(0, 1)) tile.patch = part_along_x(tile.patch, there->x, there->y);
+        tile.base = -look.sink * of_kind[which].top;
+        out[kinds[c]][which].push_back(tile);
+    }
+    return out;
+}
+
 } // namespace
 
 std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& look)
@@ -168,9 +258,12 @@ std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& loo
         floor = std::min(floor, turned.lo.z + look.base_level * turned.size().z);
         out.push_back(place);
     }
-    for (StrandPlace& place : out) { // all on one floor
+    double top = 0;
+    for (const StrandPlace& place : out)
+        top = std::max(top, turned_box(kind, place.turn, true).hi.z - floor);
+    for (StrandPlace& place : out) { // all on one floor, and all as deep
         place.origin.z = floor;
-        place.top = std::max(0.0, turned_box(kind, place.turn, true).hi.z - floor) / length;
+        place.top = top / length;
     }
     return out;
 }
@@ -189,6 +282,16 @@ Ref<Strands::Charts> Strands::charts(const StrandInput& input, double width)
     });
 }
 
+Strands::Model Strands::model(const TileKind& kind, const Part& part, const glm::dmat4& unit)
+{
+    const ModelKey key{part.mesh(), unit * kind.turned * part.to_world, kind.first_material};
+    return models_(key, [&]() -> Model {
+        StrandTile tile = strand_tile(
+            with_materials_from(in_unit_cell(*key.mesh, key.to_unit), key.first_material));
+        return {tile_model(std::move(tile.mesh), !part.posed), tile.unmatched};
+    });
+}
+
 StrandParts Strands::operator()(const StrandInput& input)
 {
     StrandParts out;
@@ -201,109 +304,44 @@ StrandParts Strands::operator()(const StrandInput& input)
                               "tiles smaller",
                               layout.too_short));
     if (layout.cells.empty()) return out;
-    const TileLook& look = input.tiling.look;
-    std::vector<std::vector<StrandPlace>> places; // of the kinds
-    double aspect = 1e-6, top = 0, reach = 1;
-    for (const TileKind& kind : input.kinds.all)
-        for (const StrandPlace& place : places.emplace_back(strand_places(kind, look))) {
-            aspect = std::max(aspect, 2 * place.half_width / place.length);
-            top = std::max(top, (1 - look.sink) * place.top);
-            const Box box = turned_box(kind, place.turn, true);
-            if (!box.empty())
-                reach = std::max({reach, 1 + 2 * (place.origin.x - box.lo.x) / place.length,
-                                  2 * (box.hi.x - place.origin.x) / place.length - 1});
-        }
-    std::vector<std::size_t> kind_of_cell, counts(places.size(), 0);
+    const KindPlaces places = places_of(input.kinds, input.tiling.look);
+    std::vector<std::size_t> kinds, counts(places.of.size(), 0);
     for (const StrandCell& cell : layout.cells) {
-        kind_of_cell.push_back(input.kinds.of(cell.seed));
-        counts[kind_of_cell.back()] += input.members.size();
+        kinds.push_back(input.kinds.of(cell.seed));
+        counts[kinds.back()] += input.members.size();
     }
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {
         out.notices.push_back(std::move(words));
         return out;
     }
-    const Ref<Charts> charts =
-        timed(input.timings, "tiles", [&] { return this->charts(input, aspect * look.scale); });
-    const auto cut = [&](const StrandCell& cell) {
-        return std::ranges::any_of(
-            cell.stations, [&](std::uint32_t s) { return (*charts)[s].cut > most_cell_cut; });
-    };
-    int unmatched = 0;
+    bool unmatched = false;
     for (const auto& [member, parts] : input.members) {
         if (parts.size() != input.pieces.size()) continue; // a part is too far away
         timed(input.timings, "tiles", [&] {
-            const PosedStrands posed = posed_strands(input, *charts, parts);
-            std::vector<double> heights = station_heights(layout, posed.nodes);
-            for (std::size_t s = 0; s < heights.size(); ++s) {
-                const StrandStation& station = layout.stations[s];
-                const TileMotion motion =
-                    motion_of({.wave = look.wave,
-                               .wave_phase = look.wave_phase,
-                               .wave_length = look.wave_length,
-                               .wave_direction = look.wave_direction},
-                              *input.layout, Tile{}, input.base->position(station.at));
-                heights[s] *= look.scale * look.height * station.height * motion.height;
-            }
-            std::vector<char> mirrored;
-            for (const StrandCell& cell : layout.cells)
-                mirrored.push_back(posed.mirrored[(*charts)[cell.stations[0]].piece]);
-            GuardedStrands guarded{heights, std::vector<char>(layout.cells.size(), 0),
-                                   std::vector<char>(layout.cells.size(), 0)};
-            if (look.guard)
-                guarded = guarded_strands(layout, posed, std::move(heights), mirrored, top, reach);
-            // By kind, and by which of its places.
-            std::vector<std::array<std::vector<PlacedTile>, 2>> tiles(places.size());
-            for (std::size_t c = 0; c < layout.cells.size(); ++c) {
-                const StrandCell& cell = layout.cells[c];
-                if (cell.gone) continue;
-                const auto there = grown(cell, look.growth, input.layout->duration_s);
-                if (!there) continue;
-                if (cut(cell)) {
-                    ++out.counts.at_borders;
-                    continue;
-                }
-                if (guarded.folded[c]) {
-                    ++out.counts.folded;
-                    continue;
-                }
-                out.counts.lowered += guarded.lowered[c];
-                const std::size_t kind = kind_of_cell[c],
-                                  which = static_cast<std::size_t>(cell.number & 1) %
-                                          places[kind].size();
-                PlacedTile tile{
-                    strand_patch(layout, c, posed.nodes, guarded.heights, mirrored[c] != 0)};
-                if (*there != glm::dvec2(0, 1))
-                    tile.patch = part_along_x(tile.patch, there->x, there->y);
-                tile.base = -look.sink * places[kind][which].top;
-                tiles[kind][which].push_back(tile);
-            }
-            for (std::size_t k = 0; k < places.size(); ++k)
-                for (std::size_t which = 0; which < places[k].size(); ++which) {
+            const Ref<Charts> at_rest = charts(input, places.aspect * input.tiling.look.scale);
+            TilesOfKinds tiles = tiles_of_strands(
+                input, *at_rest, posed_strands(input, *at_rest, parts), places, kinds, out.counts);
+            for (std::size_t k = 0; k < tiles.size(); ++k)
+                for (std::size_t which = 0; which < places.of[k].size(); ++which) {
                     if (tiles[k][which].empty()) continue;
                     const auto here = make_ref(std::move(tiles[k][which]));
                     const TileKind& kind = input.kinds.all[k];
-                    const glm::dmat4 unit = unit_of(places[k][which], aspect);
+                    const glm::dmat4 unit = unit_of(places.of[k][which], places.aspect);
                     for (const Part& part : kind.parts) {
                         if (part.rest->positions.empty()) continue;
-                        const ModelKey key{part.mesh(), unit * kind.turned * part.to_world,
-                                           kind.first_material};
-                        const Model model = models_(key, [&]() -> Model {
-                            StrandTile tile = strand_tile(with_materials_from(
-                                in_unit_cell(*key.mesh, key.to_unit), key.first_material));
-                            return {tile_model(std::move(tile.mesh), !part.posed), tile.unmatched};
+                        const Model of_part = model(kind, part, unit);
+                        unmatched |= of_part.unmatched > 0;
+                        Lazy<Ref<Mesh>> mesh([tile = of_part.tile, here] {
+                            return make_ref(strand_mesh(*tile->mesh, *here));
                         });
-                        unmatched += model.unmatched;
-                        out.parts.push_back(part_of(
-                            tile_set(model.tile, here, Lazy<Ref<Mesh>>([tile = model.tile, here] {
-                                         return make_ref(strand_mesh(*tile->mesh, *here));
-                                     })),
-                            {member, part.key.mesh + kind.first_mesh,
-                             strand_piece + static_cast<int>(which)}));
+                        out.parts.push_back(part_of(tile_set(of_part.tile, here, std::move(mesh)),
+                                                    {member, part.key.mesh + kind.first_mesh,
+                                                     strand_piece + static_cast<int>(which)}));
                     }
                 }
         });
     }
-    if (unmatched > 0)
+    if (unmatched)
         out.notices.push_back("the two ends of its tile do not match along X, so tiles do not "
                               "close up; set where its cell begins and ends");
     return out;

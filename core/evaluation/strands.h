@@ -53,6 +53,8 @@ private:
         int unmatched = 0;
     };
     Ref<Charts> charts(const StrandInput& input, double width);
+    // The tile of one of the kind's parts; `unit` takes the kind to the unit cell.
+    Model model(const TileKind& kind, const Part& part, const glm::dmat4& unit);
 
     Recent<ChartKey, Ref<Charts>> charts_;
     Recent<ModelKey, Model> models_{64};
@@ -63,7 +65,8 @@ private:
 struct StrandPlace {
     glm::dmat4 turn{1};
     glm::dvec3 origin{0}; // of the unit cell: where the strand enters it, on the base
-    double length = 1, half_width = 0.5, top = 1;
+    double length = 1, half_width = 0.5;
+    double top = 1; // in lengths; of the higher one of even and odd tiles
 };
 // Gives the places of the tiles of an object: that of every tile, or those of even and odd ones.
 std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& look);
