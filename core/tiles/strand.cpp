@@ -2,8 +2,6 @@
 #include "core/tiles/strand.h"
 
 #include "core/limit/tangent.h"
-#include "core/tiles/layout.h"
-#include "core/tiles/strand_path.h"
 
 #include <algorithm>
 #include <cmath>

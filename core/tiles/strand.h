@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tiles/strand_path.h"
 #include "core/tiles/tile_stroke.h"
 
 #include <array>
@@ -35,12 +36,6 @@ struct StrandLayout {
     std::vector<StrandCell> cells;
     int too_short = 0; // number of strokes that are too short for a tile
     bool operator==(const StrandLayout&) const = default;
-};
-
-// A StrandPoint is a sample of a stroke on the surface, in the space of the model.
-struct StrandPoint {
-    SurfacePoint at;
-    double time_s = 0, pressure = 1;
 };
 
 // Adds the strand of a stroke. Its path is a curve through the samples, smoothed over a third of

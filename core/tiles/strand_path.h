@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tiles/strand.h"
+#include "core/tiles/tile_base.h"
+
+#include <vector>
 
 namespace trivar {
+
+// A StrandPoint is a sample of a stroke on the surface, in the space of the model.
+struct StrandPoint {
+    SurfacePoint at;
+    double time_s = 0, pressure = 1;
+};
 
 // A StrandPath is a smooth path over a base as a chain of points so close that it is straight
 // between them.
