@@ -41,7 +41,8 @@ Box box_of_kind(const TileKind& kind, const glm::dmat4& turned)
 CoverCell cover_cell(const Box& box, const TileLook& look)
 {
     if (box.empty()) return {};
-    return {box.lo, glm::max(box.size(), glm::dvec3(1e-9)), look.sink, look.scale};
+    const Box cell = unit_cell_in(box, look);
+    return {cell.lo, glm::max(cell.size(), glm::dvec3(1e-9)), look.sink, look.scale};
 }
 
 glm::dmat4 quarter_turns(double turn_deg)
@@ -195,7 +196,8 @@ CoverParts Covers::operator()(const CoverInput& input)
     for (const TileKind& kind : input.kinds.all) {
         const Box box = box_of_kind(kind, turned);
         const CoverCell& cell = cells.emplace_back(cover_cell(box, look));
-        const double reach = reach_over(box, kind.parts, turned * kind.turned);
+        const double reach = reach_over(box, kind.parts, turned * kind.turned) -
+                             (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
         highest = std::max(highest, (reach - look.sink * cell.size.z) / cell.size.x);
     }
     const glm::dvec3& first = cells.front().size;

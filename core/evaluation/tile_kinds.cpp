@@ -85,17 +85,34 @@ double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm:
     return reach;
 }
 
-TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
+Box unit_cell_in(const Box& box, const TileLook& look)
 {
-    const Box box = box_at_rest(parts, turned);
-    const glm::dvec3 size = box.size(), middle = box.center();
-    const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
-    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(box, parts, turned)};
+    if (box.empty()) return box;
+    const glm::dvec3 size = box.size();
+    Box cell = box;
+    cell.lo += glm::dvec3(look.cell_x0, look.cell_y0, look.base_level) * size;
+    cell.hi -= glm::dvec3(1 - look.cell_x1, 1 - look.cell_y1, 0) * size;
+    cell.hi = glm::max(cell.hi, cell.lo + 1e-9 * size);
+    return cell;
 }
 
-TileCell tile_cell(const TileKind& kind)
+TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, const TileLook& look)
 {
-    TileCell cell = tile_cell(kind.parts, kind.turned);
+    const Box whole = box_at_rest(parts, turned), box = unit_cell_in(whole, look);
+    const glm::dvec3 size = box.size(), middle = box.center();
+    const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
+    TileCell cell{
+        {middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(whole, parts, turned)};
+    if (box.lo == whole.lo && box.hi == whole.hi) return cell;
+    cell.top = std::max(0.0, cell.top - (box.lo.z - whole.lo.z));
+    const glm::dvec2 away = glm::max(glm::dvec2(whole.hi - middle), glm::dvec2(middle - whole.lo));
+    cell.reach = std::max(1.0, 2 * std::max(away.x, away.y) / side);
+    return cell;
+}
+
+TileCell tile_cell(const TileKind& kind, const TileLook& look)
+{
+    TileCell cell = tile_cell(kind.parts, kind.turned, look);
     if (!kind.from_zero) return cell;
     cell.top = std::max(0.0, cell.middle_of_floor.z + cell.top);
     cell.middle_of_floor.z = 0;
@@ -128,11 +145,11 @@ TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInp
     return {};
 }
 
-void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share)
+void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look)
 {
     if (share == 0) return;
-    const TileCell own = tile_cell(kind.parts, kind.turned),
-                   other = tile_cell(morph.into, morph.turned);
+    const TileCell own = tile_cell(kind.parts, kind.turned, look),
+                   other = tile_cell(morph.into, morph.turned, look);
     // Both fill the same cell.
     glm::dmat4 to_own(own.side / other.side);
     to_own[3] = glm::dvec4(own.middle_of_floor - own.side / other.side * other.middle_of_floor, 1);
@@ -175,7 +192,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
         }
         const double share = phases > 1 ? k / (phases - 1.0) : 0;
         if (!morph.into.empty())
-            move_on(kind, morph, masked ? look.morph * share : morph_of(look, share));
+            move_on(kind, morph, masked ? look.morph * share : morph_of(look, share), look);
         out.push_back(std::move(kind));
     }
     return out;

@@ -40,9 +40,12 @@ Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the height over the floor of that box up to which the parts reach: its own, or more where
 // their pose lifts them. Metres; O(#V) of posed parts.
 double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
+// Gives the part of a box that fills the place of a tile, from the level that lies on the surface
+// up. The box itself where the look asks for no other.
+Box unit_cell_in(const Box& box, const TileLook& look);
 // Gives the box of an object's parts that becomes a tile.
-TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
-TileCell tile_cell(const TileKind& kind);
+TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, const TileLook& look);
+TileCell tile_cell(const TileKind& kind, const TileLook& look);
 
 // Gives the materials of the objects that are mixed in, behind one another; null: there are none.
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);
@@ -64,7 +67,7 @@ private:
     std::vector<TileKind> phases_of(Id id, const Stage& stage, const Morph& morph,
                                     const StepInput& input);
     // Poses parts as far on their way to what they become as the share says.
-    void move_on(TileKind& kind, const Morph& morph, double share);
+    void move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look);
 
     struct MorphKey {
         Ref<Mesh> from, into;

@@ -18,29 +18,6 @@ constexpr double below_limit = 0.98;
 // Tiles that have grown to less than this share of their size are not shown.
 constexpr double smallest = 1e-3;
 
-BasePose pose_of(const TileBase& base, const std::vector<Part>& parts,
-                 const std::vector<char>& mirrored)
-{
-    BasePose pose;
-    pose.points.reserve(base.points().size());
-    for (const Part& part : parts) {
-        const Mesh& mesh = *part.mesh();
-        const std::size_t before = pose.points.size();
-        pose.points.resize(before + point_count(mesh));
-        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-            pose.points[before + mesh.point(v)] =
-                glm::dvec3(part.to_world * glm::dvec4(mesh.positions[v], 1));
-    }
-    std::vector<glm::uvec3> triangles;
-    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) {
-        triangles.push_back(base.triangle(t));
-        // A mirror on the way to the world turns the faces round, as it does in the picture.
-        if (mirrored[base.piece_of(t)]) std::swap(triangles.back().y, triangles.back().z);
-    }
-    pose.normals = angle_normals(pose.points, triangles);
-    return pose;
-}
-
 double side_in_world(const TilePatch& patch)
 {
     const auto at = [&](double x, double y) { return tile_point(patch, {x, y, 0}).p; };
@@ -127,7 +104,8 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
             const double top = tile.height * cell.top / cell.side;
             tile.base = -look.sink * top;
             if (!look.guard) continue;
-            const double limit = fold_limit(tile.patch);
+            const double limit =
+                fold_limit(cell.reach > 1 ? middle_of(tile.patch, cell.reach) : tile.patch);
             if (!(limit > 0)) {
                 fates[i] = Fate::folded;
                 continue;
@@ -288,7 +266,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         TileCounts told;
         if (strokes.charts) {
             std::vector<TileCell> cells;
-            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind));
+            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind, look));
             std::vector<std::size_t> kind_of_tile, counts;
             for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i)
                 kind_of_tile.push_back(
@@ -321,6 +299,12 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                 }
             }
         }
+        StrandParts strands;
+        if (strokes.layout)
+            strands = strands_({tiling, of_layer, strokes.base, strokes.layout, pieces, limit,
+                                members, input.timings});
+        stage.parts.insert(stage.parts.end(), strands.parts.begin(), strands.parts.end());
+        told += strands.counts;
         if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
         CoverParts cover =
             covers_({tiling, of_layer, pieces, limit, members, masks, input.timings});
@@ -329,6 +313,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         if (strokes.by_texture)
             stage.notices.insert(stage.notices.end(), strokes.by_texture->notices.begin(),
                                  strokes.by_texture->notices.end());
+        stage.notices.insert(stage.notices.end(), strands.notices.begin(), strands.notices.end());
         tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
         stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
         stage.notices.insert(stage.notices.end(), masks.notices.begin(), masks.notices.end());

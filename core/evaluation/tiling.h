@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/evaluation/covers.h"
-#include "core/evaluation/texture_tiles.h"
 #include "core/evaluation/masking.h"
+#include "core/evaluation/strands.h"
+#include "core/evaluation/texture_tiles.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
@@ -78,6 +79,7 @@ private:
     TileKindsOf kinds_of_;
     MasksOf masks_of_;
     Covers covers_;
+    Strands strands_;
     Recent<Key, Ref<Stage>> shown_;
 };
 

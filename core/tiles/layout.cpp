@@ -131,6 +131,7 @@ private:
         case TileBrush::line: line(stroke, number, path); break;
         case TileBrush::fill: fill(stroke, number, path); break;
         case TileBrush::grab: grab(path); return;
+        case TileBrush::strand: strand(stroke, number, path); break;
         default: change(stroke, path); return;
         }
         out_.duration_s += duration_of(stroke);
@@ -252,6 +253,15 @@ private:
         return out;
     }
 
+    void strand(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    {
+        std::vector<StrandPoint> points;
+        for (const Step& each : path)
+            points.push_back({{each.p, each.n}, each.time_s, each.pressure});
+        add_strand(out_.strands, base_, stroke, number, std::move(points));
+        out_.too_many |= out_.strands.cells.size() >= most_tiles;
+    }
+
     void fill(const TileStroke& stroke, int number, const std::vector<Step>& path)
     {
         made_ = 0;
@@ -309,6 +319,9 @@ private:
 
     void change(const TileStroke& stroke, const std::vector<Step>& path)
     {
+        std::vector<StrandPoint> points;
+        for (const Step& each : path) points.push_back({{each.p, each.n}, 0, each.pressure});
+        change_strands(out_.strands, base_, stroke, points);
         // For each tile this is the nearest sample of the stroke on its side of the surface.
         std::unordered_map<int, std::pair<double, std::size_t>> nearest;
         for (std::size_t i = 0; i < path.size(); ++i)

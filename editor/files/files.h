@@ -14,6 +14,8 @@
 namespace trivar {
 
 const std::vector<std::string>& model_extensions(); // that can be imported
+bool is_model(const std::string& path);             // of a file, by its extension
+bool is_picture(const std::string& path);           // of a file, by its extension
 const std::vector<std::string>& export_extensions();
 const std::vector<std::string>& image_extensions(); // that can be read as masks and heights
 inline constexpr const char* scene_extension = ".trivar";

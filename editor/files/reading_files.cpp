@@ -17,7 +17,6 @@
 
 namespace trivar {
 namespace fs = std::filesystem;
-namespace {
 
 bool is_model(const std::string& path)
 {
@@ -30,8 +29,6 @@ bool is_picture(const std::string& path)
     const auto& known = image_extensions();
     return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
 }
-
-} // namespace
 
 void Files::open_scene(const std::string& path)
 {

@@ -16,11 +16,13 @@
 namespace trivar {
 namespace {
 
-constexpr double sample_step = 0.25; // of the size of a tile, between samples
+// Of the size of a tile, between samples; those of strands are few, and so easy to move.
+constexpr double sample_step = 0.25, strand_step = 1;
 
 bool lays_tiles(TileBrush brush)
 {
-    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill;
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill ||
+           brush == TileBrush::strand;
 }
 
 // The brush as a ring that lies on the surface.
@@ -127,8 +129,18 @@ void TilesTool::choose_model(Session& session, const std::string& file, bool als
         return;
     }
     session.selected = {};
+    overlap_ = 0;
     if (!also) files_.clear();
     if (std::erase(files_, file) == 0 || files_.empty()) files_.push_back(file);
+}
+
+void TilesTool::fit_model(const TileFit& fit)
+{
+    overlap_ = fit.overlap;
+    if (fit.strand)
+        choose_brush(TileBrush::strand);
+    else if (lays_strands())
+        choose_brush(TileBrush::scatter);
 }
 
 std::optional<std::string> TilesTool::take_wanted_model()
@@ -184,6 +196,8 @@ double TilesTool::size(const Session& session) const
 void TilesTool::use(Session& session, const ViewportInput& input)
 {
     if (gesture_) return go_on(session, input);
+    const Id strands_of = lays_strands() && !begins_layer(session) ? tile(session) : 0;
+    if (strands_.use(session, input, surface_, strands_of)) return hit_.reset();
     find_place(session, input);
     if (!input.pressed || session.committing()) return;
     if (hit_)
@@ -201,6 +215,7 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     const bool fresh = begins_layer(session);
     Gesture g{fresh ? 0 : tile(session), under_, settings_};
     if (fresh) wanted_ = files_;
+    if (fresh) g.overlap = overlap_;
     mixing_ = 0;
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
@@ -228,6 +243,15 @@ void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
     if (samples.size() >= most_tile_samples) return;
     if (gesture_->stroke.brush == TileBrush::grab && samples.size() == 2) {
         samples.back() = {hit.at_rest, time_s, 1};
+        ++gesture_->moves;
+        return;
+    }
+    const bool strand = gesture_->stroke.brush == TileBrush::strand;
+    if (strand && samples.size() > 1 &&
+        glm::distance(samples.back().at.p, samples[samples.size() - 2].at.p) <
+            strand_step * gesture_->stroke.size) {
+        // The last sample goes with the mouse until it is far enough from the one before.
+        samples.back() = {hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)};
         ++gesture_->moves;
         return;
     }
@@ -289,16 +313,17 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others})) g.proposed = now;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap}))
+        g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
 {
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    const bool taken = g.cover
-                           ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                           : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others});
+    const bool taken =
+        g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
+                : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
     if (taken)
         session.commit();
     else
@@ -307,6 +332,7 @@ void TilesTool::finish(Session& session)
 
 void TilesTool::cancel(Session& session)
 {
+    strands_.cancel(session);
     if (!gesture_) return;
     gesture_.reset();
     wanted_.clear();
@@ -323,9 +349,10 @@ bool TilesTool::resize(Session& session, double factor)
 void TilesTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
+    strands_.overlay(session, theme, input);
     if (!hit_) return;
-    const bool one =
-        covers_ || settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
+    const bool one = covers_ || settings_.brush == TileBrush::line ||
+                     settings_.brush == TileBrush::grab || lays_strands();
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
                one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
@@ -342,6 +369,8 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{"left"}, "Let go when done"},
                 {{"wheel"}, "Radius"},
                 {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.busy()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.hovers()) return {{{"left"}, "Drag the point of the strand"}};
     if (tile(session) == 0 && !begins_layer(session))
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},

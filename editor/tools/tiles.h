@@ -3,6 +3,7 @@
 
 #include "core/commands/tiles.h"
 #include "editor/tools/painted_surface.h"
+#include "editor/tools/strand_handles.h"
 #include "editor/tools/tool.h"
 #include "ui/option_bar.h"
 
@@ -29,11 +30,18 @@ public:
         covers_ = true;
         cover_ = cover;
     }
+    // From now on strokes do that.
+    void choose_brush(TileBrush brush)
+    {
+        covers_ = false;
+        settings_.brush = brush;
+    }
     void choose_model(Session& session, const std::string& file, bool also) override;
+    void fit_model(const TileFit& fit) override;
     std::optional<std::string> take_wanted_model() override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value(); }
-    bool takes_wheel() const override { return busy(); }
+    bool busy() const override { return gesture_.has_value() || strands_.busy(); }
+    bool takes_wheel() const override { return gesture_.has_value(); }
     bool resize(Session& session, double factor) override;
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
@@ -51,10 +59,12 @@ private:
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
+        double overlap = 0;       // of a layer that begins
         bool over = false;        // the button was let go while its model was being read
     };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
-    bool lays() const;                               // the brush makes tiles where there are none
+    bool lays_strands() const { return !covers_ && settings_.brush == TileBrush::strand; }
+    bool lays() const; // the brush makes tiles where there are none
     void cover_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     // What would be painted with of the scene, and onto what; 0: nothing.
     Id tile(const Session& session) const;
@@ -76,7 +86,8 @@ private:
     std::vector<std::string> files_;
     std::vector<std::string> wanted_; // those still to be read, the first one next
     bool reading_ = false;            // one of them is being read
-    Id mixing_ = 0; // the layer that is mixed with what is read; 0: the gesture waits for it
+    Id mixing_ = 0;      // the layer that is mixed with what is read; 0: the gesture waits for it
+    double overlap_ = 0; // of the layer that the next stroke begins
     TileStroke settings_{}; // all but lengths
     bool covers_ = false;   // a click covers what is under it, and there are no strokes
     TileCover cover_{.pattern = TilePattern::grid}; // all but its size
@@ -85,7 +96,8 @@ private:
     Id under_ = 0;                  // what the brush is over
     std::optional<SurfaceHit> hit_; // under the mouse
     std::optional<Gesture> gesture_;
-    int strokes_ = 0; // number of strokes so far, which become their seeds
+    StrandHandles strands_; // of the selected layer, while the brush lays strands
+    int strokes_ = 0;       // number of strokes so far, which become their seeds
 };
 
 } // namespace trivar

@@ -168,7 +168,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
         editor.preferences.show_dock && !editor.only_view && editor.tab == Editor::Tab::inspector;
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
-        if (event.kind == ui::Event::Kind::drop) editor.files.drop(event.paths);
+        if (event.kind == ui::Event::Kind::drop && !drop_tiles(editor, event.paths))
+            editor.files.drop(event.paths);
         // Somewhere else has the keyboard now: a gesture would go on without its end.
         if (event.kind != ui::Event::Kind::focus || event.down) continue;
         editor.active_tool().cancel(editor.session);

@@ -92,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "crocodile_pressed", "pressing_tools", "fold_and_repair", "ants_terrain",
                     "cars_over_obstacle", "text_teapot", "bulldozer_parks", "reptiles", "rider",
                     "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
-                    "thorn_to_flower", "robots_teapot", "face_thorns", "ruin"),
+                    "thorn_to_flower", "robots_teapot", "face_thorns", "ruin",
+                    "camel_chains", "horse_hair"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -4,12 +4,13 @@
 #include "core/document/fields/mask_fields.h"
 #include "core/document/fields/mix_fields.h"
 #include "core/document/fields/tile_cover_fields.h"
+#include "core/document/fields/tile_look_fields.h"
 
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 8> choice_names<TileBrush>{
-    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab"};
+inline constexpr std::array<std::string_view, 9> choice_names<TileBrush>{
+    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab", "strand"};
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<TileHeading>{"along_stroke", "upward",
                                                                            "random"};
@@ -31,8 +32,9 @@ template <> struct FieldsOf<TileStroke> {
     static void fields(auto& s, auto&& field)
     {
         field("brush", s.brush,
-              "scatter, line and fill lay tiles; erase, comb, resize and raise change those under "
-              "the brush; grab moves the one nearest to the first sample to the last sample");
+              "scatter, line and fill lay tiles; strand lays them end to end; erase, comb, resize "
+              "and raise change those under the brush; grab moves the one nearest to the first "
+              "sample to the last sample");
         field("samples", s.samples, "the points of the stroke", required);
         field("radius", s.radius, "of the brush, metres on the model",
               positive.called("Brush radius").in(Unit::metres));
@@ -51,53 +53,13 @@ template <> struct FieldsOf<TileStroke> {
               in_range(-1, 1));
         field("seed", s.seed, "of the random numbers", in_range(0, 1e9));
         field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
-    }
-};
-template <> struct FieldsOf<TileLook> {
-    static constexpr std::string_view told_as = "values of [set_tiles](#set_tiles)";
-    static void fields(auto& l, auto&& field)
-    {
-        field("scale", l.scale, "factor of the sizes of all tiles",
-              in_range(1e-3, 100).in(Unit::times));
-        field("height", l.height, "factor of the heights of all tiles",
-              in_range(0, 100).in(Unit::times));
-        field("sink", l.sink, "how deep tiles stand in their base, as a share of their height",
-              in_range(-10, 10).in(Unit::share));
-        field("turn_deg", l.turn_deg, "of all tiles about their normals, degrees",
-              in_range(-36000, 36000).called("Turn").in(Unit::degrees));
-        field("guard", l.guard, "tiles that would fold are lowered until they do not",
-              any_value.called("Folds").says("prevented", "allowed"));
-        field("growth", l.growth, "share of the painting that has grown, in the order of painting",
-              later_in_range(0, 1).resting_at(1).in(Unit::share));
-        field("growth_softness", l.growth_softness,
-              "share of the painting in which a tile grows to its full size",
-              later_in_range(0, 1).resting_at(0.1).called("Softness").in(Unit::share));
-        field("wave", l.wave, "by how much heights go up and down, as a share of them",
-              later_in_range(0, 10).in(Unit::share));
-        field("wave_phase", l.wave_phase, "turns of the wave; keys on it let the wave run",
-              later_in_range(-1e6, 1e6));
-        field("wave_length", l.wave_length,
-              "length of the wave, metres on the model; 0: all tiles move at once",
-              later_in_range(0, 1e9).in(Unit::metres));
-        field("wave_direction", l.wave_direction,
-              "where the wave goes to, in the model's space; 0: along Z", later);
-        field("wave_variation", l.wave_variation,
-              "turns by which the phases of tiles differ at random", later_in_range(0, 1));
-        field("morph", l.morph,
-              "how far tiles have become the other shape: 0 not yet, 1 altogether; may go beyond",
-              later_in_range(-10, 10));
-        field("morph_variation", l.morph_variation,
-              "share of the morph by which the last tiles are behind the first",
+        field("width", s.width, "of a strand: factor of the width of its tiles",
+              later_in_range(0.01, 100).resting_at(1).in(Unit::times));
+        field("taper", s.taper, "of a strand: share by which it is narrower and lower at its end",
               later_in_range(0, 1).in(Unit::share));
-        field("clip_variation", l.clip_variation,
-              "share of the clip by which tiles are ahead of each other at random",
-              later_in_range(0, 1).in(Unit::share));
-        field("phases", l.phases, "in how many different phases of clip and morph tiles are",
-              later_in_range(1, 64).resting_at(8).without_keys());
-        field("slide_x", l.slide_x, "how far tiles have gone along their own X, in sides",
-              later_in_range(-1000, 1000).called("Slide X"));
-        field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
-              later_in_range(-1000, 1000).called("Slide Y"));
+        field("apart", s.apart,
+              "the ends of a strand do not join with those of others near them, or each other",
+              later.called("Ends").says("apart", "joined"));
     }
 };
 template <> struct FieldsOf<Tiling> {

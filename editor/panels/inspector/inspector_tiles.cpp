@@ -6,9 +6,11 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/key_gutter.h"
+#include "editor/panels/inspector/tile_cell.h"
 #include "editor/tools/cover.h"
 #include "ui/icons.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -27,6 +29,7 @@ std::string words_of_stroke(const TileStroke& stroke)
     case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
     case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
     case TileBrush::grab: return "Move a tile";
+    case TileBrush::strand: return "Strand, tiles of " + length(stroke.size);
     }
     return {};
 }
@@ -152,8 +155,21 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
     }
+    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
+            return stroke->brush == TileBrush::strand;
+        })) {
+        fields(&TileLook::overlap);
+        fields(&TileLook::roll_deg);
+        fields(&TileLook::alternate_deg);
+    }
     fields(&TileLook::slide_x);
     fields(&TileLook::slide_y);
+    rows.take(draw_tile_cell(session, theme, id, look));
+    fields(&TileLook::cell_x0);
+    fields(&TileLook::cell_x1);
+    fields(&TileLook::cell_y0);
+    fields(&TileLook::cell_y1);
+    fields(&TileLook::base_level);
     const Object& layer = object(session.document(), id);
     if (tiling.into != 0) {
         ui::fact_row(theme, "Become", object(session.document(), tiling.into).name,
