@@ -51,22 +51,24 @@ VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts,
     const bool many = std::ranges::count(verdicts.of, of) > few,
                outside = many || of == Verdict::excepted;
     const std::array steps = many ? std::array{1, 1, 1} : std::array{3, 3, 3};
-    const auto is = [&](const glm::ivec3& cell) {
-        return verdicts.of[static_cast<std::size_t>((cell.x * n.y + cell.y) * n.z + cell.z)] == of;
+    const auto is = [&](const glm::ivec3& at_cell) {
+        return verdicts
+                   .of[static_cast<std::size_t>((at_cell.x * n.y + at_cell.y) * n.z + at_cell.z)] ==
+               of;
     };
-    for (glm::ivec3 cell(0); cell.x < n.x; ++cell.x)
-        for (cell.y = 0; cell.y < n.y; ++cell.y)
-            for (cell.z = 0; cell.z < n.z; ++cell.z) {
-                if (!is(cell)) continue;
+    for (glm::ivec3 at_cell(0); at_cell.x < n.x; ++at_cell.x)
+        for (at_cell.y = 0; at_cell.y < n.y; ++at_cell.y)
+            for (at_cell.z = 0; at_cell.z < n.z; ++at_cell.z) {
+                if (!is(at_cell)) continue;
                 glm::dvec3 lo, hi;
                 for (int a = 0; a < 3; ++a) {
                     const auto& breaks = verdicts.breaks[static_cast<std::size_t>(a)];
-                    lo[a] = breaks[static_cast<std::size_t>(cell[a])];
-                    hi[a] = breaks[static_cast<std::size_t>(cell[a] + 1)];
+                    lo[a] = breaks[static_cast<std::size_t>(at_cell[a])];
+                    hi[a] = breaks[static_cast<std::size_t>(at_cell[a] + 1)];
                 }
                 add_box(out, volume, lo, hi, steps, [&](int axis, bool end) {
                     if (!outside) return true;
-                    glm::ivec3 next = cell;
+                    glm::ivec3 next = at_cell;
                     next[axis] += end ? 1 : -1;
                     return next[axis] < 0 || next[axis] >= n[axis] || !is(next);
                 });
