@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tiles/layout.h"
 #include "core/tiles/near_tiles.h"
+#include "core/tiles/tile.h"
 
 namespace trivar {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/layout.h"
 
+#include "core/tiles/filled_triangles.h"
+#include "core/tiles/mirror_plane.h"
 #include "core/tiles/on_surface.h"
 #include "core/tiles/straightest.h"
 #include "core/tiles/tile_brushes.h"
@@ -30,9 +32,11 @@ constexpr int most_tries = 20 * static_cast<int>(most_tiles);
 class Layouter {
 public:
     Layouter(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
-             const Progress& progress)
+             const Progress& progress, const Lazy<TileCurvature>* curvature)
         : base_(base),
           progress_(progress),
+          estimate_([&base] { return TileCurvature(base); }),
+          curvature_(curvature ? curvature : &estimate_),
           laid_{base, {}, {}, NearTiles(cube_of(base, strokes))}
     {
         for (std::size_t i = 0; i < strokes.size(); ++i)
@@ -57,8 +61,7 @@ private:
     {
         std::vector<SurfacePoint> points;
         for (const TileSample& each : stroke.samples) points.push_back(each.at);
-        const double reach = std::max(stroke.size, 1e-3 * base_.diagonal());
-        const auto places = base_.locate(points, reach);
+        const auto places = base_.locate(points, reach_of(stroke));
         std::vector<StrokeStep> path;
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!places[i]) {
@@ -76,6 +79,29 @@ private:
                 direction_on(glm::length(way) > 0 ? way : glm::dvec3(1, 0, 0), path[i].n);
         }
         return path;
+    }
+
+    // How far from their samples strokes find the surface.
+    double reach_of(const TileStroke& stroke) const
+    {
+        return std::max(stroke.size, 1e-3 * base_.diagonal());
+    }
+
+    // The mirror image of a path, where the base has it; empty: the stroke has no mirror.
+    std::vector<StrokeStep> image_of(const TileStroke& stroke,
+                                     const std::vector<StrokeStep>& path) const
+    {
+        std::vector<StrokeStep> out;
+        if (const std::optional<MirrorPlane> plane = plane_of(stroke.mirror))
+            for (StrokeStep step : path)
+                if (const auto at = mirrored(*plane, base_, step.at, reach_of(stroke))) {
+                    step.at = *at;
+                    step.p = base_.position(*at);
+                    step.n = base_.normal(*at);
+                    step.ahead = direction_on(plane->across(step.ahead), step.n);
+                    out.push_back(step);
+                }
+        return out;
     }
 
     // Where a stroke does not say how long it took, it took a second.
@@ -99,8 +125,20 @@ private:
         case TileBrush::scatter: scatter(stroke, number, path); break;
         case TileBrush::line: line(stroke, number, path); break;
         case TileBrush::fill: fill(stroke, number, path); break;
-        case TileBrush::grab: grab_tile(laid_, path); return;
-        default: change_tiles(laid_, stroke, path); return;
+        case TileBrush::grab: {
+            std::vector<StrokeStep> image = image_of(stroke, path);
+            if (image.size() < path.size()) image.clear(); // it would not say what goes where
+            grab_tiles(laid_, path, image);
+            return;
+        }
+        case TileBrush::adjust: adjust_tiles(laid_, stroke, path, image_of(stroke, path)); return;
+        default: {
+            std::vector<StrokeStep> both = path;
+            const std::vector<StrokeStep> image = image_of(stroke, path);
+            both.insert(both.end(), image.begin(), image.end());
+            change_tiles(laid_, stroke, both);
+            return;
+        }
         }
         out_.duration_s += duration_of(stroke);
     }
@@ -116,33 +154,100 @@ private:
         return mixed(static_cast<std::uint32_t>(stroke.seed), made_++);
     }
 
-    // Lays a tile if there is room. `turned` is the direction of the stroke there.
-    bool lay(const TileStroke& stroke, int number, std::uint32_t seed, const SurfacePlace& at,
-             const glm::dvec3& turned, double time_s, double pressure, bool avoiding)
+    // What a brush asks for at one place. `ahead` is the direction of the stroke there.
+    struct Wanted {
+        std::uint32_t seed;
+        SurfacePlace at;
+        glm::dvec3 ahead;
+        double time_s, pressure;
+    };
+
+    // Lays a tile if there is room, and where the stroke has a mirror its image. What would overlap
+    // its own image stands on the plane.
+    void lay(const TileStroke& stroke, int number, Wanted wanted, bool avoiding)
     {
-        const glm::dvec3 p = base_.position(at), n = base_.normal(at);
-        const double share = 1 - stroke.size_variation * random_share(seed, Purpose::size);
-        const double side = stroke.size * share * pressure;
-        if (!(side > 0)) return false;
+        const double share = 1 - stroke.size_variation * random_share(wanted.seed, Purpose::size);
+        const double side = stroke.size * share * wanted.pressure;
+        if (!(side > 0)) return;
         const double room = stroke.spacing * stroke.size;
-        if (avoiding && laid_.near.any(p, room, [&](int other, double distance) {
-                const auto o = static_cast<std::size_t>(other);
-                return !laid_.gone[o] && distance < room && // on this side of the surface
-                       glm::dot(base_.normal(laid_.tiles[o].at), n) > -0.2;
-            }))
-            return false;
+        const std::optional<MirrorPlane> plane = plane_of(stroke.mirror);
+        const std::optional<SurfacePlace> on_plane =
+            plane ? on_the_plane(*plane, wanted.at, room / 2) : std::nullopt;
+        if (on_plane) wanted.at = *on_plane;
+        if (avoiding && !has_room(wanted.at, room)) return;
+        Tile tile{
+            wanted.at,    heading_of(stroke, wanted), side, stroke.height, wanted.seed, number,
+            wanted.time_s};
+        if (on_plane) { // it is its own image: along the plane or across it
+            const glm::dvec3 flat = plane->onto(tile.x);
+            tile.x =
+                direction_on(glm::length(flat) > 0.7 ? flat : tile.x - flat, base_.normal(tile.at));
+        }
+        if (!add(tile) || !plane || on_plane) return;
+        const std::optional<SurfacePlace> image =
+            mirrored(*plane, base_, tile.at, reach_of(stroke));
+        if (!image || (avoiding && !has_room(*image, room))) return;
+        tile.at = *image;
+        tile.x = direction_on(plane->across(tile.x), base_.normal(*image));
+        add(tile);
+    }
+
+    bool has_room(const SurfacePlace& at, double room) const
+    {
+        const glm::dvec3 n = base_.normal(at);
+        return !laid_.near.any(base_.position(at), room, [&](int other, double distance) {
+            const auto o = static_cast<std::size_t>(other);
+            return !laid_.gone[o] && distance < room && // on this side of the surface
+                   glm::dot(base_.normal(laid_.tiles[o].at), n) > -0.2;
+        });
+    }
+
+    bool add(const Tile& tile)
+    {
         if (laid_.tiles.size() >= most_tiles) {
             out_.too_many = true;
             return false;
         }
-        glm::dvec3 x = direction_on(turned, n);
-        if (stroke.heading == TileHeading::upward) x = direction_on({0, 0, 1}, n);
-        if (stroke.heading == TileHeading::random)
-            x = turned_about(x, n, glm::two_pi<double>() * random_share(seed, Purpose::heading));
-        const double most = glm::radians(stroke.turn_variation_deg);
-        x = turned_about(x, n, most * (2 * random_share(seed, Purpose::turn) - 1));
-        laid_.add({at, x, side, stroke.height, seed, number, time_s});
+        laid_.add(tile);
         return true;
+    }
+
+    // Where the surface meets the plane beside a place that is nearer to it than `near`.
+    std::optional<SurfacePlace> on_the_plane(const MirrorPlane& plane, const SurfacePlace& at,
+                                             double near) const
+    {
+        const glm::dvec3 p = base_.position(at), n = plane.onto(base_.normal(at));
+        const double length = glm::length(n);
+        if (!(std::abs(p[plane.axis]) < near) || !(length > 0.5)) return std::nullopt;
+        const SurfacePoint beside{plane.onto(p), n / length};
+        return base_.locate({&beside, 1}, 2 * near).front();
+    }
+
+    glm::dvec3 heading_of(const TileStroke& stroke, const Wanted& wanted)
+    {
+        const glm::dvec3 n = base_.normal(wanted.at);
+        glm::dvec3 x = direction_on(wanted.ahead, n);
+        switch (stroke.heading) {
+        case TileHeading::along_stroke: break;
+        case TileHeading::upward: x = direction_on({0, 0, 1}, n); break;
+        case TileHeading::random:
+            x = turned_about(x, n,
+                             glm::two_pi<double>() * random_share(wanted.seed, Purpose::heading));
+            break;
+        case TileHeading::least_curvature:
+        case TileHeading::most_curvature: {
+            glm::dvec3 least = (**curvature_).least(base_, wanted.at);
+            if (least == glm::dvec3(0)) break;
+            if (stroke.heading == TileHeading::most_curvature) least = glm::cross(n, least);
+            x = direction_on(glm::dot(least, x) < 0 ? -least : least, n); // on with the stroke
+            break;
+        }
+        case TileHeading::to_point:
+            x = direction_on(stroke.point - base_.position(wanted.at), n);
+            break;
+        }
+        const double most = glm::radians(stroke.turn_variation_deg);
+        return turned_about(x, n, most * (2 * random_share(wanted.seed, Purpose::turn) - 1));
     }
 
     void scatter(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
@@ -170,7 +275,7 @@ private:
                 const glm::dvec3 n = base_.normal(at);
                 // The direction of the stroke keeps its angle to the path.
                 const glm::dvec3 x = turned_about(direction_on(ray.direction, n), n, -angle);
-                lay(stroke, number, seed, at, x, path[i].time_s, path[i].pressure, true);
+                lay(stroke, number, {seed, at, x, path[i].time_s, path[i].pressure}, true);
             }
         }
     }
@@ -179,8 +284,10 @@ private:
     {
         made_ = 0;
         const double step = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
-        lay(stroke, number, next_seed(stroke), path.front().at, path.front().ahead,
-            path.front().time_s, path.front().pressure, false);
+        lay(stroke, number,
+            {next_seed(stroke), path.front().at, path.front().ahead, path.front().time_s,
+             path.front().pressure},
+            false);
         double next = step; // length to the next tile
         for (std::size_t i = 1; i < path.size() && !out_.too_many; ++i) {
             const StrokeStep &a = path[i - 1], &b = path[i];
@@ -190,39 +297,19 @@ private:
                 const glm::dvec3 way = gone * direction_on(b.p - a.p, a.n);
                 const SurfaceRay ray = straightest(base_, a.at, way);
                 const double share = gone / length;
-                lay(stroke, number, next_seed(stroke), inside(ray.at), b.p - a.p,
-                    glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share),
+                lay(stroke, number,
+                    {next_seed(stroke), inside(ray.at), b.p - a.p,
+                     glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share)},
                     false);
             }
             next = gone - length;
         }
     }
 
-    // Lists the triangles that are connected with those of the path over their sides.
-    std::vector<std::uint32_t> joined(const std::vector<StrokeStep>& path) const
-    {
-        std::vector<char> seen(base_.triangle_count(), 0);
-        std::vector<std::uint32_t> out;
-        for (const StrokeStep& each : path)
-            if (!seen[each.at.triangle]) {
-                seen[each.at.triangle] = 1;
-                out.push_back(each.at.triangle);
-            }
-        for (std::size_t i = 0; i < out.size(); ++i)
-            for (int e = 0; e < 3; ++e) {
-                const std::uint32_t behind = base_.across(out[i], e);
-                if (behind == TileBase::none || seen[behind / 3]) continue;
-                seen[behind / 3] = 1;
-                out.push_back(behind / 3);
-            }
-        std::ranges::sort(out);
-        return out;
-    }
-
     void fill(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
         made_ = 0;
-        const std::vector<std::uint32_t> all = joined(path);
+        const std::vector<std::uint32_t> all = filled_triangles(base_, stroke.area, path);
         std::vector<double> sums;
         double area = 0;
         for (const std::uint32_t t : all) sums.push_back(area += base_.area(t));
@@ -242,14 +329,17 @@ private:
             const SurfacePlace place{all[found], {1 - u, u * (1 - v), u * v}};
             // It spreads from where it began.
             const double way = glm::distance(base_.position(place), path.front().p);
-            lay(stroke, number, seed, place, ahead,
-                out_.duration_s + std::min(1.0, way / base_.diagonal()), path.front().pressure,
+            lay(stroke, number,
+                {seed, place, ahead, out_.duration_s + std::min(1.0, way / base_.diagonal()),
+                 path.front().pressure},
                 true);
         }
     }
 
     const TileBase& base_;
     const Progress& progress_;
+    const Lazy<TileCurvature> estimate_; // where nobody has one
+    const Lazy<TileCurvature>* curvature_;
     TileLayout out_;
     LaidTiles laid_;
     std::uint32_t made_ = 0; // number of tiles that the present stroke tried to lay
@@ -264,9 +354,9 @@ double random_share(std::uint32_t seed, std::uint32_t purpose)
 }
 
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
-                     const Progress& progress)
+                     const Progress& progress, const Lazy<TileCurvature>* curvature)
 {
-    return Layouter(base, strokes, progress).result();
+    return Layouter(base, strokes, progress, curvature).result();
 }
 
 } // namespace trivar

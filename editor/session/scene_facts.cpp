@@ -39,6 +39,11 @@ bool is_tile_layer(const Document& document, Id id)
     return found != document.objects.end() && found->second->tiles;
 }
 
+bool lays_tiles(TileBrush brush)
+{
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill;
+}
+
 bool has_tiles(const Document& document)
 {
     return std::ranges::any_of(document.objects,

@@ -1,60 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/field.h"
+#include "core/document/fields/tile_stroke_fields.h"
 
 namespace trivar {
-
-template <>
-inline constexpr std::array<std::string_view, 8> choice_names<TileBrush>{
-    "scatter", "line", "fill", "erase", "comb", "resize", "raise", "grab"};
-template <>
-inline constexpr std::array<std::string_view, 3> choice_names<TileHeading>{"along_stroke", "upward",
-                                                                           "random"};
 
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<TilePattern>{"none", "grid", "brick",
                                                                            "hexagon"};
 
-template <> struct FieldsOf<TileSample> {
-    static constexpr std::string_view told_as = "[tile sample](#tile-sample)";
-    static void fields(auto& s, auto&& field)
-    {
-        field("p", s.at.p, "a point of the base's model at rest, metres",
-              required.in(Unit::metres));
-        field("normal", s.at.normal, "the normal there", required);
-        field("time_s", s.time_s, "seconds since the stroke began", not_negative.in(Unit::seconds));
-        field("pressure", s.pressure, "factor of the size of new tiles, or of the strength",
-              in_range(0, 1));
-    }
-};
-template <> struct FieldsOf<TileStroke> {
-    static constexpr std::string_view told_as = "[tile stroke](#tile-stroke)";
-    static void fields(auto& s, auto&& field)
-    {
-        field("brush", s.brush,
-              "scatter, line and fill lay tiles; erase, comb, resize and raise change those under "
-              "the brush; grab moves the one nearest to the first sample to the last sample");
-        field("samples", s.samples, "the points of the stroke", required);
-        field("radius", s.radius, "of the brush, metres on the model",
-              positive.called("Brush radius").in(Unit::metres));
-        field("size", s.size, "side of a new tile, metres on the model", positive.in(Unit::metres));
-        field("spacing", s.spacing, "least distance between tiles, in sizes",
-              in_range(0.05, 100).in(Unit::times));
-        field("height", s.height, "factor of the height of new tiles",
-              in_range(0, 100).in(Unit::times));
-        field("size_variation", s.size_variation, "sizes are smaller by up to this share",
-              in_range(0, 1).in(Unit::share));
-        field("turn_variation_deg", s.turn_variation_deg,
-              "new tiles are turned by up to this angle either way, degrees",
-              in_range(0, 180).called("Turn variation").in(Unit::degrees));
-        field("heading", s.heading, "where the x axis of a new tile points");
-        field("strength", s.strength, "of comb, resize and raise; negative: smaller or lower",
-              in_range(-1, 1));
-        field("seed", s.seed, "of the random numbers", in_range(0, 1e9));
-        field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
-    }
-};
 template <> struct FieldsOf<TileLook> {
     static constexpr std::string_view told_as = "values of [set_tiles](#set_tiles)";
     static void fields(auto& l, auto&& field)
@@ -100,6 +54,9 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(-1000, 1000).called("Slide X"));
         field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
               later_in_range(-1000, 1000).called("Slide Y"));
+        field("overlaps", l.overlaps,
+              "painted tiles that overlap earlier ones by more than a tenth of their side stay",
+              later.resting_at(1).says("kept", "left out").without_keys());
     }
 };
 template <> struct FieldsOf<MixedTile> {

@@ -40,13 +40,6 @@ public:
         row(member, T{}.*member, zero);
     }
     template <class V> void resting_at(const V& rest, V T::*member) { row(member, rest, {}); }
-    // A number of which drags halt at a value for a while; infinite: they do not.
-    void stopping_at(double stop, double T::*member)
-    {
-        stop_ = std::min(stop, 1e300);
-        row(member, T{}.*member, {});
-        stop_ = 1e300;
-    }
     // A length that at 0 is what stands there already, metres; 0: not known.
     void size(double T::*member, double present)
     {
@@ -92,8 +85,7 @@ private:
         const std::string label = label_of(field.name, field.rule);
         const bool mixed = std::ranges::any_of(
             all_, [&](const T& each) { return !(each.*member == before_.*member); });
-        ui::NumberStyle style = number_style(field.rule, mixed, zero);
-        if (stop_ < 1e300) style.stop = stop_ * shown_factor(field.rule.unit);
+        const ui::NumberStyle style = number_style(field.rule, mixed, zero);
         V& value = value_.*member;
         if constexpr (std::is_same_v<V, bool>)
             rows_.check(label, value, rest, std::string(field.rule.yes), words(field));
@@ -152,7 +144,6 @@ private:
     std::string parameter_;
     std::vector<T> all_;
     std::vector<std::function<void(T&)>> taken_;
-    double stop_ = 1e300; // of the row that is drawn
 };
 
 } // namespace trivar
