@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // trivar-make FOLDER [NAME...]: writes FOLDER/NAME.glb for each model named, or for all of them;
-// "volumes" and "cages" are names too. --preview FOLDER adds four shaded views of each; --quiet
-// prints nothing of them.
+// "volumes", "cages" and "pictures" are names too. --preview FOLDER adds four shaded views of each;
+// --quiet prints nothing of them.
 #include "assets/make/check.h"
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
+#include "assets/make/models/pictures.h"
 #include "assets/make/preview.h"
 #include "assets/make/write_model.h"
 
@@ -55,6 +56,7 @@ void run(const Order& order)
 {
     std::filesystem::create_directories(order.folder);
     if (order.wants("volumes")) make::write_volumes(order.folder + "/volumes");
+    if (order.wants("pictures")) make::write_pictures(order.folder + "/pictures");
     if (order.wants("cages")) make::write_cages(order.folder + "/cages");
     for (const make::Entry& entry : make::catalogue()) {
         if (!order.wants(entry.name)) continue;

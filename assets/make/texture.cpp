@@ -150,6 +150,22 @@ Texture bake(const Mesh& mesh, glm::ivec2 size_px, const std::function<vec3(vec3
     return texture;
 }
 
+std::string png(const GreyPicture& picture)
+{
+    std::string rows;
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        if (i % std::size_t(picture.size_px.x) == 0) rows.push_back(0); // no filter
+        const auto value = std::uint16_t(glm::clamp(picture.values[i], 0.f, 1.f) * 65535.f + .5f);
+        rows.push_back(char(value >> 8));
+        rows.push_back(char(value & 255));
+    }
+    const std::string header = big_endian(std::uint32_t(picture.size_px.x)) +
+                               big_endian(std::uint32_t(picture.size_px.y)) +
+                               std::string("\x10\0\0\0\0", 5); // 16 bits, grey
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", zlib_stored(rows)) +
+           chunk("IEND", "");
+}
+
 std::string png(const Texture& texture)
 {
     std::string rows;

@@ -12,4 +12,11 @@ Texture bake(const Mesh& mesh, glm::ivec2 size_px, const std::function<vec3(vec3
 
 std::string png(const Texture& texture); // the bytes of a PNG file, not compressed
 
+// One channel of 16 bits: rows from the top, from 0 to 1.
+struct GreyPicture {
+    glm::ivec2 size_px{0};
+    std::vector<float> values;
+};
+std::string png(const GreyPicture& picture);
+
 } // namespace make

@@ -5,9 +5,11 @@
 #include "core/commands/apply_shape.h"
 #include "core/commands/arrange.h"
 #include "core/commands/group.h"
+#include "core/commands/heights.h"
 #include "core/commands/import.h"
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
+#include "core/commands/mask_tiles.h"
 #include "core/commands/material.h"
 #include "core/commands/mix_tiles.h"
 #include "core/commands/paste.h"
@@ -20,6 +22,7 @@
 #include "core/commands/text.h"
 #include "core/commands/tiles.h"
 #include "core/commands/travel.h"
+#include "core/commands/unwrap.h"
 #include "core/commands/view.h"
 #include "core/commands/warp.h"
 #include "core/document/asset_store.h"
@@ -46,7 +49,8 @@ using AnyCommand =
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles>;
+                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
+                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/copied_tiling.h"
+#include "core/commands/heights.h"
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
@@ -13,6 +14,7 @@
 #include "core/commands/simplify.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
+#include "core/commands/unwrap.h"
 
 #include <string>
 #include <vector>
@@ -45,6 +47,7 @@ struct CopiedObject {
     std::optional<TeapotShape> teapot;
     std::optional<TextShape> text = {};
     std::optional<LatticeShape> lattice = {};
+    std::optional<HeightShape> heights = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -55,6 +58,7 @@ struct CopiedObject {
     std::optional<Playing> playing;
     std::optional<Refining> refining;
     std::optional<Simplifying> simplifying;
+    std::optional<Unwrapping> unwrapping = {};
     std::optional<CopiedTiling> tiling = {};
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
@@ -92,6 +96,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("teapot", c.teapot, "its shape, as of add_teapot");
         field("text", c.text, "its shape, as of add_text");
         field("lattice", c.lattice, "its box of control points, as of add_lattice");
+        field("heights", c.heights, "its shape, as of add_heights");
         field("transform", c.transform, "its transform, in its group if that is copied, too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");
@@ -104,6 +109,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
         field("simplifying", c.simplifying, "how its triangles are reduced");
+        field("unwrapping", c.unwrapping, "how its texture coordinates are made");
         field("tiling", c.tiling, "how copies of it are painted on another object");
         field("tracks", c.tracks, "its animated parameters with their keys", later);
     }

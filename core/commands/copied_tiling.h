@@ -23,6 +23,12 @@ struct CopiedMixedTile {
     bool operator==(const CopiedMixedTile&) const = default;
 };
 
+struct CopiedMask {
+    TileMask mask; // without its curve
+    std::optional<KnownObject> around = {};
+    bool operator==(const CopiedMask&) const = default;
+};
+
 struct CopiedTiling {
     KnownObject base;
     TileLook look;
@@ -31,6 +37,7 @@ struct CopiedTiling {
     std::vector<CopiedMixedTile> others = {};
     std::optional<KnownObject> into = {};
     TileCover cover = {};
+    std::vector<CopiedMask> masks = {};
     bool operator==(const CopiedTiling&) const = default;
 };
 
@@ -51,6 +58,14 @@ template <> struct FieldsOf<CopiedMixedTile> {
         field("weight", m.weight, FieldsOf<MixedTile>::weight_help, in_range(0, 1000));
     }
 };
+template <> struct FieldsOf<CopiedMask> {
+    static constexpr std::string_view told_as = "[copied mask](#copied-mask)";
+    static void fields(auto& m, auto&& field)
+    {
+        FieldsOf<TileMask>::own_fields(m.mask, field);
+        field("around", m.around, "the object with the curves of a gradient round a curve");
+    }
+};
 template <> struct FieldsOf<CopiedTiling> {
     static constexpr std::string_view told_as = "[tiling](#tiling)";
     static void fields(auto& t, auto&& field)
@@ -63,6 +78,7 @@ template <> struct FieldsOf<CopiedTiling> {
               "what its tiles are mixed with: other copies, or objects of the scene");
         field("into", t.into, "what its own tiles become by the morph");
         field("cover", t.cover, "how they cover all of it", later);
+        field("masks", t.masks, "where there are more of them, larger or higher ones", later);
     }
 };
 

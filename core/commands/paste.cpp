@@ -6,6 +6,7 @@
 #include "core/commands/edits.h"
 #include "core/commands/group.h"
 #include "core/commands/lattice.h"
+#include "core/commands/mask_tiles.h"
 #include "core/commands/numbering.h"
 #include "core/commands/place.h"
 #include "core/commands/shape.h"
@@ -51,6 +52,7 @@ void each_shape(auto& copy, auto&& visit)
     visit(copy.teapot);
     visit(copy.text);
     visit(copy.lattice);
+    visit(copy.heights);
 }
 
 Source source_of(const CopiedObject& copy)
@@ -69,6 +71,7 @@ Source source_of(const CopiedObject& copy)
         throw Rejected("field \"path\" names no file");
     if (const auto* text = std::get_if<TextShape>(&source)) check(*text);
     if (const auto* lattice = std::get_if<LatticeShape>(&source)) check(*lattice);
+    if (const auto* heights = std::get_if<HeightShape>(&source)) check(*heights);
     return source;
 }
 
@@ -172,6 +175,15 @@ Document painted(Document document, Id id, const CopiedTiling& copied, const Doc
     for (const CopiedMixedTile& each : copied.others)
         if (const Id other = here(each.tile, before, made); other != 0)
             others.push_back({other, each.weight});
+    if (copied.masks.size() > most_masks)
+        throw Rejected(fmt::format("field \"masks\" has {} entries but at most {} are taken",
+                                   copied.masks.size(), most_masks));
+    for (const CopiedMask& each : copied.masks) {
+        TileMask mask = each.mask;
+        mask.curve = each.around ? here(*each.around, before, made) : 0;
+        check_mask(document, id, mask);
+        tiling.masks.push_back(std::move(mask));
+    }
     document = with_tiling(std::move(document), id, std::move(tiling));
     document = with_mix(std::move(document), id, copied.weight, std::move(others));
     return with_morph(std::move(document), id, copied.into ? here(*copied.into, before, made) : 0);
@@ -200,6 +212,9 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     if (copy.file)
         copy.file->path =
             (std::filesystem::path(folder) / copy.file->path).lexically_normal().string();
+    if (copy.heights)
+        copy.heights->image =
+            (std::filesystem::path(folder) / copy.heights->image).lexically_normal().string();
     copy.transform = inside || each.parent == 0 || each.stroke ? each.transform
                                                                : decomposed(to_world(document, id));
     copy.parent = inside ? each.parent : 0;
@@ -215,6 +230,15 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
         copy.tiling->weight = each.tiles->weight;
         if (const Id into = each.tiles->into; into != 0 && document.objects.contains(into))
             copy.tiling->into = {into, object(document, into).name};
+        for (const TileMask& mask : each.tiles->masks) {
+            CopiedMask& known = copy.tiling->masks.emplace_back(CopiedMask{mask});
+            known.mask.curve = 0;
+            if (!mask.image.empty())
+                known.mask.image =
+                    (std::filesystem::path(folder) / mask.image).lexically_normal().string();
+            if (mask.curve != 0 && document.objects.contains(mask.curve))
+                known.around = {mask.curve, object(document, mask.curve).name};
+        }
         for (const MixedTile& mixed : each.tiles->others)
             if (document.objects.contains(mixed.object))
                 copy.tiling->others.push_back(

@@ -34,6 +34,23 @@ ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progres
     return file;
 }
 
+// Names a picture as the log does, with the hash of its present content. Throws Rejected where it
+// cannot be read.
+void prepare_image(std::string& path, std::string& hash, const AssetStore& assets)
+{
+    if (path.empty()) return;
+    path = path_in_log(path, assets.folder());
+    const AssetStore::LoadedImage loaded = assets.load_image(path, {});
+    if (!loaded.image)
+        throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
+    hash = loaded.hash;
+}
+
+void prepare_image(HeightShape& shape, const AssetStore& assets)
+{
+    prepare_image(shape.image, shape.image_hash, assets);
+}
+
 // Stores the digest of the font that was found, or none if another one replaces it. A font file
 // gets an absolute path, so that it is found wherever the scene is kept.
 void prepare_font(TextShape& text, const AssetStore& assets)
@@ -67,9 +84,25 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
         prepare_font(text->shape, assets);
     } else if (auto* letters = std::get_if<SetText>(&command)) {
         prepare_font(letters->shape, assets);
+    } else if (auto* mask = std::get_if<MaskTiles>(&command)) {
+        if (mask->mask.from == MaskFrom::image)
+            prepare_image(mask->mask.image, mask->mask.image_hash, assets);
+    } else if (auto* sheet = std::get_if<AddHeights>(&command)) {
+        prepare_image(sheet->shape, assets);
+    } else if (auto* other = std::get_if<SetHeights>(&command)) {
+        prepare_image(other->shape, assets);
+    } else if (auto* displace = std::get_if<Displace>(&command)) {
+        prepare_image(displace->shape, assets);
     } else if (auto* paste = std::get_if<Paste>(&command)) {
-        for (CopiedObject& copy : paste->copies) // a missing file is reported for each object
-            if (copy.file) copy.file->path = path_in_log(copy.file->path, assets.folder());
+        const auto in_log = [&](std::string& path) {
+            if (!path.empty()) path = path_in_log(path, assets.folder());
+        };
+        for (CopiedObject& copy : paste->copies) { // a missing file is reported for each object
+            if (copy.file) in_log(copy.file->path);
+            if (copy.heights) in_log(copy.heights->image);
+            if (copy.tiling)
+                for (CopiedMask& each : copy.tiling->masks) in_log(each.mask.image);
+        }
     }
     return command;
 }

@@ -222,6 +222,10 @@ std::string commands_markdown()
         "## tile sample\n\nA point of such a stroke.\n\n" + field_table(fields_of(TileSample{}));
     text += "## tile cover\n\nHow tiles cover a whole surface.\n\n" +
             field_table(fields_of(TileCover{}));
+    text += "## tile mask\n\nWhere a layer has more tiles, larger or higher ones.\n\n" +
+            field_table(fields_of(TileMask{}));
+    text +=
+        "## copied mask\n\nThe same, as it is copied.\n\n" + field_table(fields_of(CopiedMask{}));
     text += "## base\n\nWhat a copied object lay on, or was painted on.\n\n" +
             field_table(fields_of(KnownObject{}));
     text.pop_back();

@@ -51,6 +51,17 @@ Document mixed_with(Document document, Id layer, const std::vector<MixedTile>& m
     return applied(std::move(document), mix);
 }
 
+// The least side of a unit cell, as a share of the tile's box.
+constexpr double least_cell = 0.01;
+
+void check_cell(std::string_view field, double from, double to)
+{
+    if (!(to - from >= least_cell))
+        throw Rejected(fmt::format("field \"{}\" is {} but must be at least {}: the cell begins "
+                                   "at {}",
+                                   field, to, from + least_cell, from));
+}
+
 std::string_view verb_of(const TileStroke& stroke)
 {
     switch (stroke.brush) {
@@ -70,6 +81,7 @@ std::string_view verb_of(const TileStroke& stroke)
         if (stroke.factor == 1) return one ? "Turn a tile of" : "Turn tiles of";
         return one ? "Scale a tile of" : "Scale tiles of";
     }
+    case TileBrush::strand: return "Lay a strand of";
     }
     return "Paint";
 }
@@ -100,7 +112,9 @@ Document with_tiling(Document document, Id id, Tiling tiling)
 Document applied(Document document, const PaintTiles& command)
 {
     check(command.stroke);
-    Tiling tiling = object(document, command.object).tiles.value_or(Tiling{});
+    Tiling fresh;
+    fresh.look.overlap = command.overlap;
+    Tiling tiling = object(document, command.object).tiles.value_or(fresh);
     tiling.base = command.base;
     tiling.strokes.push_back(make_ref(command.stroke));
     document = with_tiling(std::move(document), command.object, std::move(tiling));
@@ -150,6 +164,8 @@ StepTitle title(const RemoveTileStrokes& c, const StepDocuments& step)
 
 Document applied(Document document, const SetTiles& command)
 {
+    check_cell("cell_x1", command.look.cell_x0, command.look.cell_x1);
+    check_cell("cell_y1", command.look.cell_y0, command.look.cell_y1);
     for (const Id id : distinct(document, command.objects)) tiling_of(document, id);
     return with_all_changed(std::move(document), command.objects,
                             [&](Object& o) { o.tiles->look = command.look; });

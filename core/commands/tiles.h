@@ -28,6 +28,7 @@ struct PaintTiles {
     Id base = 0;
     TileStroke stroke;
     std::vector<MixedTile> others = {};
+    double overlap = 0;
     bool operator==(const PaintTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -35,6 +36,10 @@ struct PaintTiles {
         field("base", c.base, "id of what is painted on", required);
         FieldsOf<TileStroke>::fields(c.stroke, field);
         field("others", c.others, FieldsOf<MixedTile>::besides_help);
+        field("overlap", c.overlap,
+              "how far the tiles of a strand reach into the next ones, in shares of their cells; "
+              "of a layer that begins with this stroke",
+              in_range(0, 0.45));
     }
 };
 Document applied(Document document, const PaintTiles& command);

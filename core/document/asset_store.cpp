@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/files/companions.h"
 #include "core/files/file_bytes.h"
+#include "core/files/image.h"
 #include "core/files/sample_models.h"
 
 #include <filesystem>
@@ -49,6 +50,7 @@ struct AssetStore::State {
     std::map<std::string, std::string> relinked;
     using Key = std::tuple<std::string, UpAxis, double>; // the path, and how the file was read
     std::map<Key, LoadedModel> loaded;
+    std::map<std::string, LoadedImage> images; // by path
     std::mutex mutex;
 };
 
@@ -110,12 +112,40 @@ AssetStore::LoadedModel AssetStore::load(const ImportedFile& file, const Progres
     return result;
 }
 
+AssetStore::LoadedImage AssetStore::load_image(const std::string& name,
+                                               const std::string& hash) const
+{
+    const std::string path = resolve(name);
+    const std::lock_guard guard(state_->mutex);
+    const auto [entry, fresh] = state_->images.try_emplace(path);
+    LoadedImage& kept = entry->second;
+    if (fresh) try {
+            make_sample_model(path);
+            kept.hash = file_hash(path);
+            GreyImage image = read_grey_image(path);
+            if (image.no_numbers > 0)
+                kept.notices = {fmt::format("{}: {} of its pixels {} no numbers and count as 0",
+                                            name, image.no_numbers,
+                                            image.no_numbers == 1 ? "is" : "are")};
+            kept.image = make_ref(std::move(image));
+        } catch (const Rejected& error) {
+            kept.notices = {short_sentence(error.what())};
+        }
+    LoadedImage result = kept;
+    if (result.image && !hash.empty() && hash != result.hash)
+        result.notices.push_back(
+            fmt::format("{}: the file has changed since this scene was made", name));
+    if (result.hash.empty()) state_->images.erase(entry); // it may come back
+    return result;
+}
+
 void AssetStore::forget(const std::string& path) const
 {
     const std::lock_guard guard(state_->mutex);
     std::erase_if(state_->loaded, [file = resolve(path)](const auto& entry) {
         return std::get<0>(entry.first) == file;
     });
+    state_->images.erase(resolve(path));
 }
 
 } // namespace trivar

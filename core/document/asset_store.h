@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/document/document.h"
+#include "core/mesh/grey_image.h"
 #include "core/mesh/model.h"
 
 #include <array>
@@ -31,6 +32,14 @@ public:
     };
     // Throws Cancelled only.
     LoadedModel load(const ImportedFile& file, const Progress& progress = {}) const;
+    struct LoadedImage {
+        Ref<GreyImage> image; // null: missing or unreadable
+        std::string hash;     // of the file's content; empty: missing
+        std::vector<std::string> notices;
+    };
+    // A picture of a mask or of heights, with the hash that it is expected to have; empty: any. It
+    // is read once and kept.
+    LoadedImage load_image(const std::string& path, const std::string& hash) const;
     void forget(const std::string& path) const; // reads the file again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
     // The names by which --set may call the file of that path: the path itself, or its last part.

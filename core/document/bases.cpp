@@ -11,6 +11,8 @@ std::vector<Id> bases_of(const Object& object)
     if (object.tiles->base != 0) out.push_back(object.tiles->base);
     for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
     if (object.tiles->into != 0) out.push_back(object.tiles->into);
+    for (const TileMask& each : object.tiles->masks)
+        if (each.curve != 0) out.push_back(each.curve);
     return out;
 }
 
@@ -22,6 +24,8 @@ Object with_bases(Object object, const std::function<Id(Id)>& other)
         for (MixedTile& each : others) each.object = other(each.object);
         std::erase_if(others, [](const MixedTile& each) { return each.object == 0; });
         if (object.tiles->into != 0) object.tiles->into = other(object.tiles->into);
+        for (TileMask& each : object.tiles->masks)
+            if (each.curve != 0) each.curve = other(each.curve);
     }
     if (!object.stroke) return object;
     std::vector<Id>& onto = object.stroke->onto;

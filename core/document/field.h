@@ -35,6 +35,9 @@ template <class E> constexpr std::array<std::string_view, 0> choice_words{};
 template <>
 inline constexpr std::array<std::string_view, 4> choice_words<Misses>{
     "membrane", "drop to the ground", "nearest point", "shrink"};
+template <>
+inline constexpr std::array<std::string_view, 6> choice_words<ColorBy>{
+    "material", "stretch", "error", "UV angles", "UV areas", "UV checker"};
 template <> inline constexpr std::array<std::string_view, 3> choice_names<UpAxis>{"auto", "y", "z"};
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<Misses>{"membrane", "ground",
@@ -47,8 +50,8 @@ inline constexpr std::array<std::string_view, 5> choice_names<Ends>{"stay", "hid
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<Filling>{"none", "wood", "flesh"};
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<ColorBy>{"material", "stretch",
-                                                                       "error"};
+inline constexpr std::array<std::string_view, 6> choice_names<ColorBy>{
+    "material", "stretch", "error", "uv_angles", "uv_areas", "uv_checker"};
 
 // The fields of values that live inside commands; nested in JSON as they are here.
 template <class T> struct FieldsOf;

@@ -7,11 +7,18 @@ namespace trivar {
 
 std::vector<NamedFile> files_named(const Object& object)
 {
+    std::vector<NamedFile> out;
     if (const auto* file = std::get_if<ImportedFile>(&object.source))
-        return {{NamedFile::Kind::model, file->path}};
+        out.push_back({NamedFile::Kind::model, file->path});
     if (const auto* text = std::get_if<TextShape>(&object.source); text && is_font_path(text->font))
-        return {{NamedFile::Kind::font, text->font}};
-    return {};
+        out.push_back({NamedFile::Kind::font, text->font});
+    if (const auto* heights = std::get_if<HeightShape>(&object.source))
+        out.push_back({NamedFile::Kind::image, heights->image});
+    if (object.tiles)
+        for (const TileMask& mask : object.tiles->masks)
+            if (mask.from == MaskFrom::image && !mask.image.empty())
+                out.push_back({NamedFile::Kind::image, mask.image});
+    return out;
 }
 
 } // namespace trivar

@@ -10,7 +10,9 @@
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
 #include "core/tiles/tile_cover.h"
+#include "core/tiles/tile_mask.h"
 #include "core/tiles/tile_stroke.h"
+#include "core/unwrap/methods.h"
 
 #include <optional>
 #include <string>
@@ -88,6 +90,15 @@ struct Simplifying {
     bool operator==(const Simplifying&) const = default;
 };
 
+// Unwrapping gives a shape texture coordinates made here (core/unwrap), after it was simplified and
+// before anything else is done with it.
+struct Unwrapping {
+    UnwrapMethod method = UnwrapMethod::conformal;
+    double seam_angle_deg = 60, spread_deg = 60;
+    double margin = 0.002; // as a share of the square
+    bool operator==(const Unwrapping&) const = default;
+};
+
 // A MixedTile is another object whose copies stand among the tiles of a layer.
 struct MixedTile {
     Id object = 0;
@@ -105,6 +116,7 @@ struct Tiling {
     std::vector<MixedTile> others = {};   // what it is mixed with
     Id into = 0;                          // what its own tiles become by the morph; 0: nothing
     TileCover cover = {};                 // besides the strokes
+    std::vector<TileMask> masks = {};     // of strokes and cover alike
     bool operator==(const Tiling&) const = default;
 };
 
@@ -124,6 +136,7 @@ struct Object {
     Playing playing = {};                  // only for an imported file
     std::optional<Refining> refining = {}; // only for an object on a stroke
     std::optional<Simplifying> simplifying = {};
+    std::optional<Unwrapping> unwrapping = {};
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
     Tracks tracks = {};               // of the numbers that change in time, by parameter
     bool operator==(const Object&) const = default;

@@ -7,8 +7,9 @@
 namespace trivar {
 
 // ColorBy says what colours show: the materials, the factor by which the volume of a placed object
-// changed, or the certified error of its triangles relative to the tolerance.
-enum class ColorBy { material, stretch, error };
+// changed, the certified error of its triangles relative to the tolerance, how texture coordinates
+// (UVs) change angles and areas, or a checkered texture.
+enum class ColorBy { material, stretch, error, uv_angles, uv_areas, uv_checker };
 
 // RenderSettings say how the picture is made; they are part of the document. Colours are linear.
 struct RenderSettings {

@@ -62,12 +62,23 @@ struct LatticeShape {
     glm::ivec3 orders{4}; // 2..6 each, at most as many as there are control points
     bool operator==(const LatticeShape&) const = default;
 };
+// A HeightShape is a square sheet whose points stand as high as a picture is bright
+// (core/mesh/height_sheet.h): a tile that displaces what it covers.
+struct HeightShape {
+    std::string image = {}, image_hash = {}; // named as an ImportedFile is
+    double size = 1;                         // metres
+    double height = 0.1;                     // metres from black to white
+    double level = 0;                        // the brightness that stays on the ground
+    int segments = 64;                       // along each side
+    bool repeats = true; // the picture goes on over its border, so that copies fit
+    bool operator==(const HeightShape&) const = default;
+};
 struct GroupShape {
     bool operator==(const GroupShape&) const = default;
 }; // no shape: a parent for others
 using Source =
     std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape, CylinderShape,
-                 TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape>;
+                 TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape, HeightShape>;
 
 // Whether a source is a parent for others: a group, or a lattice round them.
 inline bool holds_others(const Source& source)

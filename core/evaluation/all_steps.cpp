@@ -7,6 +7,7 @@
 #include "core/evaluation/riding.h"
 #include "core/evaluation/simplifying.h"
 #include "core/evaluation/tiling.h"
+#include "core/evaluation/unwrapping.h"
 
 namespace trivar {
 namespace {
@@ -32,6 +33,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
 {
     std::vector<std::unique_ptr<Step>> steps;
     steps.push_back(std::make_unique<SimplifyingStep>());
+    steps.push_back(std::make_unique<UnwrappingStep>());
     const auto carriages = std::make_shared<Carriages>();
     steps.push_back(std::make_unique<Laying>(carriages));
     steps.push_back(std::make_unique<Moving>());

@@ -58,13 +58,15 @@ double mean_length(const Covering& covering, std::span<const SurfacePoint> point
     return count > 0 ? sum / count : 0;
 }
 
-std::vector<glm::dvec3> middles_of(const Covering& covering, std::span<const SurfacePoint> points)
+std::vector<SurfacePoint> middles_of(const Covering& covering, std::span<const SurfacePoint> points)
 {
-    std::vector<glm::dvec3> out(covering.tiles().size());
+    std::vector<SurfacePoint> out(covering.tiles().size());
     parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const Covering::Spot spot = covering.spot(covering.tiles()[k], {0.5, 0.5});
-            out[k] = tile_point(covering.patch(spot.cell, points), {spot.uv, 0}).p;
+            const TilePoint at = tile_point(covering.patch(spot.cell, points), {spot.uv, 0});
+            const double length = glm::length(at.z);
+            out[k] = {at.p, length > 0 ? at.z / length : glm::dvec3(0, 0, 1)};
         }
     });
     return out;

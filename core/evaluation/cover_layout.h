@@ -19,7 +19,7 @@ struct CoverLayout {
     std::vector<std::uint32_t> piece_of_chart; // the same
     std::vector<std::uint32_t> first_point;    // of each piece in the facets' points
     std::size_t point_count = 0;               // of these points
-    std::vector<glm::dvec3> middles;           // of the tiles
+    std::vector<SurfacePoint> middles;         // of the tiles
 };
 
 // `tile_size` is as for a Covering. Trouble is written into the layout.

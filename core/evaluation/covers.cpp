@@ -26,11 +26,23 @@ constexpr std::uint32_t height_purpose = 200;
 
 enum : int { patched_piece = 1, meshed_piece = 2 }; // of a PartKey; 0 are painted tiles
 
+// Heights stand in z = 0 and not on their lowest point.
+Box box_of_kind(const TileKind& kind, const glm::dmat4& turned)
+{
+    Box box = box_at_rest(kind.parts, turned * kind.turned);
+    if (kind.from_zero && !box.empty()) {
+        box.lo.z = 0;
+        box.hi.z = std::max(0.0, box.hi.z);
+    }
+    return box;
+}
+
 // The box of the model that fills a cell. Cells are entered at quarter turns.
 CoverCell cover_cell(const Box& box, const TileLook& look)
 {
     if (box.empty()) return {};
-    return {box.lo, glm::max(box.size(), glm::dvec3(1e-9)), look.sink, look.scale};
+    const Box cell = unit_cell_in(box, look);
+    return {cell.lo, glm::max(cell.size(), glm::dvec3(1e-9)), look.sink, look.scale};
 }
 
 glm::dmat4 quarter_turns(double turn_deg)
@@ -46,24 +58,37 @@ std::uint32_t seed_of(const TileCover& cover, std::size_t tile)
 }
 
 // How much of it each tile shows. Tiles grow from the lowest one up.
-void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& tiling)
+void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& tiling,
+                 const std::vector<MaskFactors>& masked)
 {
     const TileLook& look = tiling.look;
     const TileCover& cover = tiling.cover;
-    if (cover.height_variation == 0 && look.growth >= 1 && look.wave == 0) return;
+    if (cover.height_variation == 0 && look.growth >= 1 && look.wave == 0 && masked.empty()) return;
     double lo = 1e300, hi = -1e300;
-    for (const glm::dvec3& p : layout.middles) lo = std::min(lo, p.z), hi = std::max(hi, p.z);
+    for (const SurfacePoint& at : layout.middles)
+        lo = std::min(lo, at.p.z), hi = std::max(hi, at.p.z);
     TileLayout in_time;
     in_time.duration_s = 1;
     for (std::size_t k = 0; k < layout.middles.size(); ++k) {
         Tile tile;
         tile.seed = seed_of(cover, k);
-        tile.time_s = hi > lo ? (layout.middles[k].z - lo) / (hi - lo) : 0;
-        const TileMotion motion = motion_of(look, in_time, tile, layout.middles[k]);
+        tile.time_s = hi > lo ? (layout.middles[k].p.z - lo) / (hi - lo) : 0;
+        const TileMotion motion = motion_of(look, in_time, tile, layout.middles[k].p);
         const double varied = 1 - cover.height_variation * random_share(tile.seed, height_purpose);
-        pose.factors.push_back(motion.size * motion.height * varied);
-        pose.scales.push_back(motion.size);
+        double size = motion.size;
+        if (!masked.empty()) size *= is_there(tile.seed, masked[k].density) ? masked[k].scale : 0;
+        pose.factors.push_back(size * motion.height * varied);
+        pose.scales.push_back(size);
     }
+}
+
+// A height on the base's model as it is in the world.
+double even_height(const CoverInput& input, const std::vector<Part>& parts,
+                   const CoverLayout& layout, double height)
+{
+    if (layout.rest.empty()) return height;
+    const RestToWorld way(parts.front(), input.pieces.front().to_model);
+    return height * way.scale(layout.rest.front().p);
 }
 
 // The tiles of one kind.
@@ -141,11 +166,29 @@ Ref<CoverLayout> Covers::layout(const CoverInput& input, const glm::dvec2& size)
     });
 }
 
+Ref<Covers::CoverMasks> Covers::masks(const CoverInput& input, const Ref<CoverLayout>& layout)
+{
+    const FoundMasks& found = input.masks;
+    if (!found.masks) return make_ref(CoverMasks{});
+    return masks_({layout, found.masks, found.textured}, [&] {
+        return timed(input.timings, "tiles", [&] {
+            CoverMasks out;
+            if (found.drive(MaskDrives::density) || found.drive(MaskDrives::scale) ||
+                found.drive(MaskDrives::morph))
+                out.tiles = found.at(layout->middles);
+            if (found.drive(MaskDrives::height))
+                for (const MaskFactors& each : found.at(layout->rest))
+                    out.heights.push_back(each.height);
+            return make_ref(std::move(out));
+        });
+    });
+}
+
 CoverParts Covers::operator()(const CoverInput& input)
 {
     CoverParts out;
     const TileCover& cover = input.tiling.cover;
-    if (cover.pattern == TilePattern::none) return out;
+    if (cover.pattern == TilePattern::none || cover.pattern == TilePattern::texture) return out;
     if (!input.limit.trouble.empty()) {
         out.notices.push_back(input.limit.trouble);
         return out;
@@ -155,9 +198,10 @@ CoverParts Covers::operator()(const CoverInput& input)
     std::vector<CoverCell> cells;
     double highest = 0; // of all kinds, in lengths of a tile
     for (const TileKind& kind : input.kinds.all) {
-        const Box box = box_at_rest(kind.parts, turned * kind.turned);
+        const Box box = box_of_kind(kind, turned);
         const CoverCell& cell = cells.emplace_back(cover_cell(box, look));
-        const double reach = reach_over(box, kind.parts, turned * kind.turned);
+        const double reach = reach_over(box, kind.parts, turned * kind.turned) -
+                             (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
         highest = std::max(highest, (reach - look.sink * cell.size.z) / cell.size.x);
     }
     const glm::dvec3& first = cells.front().size;
@@ -171,9 +215,11 @@ CoverParts Covers::operator()(const CoverInput& input)
     if (laid->crowded)
         out.notices.push_back("its tiles are smaller than their size says: each face of what they "
                               "cover carries one at least");
+    const Ref<CoverMasks> masked = masks(input, laid);
     std::vector<std::size_t> kind_of_tile, counts(cells.size(), 0);
     for (std::size_t k = 0; k < covering.tiles().size(); ++k) {
-        kind_of_tile.push_back(input.kinds.of(seed_of(cover, k)));
+        kind_of_tile.push_back(
+            input.kinds.of(seed_of(cover, k), masked->tiles.empty() ? 1 : masked->tiles[k].morph));
         counts[kind_of_tile.back()] += input.members.size();
     }
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {
@@ -185,7 +231,12 @@ CoverParts Covers::operator()(const CoverInput& input)
         timed(input.timings, "tiles", [&] {
             CoveringPose pose = pose_of(*laid, input.pieces, parts);
             pose.heights = heights_along_rows(covering, pose.points, look.height);
-            set_factors(pose, *laid, input.tiling);
+            if (cover.even_height)
+                std::ranges::fill(pose.heights,
+                                  even_height(input, parts, *laid, first.x * look.height));
+            for (std::size_t n = 0; n < masked->heights.size(); ++n)
+                pose.heights[n] *= masked->heights[n];
+            set_factors(pose, *laid, input.tiling, masked->tiles);
             GuardedHeights guarded;
             if (look.guard) {
                 const double most =

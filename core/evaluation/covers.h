@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluation/masking.h"
 #include "core/evaluation/tile_kinds.h"
 #include "core/evaluation/tiled_base.h"
 #include "core/tiles/tile_counts.h"
@@ -16,6 +17,7 @@ struct CoverInput {
     const TiledPieces& pieces;
     const FoundLimit& limit;
     const std::map<int, std::vector<Part>>& members; // of the base
+    const FoundMasks& masks;
     Timings& timings;
 };
 struct CoverParts {
@@ -53,9 +55,21 @@ private:
         Ref<Mesh> mesh; // with the materials of the layer
         Ref<TileModel> tile;
     };
+    struct MaskKey {
+        Ref<CoverLayout> layout;
+        Ref<TileMasks> masks;
+        Ref<TileBase> textured;
+        bool operator==(const MaskKey&) const = default;
+    };
+    struct CoverMasks {
+        std::vector<MaskFactors> tiles; // #tiles; empty: 1
+        std::vector<double> heights;    // factors of the nodes; empty: 1
+    };
     Ref<CoverLayout> layout(const CoverInput& input, const glm::dvec2& size);
+    Ref<CoverMasks> masks(const CoverInput& input, const Ref<CoverLayout>& layout);
 
     Recent<LayoutKey, Ref<CoverLayout>> layouts_;
+    Recent<MaskKey, Ref<CoverMasks>> masks_;
     Recent<ModelKey, CoverModel> models_{64};
 };
 

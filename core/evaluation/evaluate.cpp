@@ -118,7 +118,7 @@ struct Evaluator::Cache {
         std::vector<std::unique_ptr<Step>> steps = all_steps();
         Recent<std::pair<Ref<Stage>, std::optional<Surfacing>>, Ref<EvaluatedObject>> finished;
     };
-    explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
+    explicit Cache(Ref<AssetStore> store) : assets(store), shapes(std::move(store)) {}
     // Forgets what neither the document nor a kept result uses. An object that undo brings back is
     // computed again.
     void forget_unused(const Document& document)
@@ -128,6 +128,7 @@ struct Evaluator::Cache {
         shapes.forget_unused();
     }
 
+    Ref<AssetStore> assets;
     Shapes shapes;
     RayMeshes ray_meshes;
     std::map<Id, ObjectCache> objects;
@@ -153,8 +154,9 @@ Evaluation Evaluator::operator()(const Document& still, double frame, const Prog
             kept.shape->empty()) // a missing file may have come back
             kept.shape = cache_->shapes(ref->source, result.timings, progress);
         kept.object = ref;
-        const StepInput input{document,       id,      *ref, frame, done, cache_->ray_meshes,
-                              result.timings, progress};
+        const StepInput input{document,       id,       *ref,
+                              frame,          done,     cache_->ray_meshes,
+                              result.timings, progress, *cache_->assets};
         Ref<Stage> stage = kept.begun(kept.shape, [&] { return make_ref(begun(kept.shape)); });
         for (const std::unique_ptr<Step>& step : kept.steps) stage = (*step)(stage, input);
         const Ref<EvaluatedObject>& object = kept.finished(

@@ -2,6 +2,7 @@
 #include "core/evaluation/shapes.h"
 
 #include "core/base/rejected.h"
+#include "core/mesh/height_sheet.h"
 #include "core/mesh/primitives.h"
 
 #include <algorithm>
@@ -62,6 +63,16 @@ Model primitive(const TextShape&)
     return {};
 }
 
+Model primitive(const HeightShape&)
+{
+    return {};
+}
+
+HeightSheet sheet_of(const HeightShape& s)
+{
+    return {s.size, s.height, s.level, s.segments, s.repeats ? ImageEdge::repeat : ImageEdge::stay};
+}
+
 struct Letters {
     Model model; // with its notices
     std::vector<std::string> lacks;
@@ -112,6 +123,17 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
             shape.notices.insert(shape.notices.begin(), shape.model->notices.begin(),
                                  shape.model->notices.end());
             shape.lacks.insert(shape.lacks.begin(), made.lacks.begin(), made.lacks.end());
+        } else if (const auto* heights = std::get_if<HeightShape>(&source)) {
+            const AssetStore::LoadedImage loaded = timed(timings, "import", [&] {
+                return assets_->load_image(heights->image, heights->image_hash);
+            });
+            missing = !loaded.image;
+            shape = shape_of(
+                make_ref(loaded.image ? model_of(height_sheet(*loaded.image, sheet_of(*heights)))
+                                      : Model{}));
+            shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
+                                 loaded.notices.end());
+            if (missing) shape.lacks = loaded.notices;
         } else
             shape = shape_of(timed(timings, "import", [&] {
                 return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));

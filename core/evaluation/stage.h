@@ -7,6 +7,7 @@
 #include "core/evaluation/walk.h"
 #include "core/placement/shaper.h"
 #include "core/refinement/refine.h"
+#include "core/unwrap/unwrap.h"
 
 #include <limits>
 #include <string>
@@ -69,9 +70,14 @@ struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
 };
 
+struct UnwrappingEffects {
+    Ref<UnwrapFacts> unwrapped; // null: its texture coordinates are those of its file
+};
+
 // A Stage is what some of an object's steps have made of it. A step changes a copy and returns
 // that, so that a stage never changes once another step has seen it.
 struct Stage : SimplifyingEffects,
+               UnwrappingEffects,
                LayingEffects,
                LatticeEffects,
                CarriageEffects,

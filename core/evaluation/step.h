@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/document/document.h"
+#include "core/document/asset_store.h"
 #include "core/evaluation/evaluated.h"
 #include "core/evaluation/ray_meshes.h"
 
@@ -22,6 +22,7 @@ struct StepInput {
     RayMeshes& ray_meshes;
     Timings& timings;
     const Progress& progress;
+    const AssetStore& assets; // for pictures
 
     double seconds_since(int start_frame) const
     {

@@ -33,6 +33,13 @@ const Clip* clip_of(const Shape& shape, const Playing& playing)
     return clip != shape.model->clips.end() ? &*clip : nullptr;
 }
 
+bool morph_is_masked(const Tiling& tiling)
+{
+    return std::ranges::any_of(tiling.masks, [](const TileMask& mask) {
+        return !mask.hidden && mask.drives == MaskDrives::morph;
+    });
+}
+
 bool can_become(const std::vector<Part>& from, const std::vector<Part>& to)
 {
     return std::ranges::equal(
@@ -48,12 +55,16 @@ std::size_t vertex_count(const std::vector<Part>& parts)
 
 } // namespace
 
-std::size_t TileKinds::of(std::uint32_t seed, double painted_morph) const
+std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painted_morph) const
 {
     const Mixed& object = objects[kind_of(seed, weights)];
     const auto phases = static_cast<double>(object.phases);
-    const std::size_t phase = std::min(
-        object.phases - 1, static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
+    const auto phase =
+        object.masked
+            ? static_cast<std::size_t>(
+                  std::lround(std::clamp(masked_morph, 0.0, 1.0) * (phases - 1)))
+            : std::min(object.phases - 1,
+                       static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
     std::size_t nearest = 0;
     for (std::size_t m = 1; m < object.morphs; ++m)
         if (std::abs(morphs[m] - painted_morph) < std::abs(morphs[nearest] - painted_morph))
@@ -88,12 +99,38 @@ double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm:
     return reach;
 }
 
-TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned)
+Box unit_cell_in(const Box& box, const TileLook& look)
 {
-    const Box box = box_at_rest(parts, turned);
+    if (box.empty()) return box;
+    const glm::dvec3 size = box.size();
+    Box cell = box;
+    cell.lo += glm::dvec3(look.cell_x0, look.cell_y0, look.base_level) * size;
+    cell.hi -= glm::dvec3(1 - look.cell_x1, 1 - look.cell_y1, 0) * size;
+    cell.hi = glm::max(cell.hi, cell.lo + 1e-9 * size);
+    return cell;
+}
+
+TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, const TileLook& look)
+{
+    const Box whole = box_at_rest(parts, turned), box = unit_cell_in(whole, look);
     const glm::dvec3 size = box.size(), middle = box.center();
     const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
-    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(box, parts, turned)};
+    TileCell cell{
+        {middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, reach_over(whole, parts, turned)};
+    if (box.lo == whole.lo && box.hi == whole.hi) return cell;
+    cell.top = std::max(0.0, cell.top - (box.lo.z - whole.lo.z));
+    const glm::dvec2 away = glm::max(glm::dvec2(whole.hi - middle), glm::dvec2(middle - whole.lo));
+    cell.reach = std::max(1.0, 2 * std::max(away.x, away.y) / side);
+    return cell;
+}
+
+TileCell tile_cell(const TileKind& kind, const TileLook& look)
+{
+    TileCell cell = tile_cell(kind.parts, kind.turned, look);
+    if (!kind.from_zero) return cell;
+    cell.top = std::max(0.0, cell.middle_of_floor.z + cell.top);
+    cell.middle_of_floor.z = 0;
+    return cell;
 }
 
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
@@ -122,11 +159,11 @@ TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInp
     return {};
 }
 
-void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share)
+void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look)
 {
     if (share == 0) return;
-    const TileCell own = tile_cell(kind.parts, kind.turned),
-                   other = tile_cell(morph.into, morph.turned);
+    const TileCell own = tile_cell(kind.parts, kind.turned, look),
+                   other = tile_cell(morph.into, morph.turned, look);
     // Both fill the same cell.
     glm::dmat4 to_own(own.side / other.side);
     to_own[3] = glm::dvec4(own.middle_of_floor - own.side / other.side * other.middle_of_floor, 1);
@@ -152,7 +189,8 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     const TileLook& look = input.object.tiles->look;
     const Clip* clip = clip_of(*stage.shape, object.playing);
     const bool plays_apart = clip && look.clip_variation > 0,
-               morphs_apart = !morph.into.empty() && look.morph_variation > 0;
+               masked = !morph.into.empty() && morph_is_masked(*input.object.tiles),
+               morphs_apart = masked || (!morph.into.empty() && look.morph_variation > 0);
     const int phases = plays_apart || morphs_apart ? look.phases : 1;
     Posing& posing = posings_[id];
     posing.keep(3 * static_cast<std::size_t>(phases));
@@ -161,6 +199,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
+        kind.from_zero = std::holds_alternative<HeightShape>(object.source);
         if (plays_apart && k > 0) {
             Playing playing = object.playing;
             playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);
@@ -171,11 +210,12 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
             out.push_back(std::move(kind));
             continue;
         }
-        const double all = morph_of(look, phases > 1 ? k / (phases - 1.0) : 0);
+        const double share = phases > 1 ? k / (phases - 1.0) : 0,
+                     all = masked ? look.morph * share : morph_of(look, share);
         for (const double more : painted) { // which leads up to the other shape and not beyond
             TileKind& moved = out.emplace_back(kind);
             const double least = std::min(0.0, all), most = std::max(1.0, all);
-            move_on(moved, morph, std::clamp(all + more, least, most));
+            move_on(moved, morph, std::clamp(all + more, least, most), look);
         }
     }
     return out;
@@ -208,6 +248,7 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
     const Morph morph = morph_of_layer(layer, input, kinds.trouble);
     add(phases_of(input.id, layer, morph, painted, input), tiling.weight, nullptr,
         morph.into.empty() ? 1 : painted.size());
+    kinds.objects.front().masked = !morph.into.empty() && morph_is_masked(tiling);
     for (const MixedTile& each : tiling.others) {
         const auto found = input.done.find(each.object);
         if (found == input.done.end() || found->second->parts.empty() ||

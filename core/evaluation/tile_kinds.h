@@ -16,6 +16,7 @@ struct TileKind {
     Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
     std::uint32_t first_material = 0;               // of its materials among those of the layer
     int first_mesh = 0;                             // of its meshes among those of the layer
+    bool from_zero = false; // it stands in z = 0, as heights do, and not on its lowest point
     bool operator==(const TileKind&) const = default;
 };
 
@@ -24,6 +25,7 @@ struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
         std::size_t morphs = 1; // number of painted morphs in each phase
+        bool masked = false;    // a mask chooses the phase, from not yet morphed to altogether
         bool operator==(const Mixed&) const = default;
     };
     std::vector<TileKind> all;
@@ -32,8 +34,9 @@ struct TileKinds {
     std::string trouble;         // why tiles do not become what they should; empty: they do
     bool operator==(const TileKinds&) const = default;
 
-    // The kind of a tile: its seed chooses the object and the phase.
-    std::size_t of(std::uint32_t seed, double painted_morph = 0) const;
+    // The kind of a tile: its seed chooses the object and the phase; where a mask says how far it
+    // has morphed, that chooses the phase.
+    std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0) const;
     std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };
 
@@ -46,8 +49,12 @@ Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the height over the floor of that box up to which the parts reach: its own, or more where
 // their pose lifts them. Metres; O(#V) of posed parts.
 double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
+// Gives the part of a box that fills the place of a tile, from the level that lies on the surface
+// up. The box itself where the look asks for no other.
+Box unit_cell_in(const Box& box, const TileLook& look);
 // Gives the box of an object's parts that becomes a tile.
-TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned);
+TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, const TileLook& look);
+TileCell tile_cell(const TileKind& kind, const TileLook& look);
 
 // Gives the materials of the objects that are mixed in, behind one another; null: there are none.
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);
@@ -70,7 +77,7 @@ private:
     std::vector<TileKind> phases_of(Id id, const Stage& stage, const Morph& morph,
                                     const std::vector<double>& painted, const StepInput& input);
     // Poses parts as far on their way to what they become as the share says.
-    void move_on(TileKind& kind, const Morph& morph, double share);
+    void move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look);
 
     struct MorphKey {
         Ref<Mesh> from, into;

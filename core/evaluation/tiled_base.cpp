@@ -118,4 +118,27 @@ std::vector<char> mirrored_parts(const TiledPieces& pieces, const std::vector<Pa
     return out;
 }
 
+BasePose pose_of(const TileBase& base, const std::vector<Part>& parts,
+                 const std::vector<char>& mirrored)
+{
+    BasePose pose;
+    pose.points.reserve(base.points().size());
+    for (const Part& part : parts) {
+        const Mesh& mesh = *part.mesh();
+        const std::size_t before = pose.points.size();
+        pose.points.resize(before + point_count(mesh));
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+            pose.points[before + mesh.point(v)] =
+                glm::dvec3(part.to_world * glm::dvec4(mesh.positions[v], 1));
+    }
+    std::vector<glm::uvec3> triangles;
+    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) {
+        triangles.push_back(base.triangle(t));
+        // A mirror on the way to the world turns the faces round, as it does in the picture.
+        if (mirrored[base.piece_of(t)]) std::swap(triangles.back().y, triangles.back().z);
+    }
+    pose.normals = angle_normals(pose.points, triangles);
+    return pose;
+}
+
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
+#include "core/tiles/chart.h"
 #include "core/tiles/limit_base.h"
 
 namespace trivar {
@@ -61,5 +62,9 @@ private:
 std::vector<RestToWorld> ways_to_world(const TiledPieces& pieces, const std::vector<Part>& parts);
 // For each part whether what is shown is a mirror image of it at rest.
 std::vector<char> mirrored_parts(const TiledPieces& pieces, const std::vector<Part>& parts);
+
+// The points of a base as its parts stand. `mirrored` is mirrored_parts(). O(#triangles).
+BasePose pose_of(const TileBase& base, const std::vector<Part>& parts,
+                 const std::vector<char>& mirrored);
 
 } // namespace trivar

@@ -20,29 +20,6 @@ constexpr double below_limit = 0.98;
 // Tiles that have grown to less than this share of their size are not shown.
 constexpr double smallest = 1e-3;
 
-BasePose pose_of(const TileBase& base, const std::vector<Part>& parts,
-                 const std::vector<char>& mirrored)
-{
-    BasePose pose;
-    pose.points.reserve(base.points().size());
-    for (const Part& part : parts) {
-        const Mesh& mesh = *part.mesh();
-        const std::size_t before = pose.points.size();
-        pose.points.resize(before + point_count(mesh));
-        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-            pose.points[before + mesh.point(v)] =
-                glm::dvec3(part.to_world * glm::dvec4(mesh.positions[v], 1));
-    }
-    std::vector<glm::uvec3> triangles;
-    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) {
-        triangles.push_back(base.triangle(t));
-        // A mirror on the way to the world turns the faces round, as it does in the picture.
-        if (mirrored[base.piece_of(t)]) std::swap(triangles.back().y, triangles.back().z);
-    }
-    pose.normals = angle_normals(pose.points, triangles);
-    return pose;
-}
-
 double side_in_world(const TilePatch& patch)
 {
     const auto at = [&](double x, double y) { return tile_point(patch, {x, y, 0}).p; };
@@ -92,11 +69,24 @@ std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base
     return out;
 }
 
+// The kinds of the tiles of a layout, and what masks make of each.
+struct LaidKinds {
+    std::vector<std::size_t> kinds;                    // of each tile
+    std::vector<TileCell> cells;                       // of each kind
+    const std::vector<MaskFactors>* factors = nullptr; // of each tile; null: 1
+
+    bool has(std::size_t i, const Tile& tile) const
+    {
+        return !factors ||
+               ((*factors)[i].scale >= smallest && is_there(tile.seed, (*factors)[i].density));
+    }
+};
+
 // The tiles of a layout where one member of its base stands, by their patches. `overlapping`: those
 // that are left out; null: none.
 std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout& layout,
                                          const TileCharts& charts, std::vector<TilePatch> patches,
-                                         const TileLook& look,
+                                         const TileLook& look, const LaidKinds& laid,
                                          const Ref<std::vector<char>>& overlapping)
 {
     using Fate = StandingTile::Fate;
@@ -106,15 +96,18 @@ std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout&
             StandingTile& tile = out[i];
             const TileMotion motion =
                 motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
-            tile.fate = charts.cut(i) > most_cut           ? Fate::at_border
-                        : motion.size < smallest           ? Fate::not_grown
+            const double reach = laid.cells[laid.kinds[i]].reach;
+            tile.fate = !laid.has(i, layout.tiles[i])      ? Fate::not_there
+                        : charts.cut(i) > most_cut         ? Fate::at_border
+                        : motion.size < smallest           ? Fate::not_there
                         : overlapping && (*overlapping)[i] ? Fate::overlapping
                                                            : Fate::there;
             if (tile.fate != Fate::there) continue;
             tile.patch = patches[i];
             if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
             tile.side = side_in_world(tile.patch);
-            if (look.guard) tile.limit = fold_limit(tile.patch);
+            if (look.guard)
+                tile.limit = fold_limit(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
         }
     });
     return out;
@@ -125,8 +118,7 @@ std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout&
 // heights of the look up to which none is lowered; they only fall.
 void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
                  const TileLayout& layout, const std::vector<StandingTile>& standing,
-                 const TileLook& look, const std::vector<std::size_t>& kinds,
-                 const std::vector<TileCell>& cells, TileCounts& told,
+                 const TileLook& look, const LaidKinds& of, TileCounts& told,
                  std::vector<double>& height_limits)
 {
     enum class Guarded : char { as_wanted, lowered, folded };
@@ -139,11 +131,12 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
             if (there.fate != StandingTile::Fate::there) continue;
             PlacedTile& tile = all[i];
             const Tile& laid = layout.tiles[i];
-            const TileCell& cell = cells[kinds[i]];
+            const TileCell& cell = of.cells[of.kinds[i]];
+            const double masked = of.factors ? (*of.factors)[i].height : 1;
             const TileMotion motion = motion_of(look, layout, laid, base.position(laid.at));
             tile.patch = there.patch;
             tile.tint = glm::vec3(laid.tint);
-            tile.height = there.side * laid.height * look.height * motion.height;
+            tile.height = there.side * laid.height * look.height * motion.height * masked;
             const double top = tile.height * cell.top / cell.side;
             tile.base = -look.sink * top;
             if (!look.guard) continue;
@@ -152,8 +145,8 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
                 continue;
             }
             const double proven = below_limit * there.limit;
-            const double per_height =
-                there.side * laid.height * motion.height * cell.top / cell.side * (1 - look.sink);
+            const double per_height = there.side * laid.height * motion.height * masked * cell.top /
+                                      cell.side * (1 - look.sink);
             if (per_height > 0) limits[i] = proven / per_height;
             const double highest = std::max(0.0, top + tile.base);
             tile.of_limit = static_cast<float>(highest / proven);
@@ -172,9 +165,10 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
         told.lowered += guarded[i] == Guarded::lowered;
         told.folded += guarded[i] == Guarded::folded;
         if (guarded[i] == Guarded::folded) continue;
-        double& limit = height_limits[static_cast<std::size_t>(layout.tiles[i].stroke)];
+        const auto stroke = static_cast<std::size_t>(layout.tiles[i].stroke);
+        double& limit = height_limits[std::min(stroke, height_limits.size() - 1)];
         limit = std::min(limit, limits[i]);
-        out[kinds[i]].push_back(std::move(all[i]));
+        out[of.kinds[i]].push_back(std::move(all[i]));
     }
 }
 
@@ -264,10 +258,11 @@ Ref<TileCharts> TilingStep::charts(const FoundLimit& limit, const Ref<TileBase>&
 }
 
 TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLimit& limit,
-                                        const StepInput& input)
+                                        const FoundMasks& masks, const StepInput& input)
 {
     const Tiling& tiling = *input.object.tiles;
-    if (tiling.strokes.empty()) return {};
+    const bool by_texture = tiling.cover.pattern == TilePattern::texture;
+    if (tiling.strokes.empty() && !by_texture) return {};
     Ref<TileBase> base(limit.base, limit.base ? &limit.base->triangles() : nullptr);
     if (!base) {
         Pieces meshes;
@@ -280,24 +275,35 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
             return smooth ? TileCurvature(smooth) : TileCurvature(*base);
         });
     });
-    const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
+    Ref<TileLayout> whole = layouts_({base, tiling.strokes}, [&] {
         return timed(input.timings, "tiles", [&] {
             return make_ref(layout_of(*base, tiling.strokes, input.progress, &curvature));
         });
     });
+    Ref<TextureLayout> others;
+    if (by_texture) {
+        others = timed(input.timings, "tiles", [&] {
+            return textures_(pieces, base, limit.base != nullptr, tiling.cover);
+        });
+        whole = joined_({whole, others}, [&] { return make_ref(joined(*whole, *others)); });
+    }
+    const auto& [layout, factors] =
+        timed(input.timings, "tiles", [&] { return masks_of_.masked(base, whole, masks); });
     const TileLook& look = tiling.look;
     const SlideKey key{base, layout, look.turn_deg, look.scale, look.slide_x, look.slide_y};
     const Ref<TileLayout> slid =
         look.slide_x == 0 && look.slide_y == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    return {base, slid, charts(limit, base, slid, look, input.timings)};
+    return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};
 }
 
 Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKinds& kinds,
                                             const TileLook& look, Timings& timings)
 {
-    OverlapKey key{strokes.layout, look.turn_deg, look.scale, !look.overlaps, {}, kinds.weights};
+    OverlapKey key{strokes.layout, look.turn_deg, look.scale, !look.overlaps, strokes.factors, {},
+                   kinds.weights};
+    const LaidKinds laid{{}, {}, strokes.factors.get()};
     for (const TileKind& kind : kinds.all) {
         const glm::dvec3 size = box_at_rest(kind.parts, kind.turned).size();
         key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
@@ -309,12 +315,11 @@ Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKi
             parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     const Tile& tile = tiles[i];
-                    if (!std::isfinite(tile.size)) continue; // a border stopped it
+                    if (!std::isfinite(tile.size) || !laid.has(i, tile)) continue;
                     const glm::dvec3 n = strokes.base->normal(tile.at);
                     outlines[i] = {strokes.base->position(tile.at),
                                    turned_about(tile.x, n, glm::radians(look.turn_deg)), n,
-                                   tile.size * look.scale *
-                                       key.halves[kinds.of(tile.seed, tile.morph)]};
+                                   tile.size * look.scale * key.halves[kinds.of(tile.seed)]};
                 }
             });
             return make_ref(look.overlaps ? overlapping(outlines) : overlapping_earlier(outlines));
@@ -336,12 +341,13 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const TiledPieces pieces =
         pieces_of(*shown, object(input.document, tiling.base), members.begin()->second);
     const FoundLimit limit = limits_(pieces);
-    const Painted strokes = painted(pieces, limit, input);
+    const FoundMasks masks = masks_of_(pieces, input);
+    const Painted strokes = painted(pieces, limit, masks, input);
     const TileLook& look = tiling.look;
     const TileKinds of_layer = kinds_of_(
         *before, input,
         painted_morphs(strokes.layout ? strokes.layout->tiles : std::vector<Tile>(), look.phases));
-    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer}, [&] {
+    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
@@ -349,10 +355,14 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         TileCounts told;
         if (strokes.charts) {
             std::vector<TileCell> cells;
-            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind.parts, kind.turned));
-            std::vector<std::size_t> kind_of_tile, counts;
-            for (const Tile& tile : strokes.layout->tiles)
-                kind_of_tile.push_back(of_layer.of(tile.seed, tile.morph));
+            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind, look));
+            std::vector<std::size_t> counts;
+            LaidKinds laid{{}, std::move(cells), strokes.factors.get()};
+            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i) {
+                const Tile& tile = strokes.layout->tiles[i];
+                laid.kinds.push_back(of_layer.of(
+                    tile.seed, strokes.factors ? (*strokes.factors)[i].morph : 1, tile.morph));
+            }
             const Ref<std::vector<char>> overlapping =
                 overlaps(strokes, of_layer, look, input.timings);
             stage.painted = strokes.layout->tiles.size();
@@ -360,8 +370,10 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                 stage.overlapping =
                     static_cast<std::size_t>(std::ranges::count(*overlapping, char(1)));
             const Ref<std::vector<char>> left_out = look.overlaps ? nullptr : overlapping;
-            const StandingKey standing_key{shown,       strokes.charts,       left_out,
-                                           look.growth, look.growth_softness, look.guard};
+            StandingKey standing_key{shown,     strokes.charts,   left_out,    strokes.factors,
+                                     {},        of_layer.weights, look.growth, look.growth_softness,
+                                     look.guard};
+            for (const TileCell& cell : laid.cells) standing_key.reaches.push_back(cell.reach);
             const Ref<Members> standing = standing_(standing_key, [&] {
                 return timed(input.timings, "tiles", [&] {
                     Members out;
@@ -370,19 +382,20 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                             out[member] = standing_tiles(
                                 *strokes.base, *strokes.layout, *strokes.charts,
                                 patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
-                                left_out);
+                                laid, left_out);
                     return make_ref(std::move(out));
                 });
             });
             std::vector<std::vector<PlacedTile>> all(kinds.size());
-            stage.stroke_limits.assign(tiling.strokes.size(),
+            stage.stroke_limits.assign(tiling.strokes.size() + 1,
                                        std::numeric_limits<double>::infinity());
             for (const auto& [member, tiles] : *standing)
                 timed(input.timings, "tiles", [&] {
-                    place_tiles(all, *strokes.base, *strokes.layout, tiles, look, kind_of_tile,
-                                cells, told, stage.stroke_limits);
+                    place_tiles(all, *strokes.base, *strokes.layout, tiles, look, laid, told,
+                                stage.stroke_limits);
                 });
             stage.height_limit = *std::ranges::min_element(stage.stroke_limits);
+            stage.stroke_limits.pop_back();
             for (const auto& of_kind : all) counts.push_back(of_kind.size());
             if (const std::string words = too_many_words(kinds, counts); !words.empty())
                 return refused(before, words);
@@ -391,7 +404,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                 const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
                 for (const Part& part : kinds[k].parts) {
                     if (part.rest->positions.empty()) continue;
-                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, cells[k]);
+                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, laid.cells[k]);
                     PartKey key = part.key;
                     key.mesh += kinds[k].first_mesh;
                     stage.parts.push_back(timed(input.timings, "tiles", [&] {
@@ -400,14 +413,27 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                 }
             }
         }
+        StrandParts strands;
+        if (strokes.layout)
+            strands = strands_({tiling, of_layer, strokes.base, strokes.layout, pieces, limit,
+                                members, input.timings});
+        stage.parts.insert(stage.parts.end(), strands.parts.begin(), strands.parts.end());
+        told += strands.counts;
         if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
-        CoverParts cover = covers_({tiling, of_layer, pieces, limit, members, input.timings});
+        CoverParts cover =
+            covers_({tiling, of_layer, pieces, limit, members, masks, input.timings});
         stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
         told += cover.counts;
         if (cover.of_limit > 0 && look.height > 0)
             stage.height_limit = std::min(stage.height_limit, look.height / cover.of_limit);
+        if (strokes.by_texture)
+            stage.notices.insert(stage.notices.end(), strokes.by_texture->notices.begin(),
+                                 strokes.by_texture->notices.end());
+        stage.notices.insert(stage.notices.end(), strands.notices.begin(), strands.notices.end());
         tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
         stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
+        stage.notices.insert(stage.notices.end(), masks.notices.begin(), masks.notices.end());
+        stage.lacks.insert(stage.lacks.end(), masks.lacks.begin(), masks.lacks.end());
         return make_ref(std::move(stage));
     });
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "core/evaluation/covers.h"
+#include "core/evaluation/masking.h"
+#include "core/evaluation/strands.h"
+#include "core/evaluation/texture_tiles.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
@@ -20,7 +23,7 @@ struct TileCharts {
 // A StandingTile is a painted tile where its base stands at a frame, before it is known how high it
 // is to be.
 struct StandingTile {
-    enum class Fate : char { there, at_border, not_grown, overlapping } fate = Fate::there;
+    enum class Fate : char { there, at_border, not_there, overlapping } fate = Fate::there;
     TilePatch patch;
     double side = 0; // metres in the world
     // up to which it is proven not to fold, metres in the world; 0: it folds in itself
@@ -56,12 +59,15 @@ private:
         TileLook look;
         TileCover cover;
         TileKinds kinds;
+        FoundMasks masks;
         bool operator==(const Key&) const = default;
     };
     struct StandingKey {
         Ref<EvaluatedObject> base;
         Ref<TileCharts> charts;
         Ref<std::vector<char>> overlapping;
+        Ref<std::vector<MaskFactors>> factors;
+        std::vector<double> reaches, weights; // of the kinds
         double growth, growth_softness;
         bool guard;
         bool operator==(const StandingKey&) const = default;
@@ -70,15 +76,18 @@ private:
         Ref<TileLayout> layout;
         double turn_deg, scale;
         bool left_out;
+        Ref<std::vector<MaskFactors>> factors;
         std::vector<glm::dvec2> halves; // of the kinds
         std::vector<double> weights;
         bool operator==(const OverlapKey&) const = default;
     };
     using Members = std::map<int, std::vector<StandingTile>>; // by member of the base
-    struct Painted {                                          // all null where there are no strokes
+    struct Painted { // all null where there are neither strokes nor tiles by texture
         Ref<TileBase> base;
         Ref<TileLayout> layout;
         Ref<TileCharts> charts;
+        Ref<TextureLayout> by_texture;         // null: none
+        Ref<std::vector<MaskFactors>> factors; // of the masks; null: 1
     };
     struct LastCharts { // of which those of tiles that stay are taken over
         Ref<TileBase> base;
@@ -88,7 +97,8 @@ private:
     };
     Ref<TileCharts> charts(const FoundLimit& limit, const Ref<TileBase>& base,
                            const Ref<TileLayout>& layout, const TileLook& look, Timings& timings);
-    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const StepInput& input);
+    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const FoundMasks& masks,
+                    const StepInput& input);
     // Of each tile whether it overlaps another one, or where such are left out, an earlier one.
     Ref<std::vector<char>> overlaps(const Painted& strokes, const TileKinds& kinds,
                                     const TileLook& look, Timings& timings);
@@ -97,13 +107,17 @@ private:
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
     Recent<Ref<TileBase>, Lazy<TileCurvature>> curvatures_;
+    TextureTiles textures_;
+    Recent<std::pair<Ref<TileLayout>, Ref<TextureLayout>>, Ref<TileLayout>> joined_;
     Recent<SlideKey, Ref<TileLayout>> slides_;
     Recent<ChartKey, Ref<TileCharts>> charts_;
     LastCharts last_;
     Recent<OverlapKey, Ref<std::vector<char>>> overlaps_;
     Recent<StandingKey, Ref<Members>> standing_{1}; // 800 bytes per tile
     TileKindsOf kinds_of_;
+    MasksOf masks_of_;
     Covers covers_;
+    Strands strands_;
     Recent<Key, Ref<Stage>> shown_;
 };
 

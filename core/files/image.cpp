@@ -9,6 +9,8 @@
 #include "core/files/pictures/pixels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -59,11 +61,12 @@ PictureReader::PictureReader(PictureReader&&) noexcept = default;
 PictureReader& PictureReader::operator=(PictureReader&&) noexcept = default;
 
 DecodeResult PictureReader::decoded(std::string_view bytes, const std::string& name,
-                                    const std::vector<std::string>& tags, const TakeRows& take)
+                                    const std::vector<std::string>& tags, const TakeRows& take,
+                                    bool numbers)
 {
     const PictureKind& kind = picture_kind(bytes, name);
     const PictureHead head = picture_head(bytes, name, Look::whole);
-    const DecodeTask task{bytes, kind.format, head.size_px, tags};
+    const DecodeTask task{bytes, kind.format, head.size_px, tags, numbers};
     const std::uint64_t row = 4 * static_cast<std::uint64_t>(head.size_px.x);
     const std::uint64_t all = row * static_cast<unsigned>(head.size_px.y);
     std::uint64_t taken = 0;
@@ -110,6 +113,36 @@ Image PictureReader::read(const std::string& path)
     return read_bytes(trivar::read_bytes(path, max_file_bytes), path);
 }
 
+GreyImage PictureReader::read_grey(const std::string& path)
+{
+    const std::string bytes = trivar::read_bytes(path, max_file_bytes);
+    GreyImage image;
+    image.size_px = picture_size(bytes, path);
+    const auto pixels =
+        static_cast<std::uint64_t>(image.size_px.x) * static_cast<unsigned>(image.size_px.y);
+    if (pixels > max_grey_pixels)
+        throw Rejected(fmt::format("{}: has {} x {} pixels; at most {} million are read as a mask "
+                                   "or as heights, so make it smaller",
+                                   path, image.size_px.x, image.size_px.y,
+                                   max_grey_pixels / 1'000'000));
+    decoded(
+        bytes, path, {},
+        [&](std::span<const std::uint8_t> rows) {
+            const std::size_t before = image.values.size(), more = rows.size() / sizeof(float);
+            image.values.resize(before + more);
+            std::memcpy(image.values.data() + before, rows.data(), more * sizeof(float));
+        },
+        true);
+    for (float& value : image.values) {
+        constexpr float most = 1e6f;
+        if (!(std::abs(value) <= most)) {
+            image.no_numbers += 1;
+            value = 0;
+        }
+    }
+    return image;
+}
+
 ImageHead PictureReader::head(const std::string& path, const std::vector<std::string>& tags)
 {
     const std::string bytes = trivar::read_bytes(path, max_file_bytes);
@@ -120,6 +153,11 @@ ImageHead PictureReader::head(const std::string& path, const std::vector<std::st
 Image read_image(const std::string& path)
 {
     return PictureReader().read(path);
+}
+
+GreyImage read_grey_image(const std::string& path)
+{
+    return PictureReader().read_grey(path);
 }
 
 glm::ivec2 picture_size(std::string_view bytes, const std::string& name)

@@ -3,6 +3,7 @@
 
 #include "core/files/image_tags.h"
 #include "core/mesh/deep_image.h"
+#include "core/mesh/grey_image.h"
 #include "core/mesh/model.h"
 
 #include <cstdint>
@@ -42,17 +43,25 @@ public:
 
     Image read(const std::string& path);
     Image read_bytes(std::string_view bytes, const std::string& name);
+    GreyImage read_grey(const std::string& path);
     ImageHead head(const std::string& path, const std::vector<std::string>& tags);
 
 private:
     DecodeResult decoded(std::string_view bytes, const std::string& name,
                          const std::vector<std::string>& tags,
-                         const std::function<void(std::span<const std::uint8_t>)>& take);
+                         const std::function<void(std::span<const std::uint8_t>)>& take,
+                         bool numbers = false);
     std::unique_ptr<ApartDecoder> apart_;
 };
 
 // A single picture, as PictureReader reads it.
 Image read_image(const std::string& path);
+
+// A picture as numbers and not as colours: 8 and 16 bits from 0 to 1 as they are stored, floating
+// point as it is; of colours the luminance. What is no number counts as 0 and is counted. Throws
+// Rejected as PictureReader does, and for more than max_grey_pixels.
+constexpr std::uint64_t max_grey_pixels = std::uint64_t{1} << 26;
+GreyImage read_grey_image(const std::string& path);
 
 // Width and height from the file's head alone. Throws Rejected; the rest of the file may still be
 // damaged.

@@ -27,6 +27,8 @@ SampleOrder order_for(const fs::path& file, const fs::path& made_by)
         return {file.stem().string(), models};
     if (file.extension() == ".obj" && file.parent_path() == models / "cages")
         return {"cages", models}; // all at once
+    if (file.extension() == ".png" && file.parent_path() == models / "pictures")
+        return {"pictures", models};
     return {};
 }
 

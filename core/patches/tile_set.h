@@ -12,8 +12,9 @@ namespace trivar {
 // patch, its longer side along x or y fills the patch, and its floor lies on the base.
 struct TileCell {
     glm::dvec3 middle_of_floor{0};
-    double side = 1; // metres
-    double top = 1;  // height over the floor
+    double side = 1;  // metres
+    double top = 1;   // height over the floor
+    double reach = 1; // how many times as wide as its place the tile is, about its middle
     bool operator==(const TileCell&) const = default;
 };
 

@@ -21,6 +21,15 @@ std::string content_of(const ImportedFile& file, const AssetStore& assets, bool 
     return loaded.content;
 }
 
+std::string content_of_image(const std::string& path, const AssetStore& assets,
+                             bool missing_is_well)
+{
+    const AssetStore::LoadedImage loaded = assets.load_image(path, {});
+    if (loaded.hash.empty() && !missing_is_well)
+        throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
+    return loaded.hash;
+}
+
 std::string content_of(const TextShape& text, const AssetStore& assets)
 {
     try {
@@ -52,6 +61,11 @@ std::string digest_of_files(const Document& document, const AssetStore& assets,
         } else if (const auto* text = std::get_if<TextShape>(&object->source)) {
             contents["font " + text->font] = content_of(*text, assets);
         }
+    for (const auto& [id, object] : document.objects)
+        for (const NamedFile& file : files_named(*object))
+            if (file.kind == NamedFile::Kind::image)
+                contents["image " + file.path] =
+                    content_of_image(file.path, assets, missing_is_well);
     if (contents.empty()) return {};
     Digest digest;
     for (const auto& [name, content] : contents) {

@@ -10,32 +10,43 @@
 namespace trivar {
 namespace {
 
-// Returns the files that a command names, which can be changed if the command can.
+// Returns the names of the files that a command names, which can be changed if the command can.
 template <class C> auto files_of(C& command)
 {
-    using File = std::conditional_t<std::is_const_v<C>, const ImportedFile, ImportedFile>;
-    std::vector<File*> files;
-    if (auto* import = std::get_if<ImportModel>(&command)) files.push_back(&import->file);
-    if (auto* edit = std::get_if<EditImport>(&command)) files.push_back(&edit->file);
+    using Name = std::conditional_t<std::is_const_v<C>, const std::string, std::string>;
+    std::vector<Name*> files;
+    const auto add = [&](auto& name) {
+        if (!name.empty()) files.push_back(&name);
+    };
+    if (auto* import = std::get_if<ImportModel>(&command)) add(import->file.path);
+    if (auto* edit = std::get_if<EditImport>(&command)) add(edit->file.path);
     if (auto* relink = std::get_if<Relink>(&command))
-        for (auto& file : relink->files) files.push_back(&file);
+        for (auto& file : relink->files) add(file.path);
     if (auto* kept = std::get_if<KeepShape>(&command))
-        for (auto& file : kept->files) files.push_back(&file);
-    if (auto* final_shape = std::get_if<ApplyShape>(&command)) files.push_back(&final_shape->file);
+        for (auto& file : kept->files) add(file.path);
+    if (auto* final_shape = std::get_if<ApplyShape>(&command)) add(final_shape->file.path);
+    if (auto* mask = std::get_if<MaskTiles>(&command)) add(mask->mask.image);
+    if (auto* heights = std::get_if<AddHeights>(&command)) add(heights->shape.image);
+    if (auto* heights = std::get_if<SetHeights>(&command)) add(heights->shape.image);
+    if (auto* heights = std::get_if<Displace>(&command)) add(heights->shape.image);
     if (auto* paste = std::get_if<Paste>(&command))
-        for (auto& copy : paste->copies)
-            if (copy.file) files.push_back(&*copy.file);
+        for (auto& copy : paste->copies) {
+            if (copy.file) add(copy.file->path);
+            if (copy.heights) add(copy.heights->image);
+            if (copy.tiling)
+                for (auto& mask : copy.tiling->masks) add(mask.mask.image);
+        }
     return files;
 }
 
-bool is_relative(const ImportedFile* file)
+bool is_relative(const std::string* file)
 {
-    return std::filesystem::path(file->path).is_relative();
+    return std::filesystem::path(*file).is_relative();
 }
 
-std::filesystem::path absolute(const ImportedFile& file, const std::filesystem::path& folder)
+std::filesystem::path absolute(const std::string& file, const std::filesystem::path& folder)
 {
-    return (folder / file.path).lexically_normal();
+    return (folder / file).lexically_normal();
 }
 
 // Finds a name for a copy of the file that is free or has the same content.
@@ -57,7 +68,7 @@ NewPaths shapes_brought(const History& history, const std::filesystem::path& fro
                         const std::filesystem::path& to, Copies& copies)
 {
     NewPaths brought;
-    const auto bring = [&](const ImportedFile& file) {
+    const auto bring = [&](const std::string& file) {
         const std::filesystem::path path = absolute(file, from);
         std::error_code ignored;
         if (brought.contains(path) || !is_kept_shape(path, from) ||
@@ -69,7 +80,7 @@ NewPaths shapes_brought(const History& history, const std::filesystem::path& fro
     };
     history.retell(
         [&](const History::Step& step) {
-            for (const ImportedFile* file : files_of(step.command)) bring(*file);
+            for (const std::string* file : files_of(step.command)) bring(*file);
         },
         [] {});
     return brought;
@@ -82,12 +93,12 @@ History moved(const History& history, const std::filesystem::path& from,
     history.retell(
         [&](const History::Step& step) {
             Command command = step.command;
-            for (ImportedFile* file : files_of(command)) {
+            for (std::string* file : files_of(command)) {
                 if (!is_relative(file)) continue;
                 const std::filesystem::path path = absolute(*file, from);
                 const auto found = brought.find(path);
                 const std::filesystem::path& now = found == brought.end() ? path : found->second;
-                file->path = now.lexically_relative(to).string();
+                *file = now.lexically_relative(to).string();
             }
             result.run(std::move(command), step.note);
         },

@@ -31,27 +31,35 @@ TileChart chart_of(const TileBase& base, const Tile& tile, double turn_deg, doub
     return chart;
 }
 
+SurfacePoint posed(const TileBase& base, const BasePose& pose, const SurfacePlace& at,
+                   const glm::dvec3& beyond)
+{
+    const glm::uvec3& t = base.triangle(at.triangle);
+    SurfacePoint out{glm::dvec3(0), glm::dvec3(0)};
+    for (int c = 0; c < 3; ++c) {
+        out.p += at.weights[c] * pose.points[t[c]];
+        out.normal += at.weights[c] * pose.normals[t[c]];
+    }
+    const double length = glm::length(out.normal);
+    out.normal = length > 0 ? out.normal / length : glm::dvec3(0, 0, 1);
+    if (beyond == glm::dvec3(0)) return out;
+    const glm::dvec3 &a = base.points()[t.x], &b = base.points()[t.y], &c = base.points()[t.z];
+    const glm::dvec3 f = base.face_normal(at.triangle);
+    const glm::dmat3 rest(b - a, c - a, f * glm::length(b - a));
+    if (glm::determinant(rest) == 0) return out;
+    const glm::dvec3 &pa = pose.points[t.x], &pb = pose.points[t.y], &pc = pose.points[t.z];
+    const glm::dvec3 share = glm::inverse(rest) * beyond;
+    out.p += share.x * (pb - pa) + share.y * (pc - pa);
+    return out;
+}
+
 TilePatch patch_of(const TileBase& base, const BasePose& pose, const TileChart& chart)
 {
     std::array<glm::dvec3, 16> p{}, n{};
     for (std::size_t k = 0; k < 16; ++k) {
-        const SurfacePlace& at = chart.nodes[k];
-        const glm::uvec3& t = base.triangle(at.triangle);
-        for (int c = 0; c < 3; ++c) {
-            p[k] += at.weights[c] * pose.points[t[c]];
-            n[k] += at.weights[c] * pose.normals[t[c]];
-        }
-        const double length = glm::length(n[k]);
-        n[k] = length > 0 ? n[k] / length : glm::dvec3(0, 0, 1);
-        if (chart.beyond[k] == glm::dvec3(0)) continue;
-        // The missing piece moves with the triangle.
-        const glm::dvec3 &a = base.points()[t.x], &b = base.points()[t.y], &c = base.points()[t.z];
-        const glm::dvec3 f = base.face_normal(at.triangle);
-        const glm::dmat3 rest(b - a, c - a, f * glm::length(b - a));
-        if (glm::determinant(rest) == 0) continue;
-        const glm::dvec3 &pa = pose.points[t.x], &pb = pose.points[t.y], &pc = pose.points[t.z];
-        const glm::dvec3 share = glm::inverse(rest) * chart.beyond[k];
-        p[k] += share.x * (pb - pa) + share.y * (pc - pa);
+        const SurfacePoint node = posed(base, pose, chart.nodes[k], chart.beyond[k]);
+        p[k] = node.p;
+        n[k] = node.normal;
     }
     return {through_nodes(p), through_nodes(n)};
 }

@@ -25,6 +25,11 @@ struct BasePose {
     std::vector<glm::dvec3> points, normals; // #points of the TileBase
 };
 
+// Where a place of the base is now, with the normal there. `beyond` is what a border cut off of the
+// way to it, in the space of the model; it moves with the triangle.
+SurfacePoint posed(const TileBase& base, const BasePose& pose, const SurfacePlace& at,
+                   const glm::dvec3& beyond);
+
 // The patch of a tile where the base is now.
 TilePatch patch_of(const TileBase& base, const BasePose& pose, const TileChart& chart);
 

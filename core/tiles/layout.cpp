@@ -132,10 +132,18 @@ private:
             return;
         }
         case TileBrush::adjust: adjust_tiles(laid_, stroke, path, image_of(stroke, path)); return;
+        case TileBrush::strand:
+            strand(stroke, number, path);
+            strand(stroke, number, image_of(stroke, path));
+            break;
         default: {
             std::vector<StrokeStep> both = path;
             const std::vector<StrokeStep> image = image_of(stroke, path);
             both.insert(both.end(), image.begin(), image.end());
+            std::vector<StrandPoint> points;
+            for (const StrokeStep& each : both)
+                points.push_back({{each.p, each.n}, 0, each.pressure});
+            change_strands(out_.strands, base_, stroke, points);
             change_tiles(laid_, stroke, both);
             return;
         }
@@ -304,6 +312,16 @@ private:
             }
             next = gone - length;
         }
+    }
+
+    void strand(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
+    {
+        if (path.empty()) return;
+        std::vector<StrandPoint> points;
+        for (const StrokeStep& each : path)
+            points.push_back({{each.p, each.n}, each.time_s, each.pressure});
+        add_strand(out_.strands, base_, stroke, number, std::move(points));
+        out_.too_many |= out_.strands.cells.size() >= most_tiles;
     }
 
     void fill(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)

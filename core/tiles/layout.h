@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/tiles/strand.h"
 #include "core/tiles/tile.h"
 #include "core/tiles/tile_curvature.h"
 #include "core/tiles/tile_stroke.h"
@@ -10,6 +11,7 @@ namespace trivar {
 
 struct TileLayout {
     std::vector<Tile> tiles;
+    StrandLayout strands;  // laid end to end, besides
     double duration_s = 0; // of all strokes that lay tiles
     int lost = 0;          // number of samples that are on no surface any more
     bool too_many = false; // there would be more than most_tiles, or too many tries found no room

@@ -18,6 +18,7 @@ enum class TileBrush {
     resize,  // makes tiles larger, or smaller where the strength is negative
     raise,   // makes tiles higher, or lower where the strength is negative
     grab,    // takes tiles to another place: the first one to the last sample
+    strand,  // lays tiles end to end: each shares its ends with those before and behind it
     color,   // brings the colours of tiles nearer to its own
     morph,   // lets tiles become the layer's other shape, or what they were
     adjust,  // turns, scales or removes single tiles
@@ -55,6 +56,9 @@ struct TileStroke {
     double strength = 0.5; // of comb, resize, raise, color and morph; -1..1
     int seed = 1;
     bool hidden = false; // it does nothing
+    double width = 1;    // of a strand: factor of the width of its tiles
+    double taper = 0;   // of a strand: 0..1, the share by which it is narrower and lower at its end
+    bool apart = false; // of a strand: its ends do not join with others near them
     glm::dvec3 point{0}; // that tiles head to, on the model
     TileArea area = {};  // of a fill
     TileMirror mirror = {};
@@ -84,6 +88,13 @@ struct TileLook {
     int phases = 8;               // number of tiles that differ so; the others are like one of them
     double slide_x = 0, slide_y = 0; // how far tiles have gone along their own axes, in sides
     bool overlaps = true;            // tiles that overlap earlier ones stay; else they are left out
+    // The unit cell: the part of the tile's box, in shares of its sides, that fills the place of a
+    // tile; what lies outside of it reaches over the tiles beside it.
+    double cell_x0 = 0, cell_x1 = 1, cell_y0 = 0, cell_y1 = 1;
+    double base_level = 0;    // what lies on the surface, as a share of the box's height
+    double overlap = 0;       // of strands: how far tiles reach into the next ones, in cells
+    double roll_deg = 0;      // of strands: turn of all tiles about the strand
+    double alternate_deg = 0; // of strands: turn of every other tile about the strand, besides
     bool operator==(const TileLook&) const = default;
 };
 

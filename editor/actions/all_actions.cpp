@@ -7,12 +7,14 @@
 #include "editor/actions/help_actions.h"
 #include "editor/actions/key_actions.h"
 #include "editor/actions/lattice_actions.h"
+#include "editor/actions/mask_actions.h"
 #include "editor/actions/model_actions.h"
 #include "editor/actions/placement_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
 #include "editor/actions/tile_actions.h"
 #include "editor/actions/time_actions.h"
+#include "editor/actions/unwrap_actions.h"
 #include "editor/actions/view_actions.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
@@ -48,6 +50,8 @@ std::vector<Action> all_actions()
     add_file_actions(a);
     add_edit_actions(a);
     add_tile_actions(a);
+    add_unwrap_actions(a);
+    add_mask_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
     a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {

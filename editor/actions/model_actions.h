@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/action.h"
+#include "editor/tools/tool.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ enum class ModelUse {
 struct OwnModel {
     const char *name, *file;
     ModelUse use = ModelUse::laid;
+    TileFit fit = {}; // of one that is painted
 };
 const std::vector<OwnModel>& own_models();
 // The file of the model, with its folder.

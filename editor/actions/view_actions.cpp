@@ -99,6 +99,9 @@ void add_view_actions(std::vector<Action>& a)
     a.back().group_begins = true;
     colored_by("Colour by stretch", ColorBy::stretch);
     colored_by("Colour by error", ColorBy::error);
+    colored_by("Colour by UV angles", ColorBy::uv_angles);
+    colored_by("Colour by UV areas", ColorBy::uv_areas);
+    colored_by("UV checker", ColorBy::uv_checker);
     add_view_tolerances(a);
     a.push_back({"View",
                  "Frame selection",

@@ -5,6 +5,7 @@
 #include "core/certificate/certificate.h"
 #include "core/certificate/film_check.h"
 #include "core/document/document_digest.h"
+#include "core/export/animated_model.h"
 #include "core/files/formats.h"
 #include "core/files/glb_differences.h"
 #include "core/scene/log.h"

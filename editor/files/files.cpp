@@ -73,6 +73,13 @@ const std::vector<std::string>& export_extensions()
     return extensions;
 }
 
+const std::vector<std::string>& image_extensions()
+{
+    static const std::vector<std::string> extensions{".png",  ".jpg",  ".jpeg", ".exr", ".tif",
+                                                     ".tiff", ".webp", ".hdr",  ".tga", ".bmp"};
+    return extensions;
+}
+
 void Files::keep_or(std::function<void()> go_on)
 {
     const Session& s = *session_;
@@ -126,6 +133,7 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
         start = scene_folder_.empty() ? fs::current_path(ignored) : fs::path(scene_folder_);
     if (!session_->scene().path().empty()) start = session_->scene().folder();
     if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
+    if (purpose == Purpose::image && !image_folder_.empty()) start = image_folder_;
     if (purpose == Purpose::take_up) start = session_->unnamed_folder();
     if (purpose == Purpose::relink) start = folder_of(*session_, relinked_).value_or(start);
     dialog_.open(std::move(request), start);
@@ -159,6 +167,14 @@ void Files::ask_import()
                                    .action = "Import",
                                    .extensions = model_extensions(),
                                    .name = {}});
+}
+
+void Files::ask_image(const std::string& title, std::function<void(const std::string&)> then)
+{
+    then_image_ = std::move(then);
+    ask_for_file(
+        Purpose::image,
+        {.title = title, .action = "Use picture", .extensions = image_extensions(), .name = {}});
 }
 
 void Files::ask_relink(Id object)
@@ -367,6 +383,10 @@ void Files::use_file(const std::string& path)
     case Purpose::import:
         import_folder_ = fs::path(path).parent_path().string();
         return import(path);
+    case Purpose::image:
+        image_folder_ = fs::path(path).parent_path().string();
+        if (then_image_) then_image_(path);
+        return;
     case Purpose::relink: return relink(*session_, relinked_, path);
     case Purpose::write_model: return write_model_to(path, dialog_.option_on());
     case Purpose::save_as: return write_scene(path, false, true);

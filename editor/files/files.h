@@ -14,7 +14,10 @@
 namespace trivar {
 
 const std::vector<std::string>& model_extensions(); // that can be imported
+bool is_model(const std::string& path);             // of a file, by its extension
+bool is_picture(const std::string& path);           // of a file, by its extension
 const std::vector<std::string>& export_extensions();
+const std::vector<std::string>& image_extensions(); // that can be read as masks and heights
 inline constexpr const char* scene_extension = ".trivar";
 
 // Files is everything that a person reads and writes: dialogs, drops, questions. Reading and
@@ -28,6 +31,8 @@ public:
     void ask_open();
     void ask_discarded(); // which of them comes back
     void ask_import();
+    // A picture; `then` is called with its path.
+    void ask_image(const std::string& title, std::function<void(const std::string&)> then);
     void ask_relink(Id object);                    // another file for an imported model
     void ask_missing();                            // for the first whose file is not there
     void ask_export(const std::string& path = {}); // to that file, at first
@@ -50,7 +55,8 @@ public:
     // Writes what is visible, as committed; with a certificate where something is refined. With
     // instances, a .glb has one mesh per tile type.
     void write_model_to(const std::string& path, bool instances = false);
-    void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
+    // Scenes open, models are imported, a picture is used.
+    void take_dropped(const std::vector<std::string>& paths);
     // The same in the next frame in which no dialog or menu is open.
     void drop(const std::vector<std::string>& paths);
     void ask_close();
@@ -68,10 +74,12 @@ public:
     // From the preferences: where dialogs begin that have no better place, and whether it is asked
     // what becomes of a scene without a name.
     std::string scenes_folder, models_folder;
+    // What is done with a picture that was dropped.
+    std::function<void(const std::string&)> use_dropped_image;
     bool ask_to_keep = true;
 
 private:
-    enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
+    enum class Purpose { open, take_up, import, image, relink, write_model, save_as, save_compact };
     // A Batch is files that came together: what cannot be read of them is told once, at the end.
     struct Batch {
         std::size_t coming = 0;
@@ -117,6 +125,8 @@ private:
     Recovery* recovery_;
     std::weak_ptr<const Present> opening_; // its job has it
     ui::FileDialog dialog_;
+    std::function<void(const std::string&)> then_image_;
+    std::string image_folder_;  // of the last picture that was chosen
     std::string import_folder_; // of the last model that was imported by the dialog
     std::string scene_folder_;  // of the last scene that was opened or saved
     std::vector<Id> to_measure_;

@@ -17,7 +17,6 @@
 
 namespace trivar {
 namespace fs = std::filesystem;
-namespace {
 
 bool is_model(const std::string& path)
 {
@@ -25,7 +24,11 @@ bool is_model(const std::string& path)
     return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
 }
 
-} // namespace
+bool is_picture(const std::string& path)
+{
+    const auto& known = image_extensions();
+    return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
+}
 
 void Files::open_scene(const std::string& path)
 {
@@ -218,7 +221,7 @@ void Files::drop(const std::vector<std::string>& paths)
 
 void Files::take_dropped(const std::vector<std::string>& paths)
 {
-    std::vector<std::string> scenes, models;
+    std::vector<std::string> scenes, models, images;
     const auto batch = std::make_shared<Batch>();
     std::error_code ignored;
     for (const std::string& path : paths)
@@ -229,6 +232,8 @@ void Files::take_dropped(const std::vector<std::string>& paths)
             scenes.push_back(path);
         else if (is_model(path))
             models.push_back(path);
+        else if (is_picture(path) && use_dropped_image)
+            images.push_back(path);
         else
             batch->lost.push_back({file_name(path), "Trivar reads scenes (.trivar) and models: "
                                                     "glTF, OBJ, PLY, STL, OFF"});
@@ -238,6 +243,7 @@ void Files::take_dropped(const std::vector<std::string>& paths)
     const bool fresh = session_->committed().objects.empty();
     for (const std::string& path : models) read_model_of(path, fresh, batch);
     if (models.empty()) tell_lost(*batch);
+    if (!images.empty()) use_dropped_image(images.back());
     if (!scenes.empty()) open_scene(scenes.back());
 }
 

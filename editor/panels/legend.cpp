@@ -28,7 +28,7 @@ struct Legend {
     std::string title;
     std::array<std::string, 3> marks;      // at the lower end, in the middle and at the upper end
     glm::vec3 (*color)(float t) = nullptr; // -1..1
-    bool folds = false;                    // what is turned inside out has a colour of its own
+    std::string turned = {}; // the word for what is turned inside out; empty: nothing is
 };
 
 std::string millimetres(double metres)
@@ -45,13 +45,23 @@ std::optional<Legend> legend_of(const Session& session)
     }
     const Document& document = session.document();
     const ColorBy by = document.render->color_by;
-    if (by == ColorBy::material) return std::nullopt;
+    if (by == ColorBy::material || by == ColorBy::uv_checker) return std::nullopt;
     if (by == ColorBy::stretch)
         return Legend{"Local volume relative to the average",
                       {"half", "average", "double"},
                       gpu::diverging_color,
-                      true};
+                      "folded"};
+    if (by == ColorBy::uv_areas)
+        return Legend{"Area in the texture, relative to the average",
+                      {"half", "average", "double"},
+                      gpu::diverging_color,
+                      "mirrored"};
     const auto color = [](float t) { return gpu::sequential_color((t + 1) / 2); };
+    if (by == ColorBy::uv_angles)
+        return Legend{"Stretch one way, relative to the other",
+                      {"none", "1.4 times", "double"},
+                      color,
+                      "mirrored"};
     const std::optional<double> tolerance = shown_tolerance(document);
     if (!tolerance)
         return Legend{
@@ -90,7 +100,7 @@ std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& the
     ui::paint_card(theme, card);
     ui::lower_area("legend", card); // takes the clicks
     const float left = card.lo.x + theme.px(12);
-    const float width = theme.px(legend->folds ? 204 : 268);
+    const float width = theme.px(legend->turned.empty() ? 268 : 204);
     const auto words = [&](float from, float to, const std::string& text, ui::Align align) {
         ui::paint_text(theme.font.small,
                        {{from, card.lo.y + theme.px(46)}, {to, card.lo.y + theme.px(64)}},
@@ -113,12 +123,12 @@ std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& the
     words(left, left + width, legend->marks[0], ui::Align::left);
     words(left, left + width, legend->marks[1], ui::Align::center);
     words(left, left + width, legend->marks[2], ui::Align::right);
-    if (legend->folds) {
+    if (!legend->turned.empty()) {
         const float x = left + width + theme.px(12);
         const ui::Rect folded{{x, top}, {x + theme.px(40), bottom}};
         draw_folded(theme, folded);
         rim(folded);
-        words(x, x + theme.px(52), "folded", ui::Align::left);
+        words(x, x + theme.px(52), legend->turned, ui::Align::left);
     }
     return card;
 }

@@ -15,16 +15,19 @@ constexpr float curve_width_px = 1.6f; // in a picture of the usual height
 
 std::optional<gpu::ValueColors> colors_of(ColorBy by)
 {
-    if (by == ColorBy::material) return std::nullopt;
-    if (by == ColorBy::stretch) return gpu::ValueColors{};
-    return gpu::ValueColors{.diverging = false, .range = shown_errors};
+    if (by == ColorBy::material || by == ColorBy::uv_checker) return std::nullopt;
+    if (by == ColorBy::stretch || by == ColorBy::uv_areas) return gpu::ValueColors{};
+    return gpu::ValueColors{.diverging = false,
+                            .range = by == ColorBy::error ? shown_errors : shown_uv_angles};
 }
 
 Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t part,
                                   const Document& document, ShownValues& values)
 {
     const ColorBy by = document.render->color_by;
-    if (by == ColorBy::material) return nullptr;
+    if (by == ColorBy::material || by == ColorBy::uv_checker) return nullptr;
+    if (by == ColorBy::uv_angles) return values.uvs_of(object, part, UvMeasure::angles);
+    if (by == ColorBy::uv_areas) return values.uvs_of(object, part, UvMeasure::areas);
     if (by == ColorBy::stretch) return values.stretch_of(object.parts[part]);
     const auto cause = document.objects.find(object.id);
     if (cause == document.objects.end()) return nullptr; // deleted since it was evaluated
@@ -61,6 +64,9 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
                 if (part.bent || part.posed) instance.rest = part.rest;
             }
             instance.values = values_of(*ref, p, document, values);
+            if (document.render->color_by == ColorBy::uv_checker && instance.mesh &&
+                !instance.mesh->uvs.empty() && ref->materials)
+                instance.materials = values.checkered(ref->materials->size());
             picture.instances.push_back(std::move(instance));
         }
     constexpr double usual_height_px = 720;

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/evaluation/refining.h"
 #include "core/ffd/volume_change.h"
+#include "editor/picture/checker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,42 @@ Ref<std::vector<float>> ShownValues::error_of(const EvaluatedObject& object, std
         for (float& v : values) v = std::clamp(v / tolerance, least, most);
         return values;
     });
+}
+
+Ref<std::vector<float>> ShownValues::uvs_of(const EvaluatedObject& object, std::size_t part,
+                                            UvMeasure measure)
+{
+    if (object.parts.at(part).drawn_from_tiles()) return nullptr;
+    double usual = 1;
+    if (measure == UvMeasure::areas) {
+        UvAreas all;
+        for (const Part& each : object.parts) {
+            if (each.drawn_from_tiles()) continue;
+            const Ref<Mesh>& mesh = each.rest;
+            KnownAreas& known = areas_[mesh.get()];
+            if (known.alive.lock() != mesh) known = {mesh, uv_areas(*mesh)};
+            all.of_texture += known.areas.of_texture;
+            all.of_surface += known.areas.of_surface;
+        }
+        if (all.of_texture > 0 && all.of_surface > 0) usual = all.of_texture / all.of_surface;
+        std::erase_if(areas_, [](const auto& known) { return known.second.alive.expired(); });
+    }
+    const Ref<Mesh>& mesh = object.parts[part].rest;
+    KnownUvs& known = uvs_[{mesh.get(), measure, usual}];
+    if (known.alive.lock() != mesh) {
+        std::vector<float> values = uv_values(*mesh, measure, usual);
+        known = {mesh, values.empty() ? nullptr : make_ref(std::move(values))};
+    }
+    const Ref<std::vector<float>> out = known.values;
+    std::erase_if(uvs_, [](const auto& each) { return each.second.alive.expired(); });
+    return out;
+}
+
+Ref<std::vector<Material>> ShownValues::checkered(std::size_t count)
+{
+    Ref<std::vector<Material>>& known = checkered_[count];
+    if (!known) known = make_ref(std::vector<Material>(count, checker_material()));
+    return known;
 }
 
 std::optional<double> shown_tolerance(const Document& document)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/evaluate.h"
+#include "core/unwrap/uv_stretch.h"
 
 #include <map>
 #include <optional>
@@ -21,6 +22,13 @@ public:
     Ref<std::vector<float>> error_of(const EvaluatedObject& object, std::size_t part,
                                      const Refining& refining);
 
+    // What the UVs of a part do to angles or areas, relative to the mean of the object's parts.
+    // Null where it has none, and for tiles.
+    Ref<std::vector<float>> uvs_of(const EvaluatedObject& object, std::size_t part,
+                                   UvMeasure measure);
+    // As many materials, all with a checkered texture.
+    Ref<std::vector<Material>> checkered(std::size_t count);
+
 private:
     // The key beside the part; a tolerance of 0 means the stretch.
     using By = std::tuple<double, BoundMethod, RefinementRule>;
@@ -30,10 +38,23 @@ private:
         Ref<std::vector<float>> values;
     };
     std::map<std::pair<const Deformation*, By>, KnownValues> known_;
+    struct KnownUvs {
+        std::weak_ptr<const Mesh> alive;
+        Ref<std::vector<float>> values;
+    };
+    std::map<std::tuple<const Mesh*, UvMeasure, double>, KnownUvs> uvs_;
+    struct KnownAreas {
+        std::weak_ptr<const Mesh> alive;
+        UvAreas areas;
+    };
+    std::map<const Mesh*, KnownAreas> areas_;
+    std::map<std::size_t, Ref<std::vector<Material>>> checkered_; // by count
 };
 
 // The range of shown errors, relative to the tolerance, as log2: from an eighth to eight times.
 inline constexpr glm::vec2 shown_errors(-3, 3);
+// The range of shown changes of angles, as log2: none to twice.
+inline constexpr glm::vec2 shown_uv_angles(0, 1);
 
 // The tolerance of all visible objects that lie in a volume; empty where they differ. An object
 // without a tolerance counts with that of a new refinement.

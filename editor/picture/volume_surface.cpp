@@ -51,24 +51,22 @@ VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts,
     const bool many = std::ranges::count(verdicts.of, of) > few,
                outside = many || of == Verdict::excepted;
     const std::array steps = many ? std::array{1, 1, 1} : std::array{3, 3, 3};
-    const auto is = [&](const glm::ivec3& at_cell) {
-        return verdicts
-                   .of[static_cast<std::size_t>((at_cell.x * n.y + at_cell.y) * n.z + at_cell.z)] ==
-               of;
+    const auto is = [&](const glm::ivec3& span) {
+        return verdicts.of[static_cast<std::size_t>((span.x * n.y + span.y) * n.z + span.z)] == of;
     };
-    for (glm::ivec3 at_cell(0); at_cell.x < n.x; ++at_cell.x)
-        for (at_cell.y = 0; at_cell.y < n.y; ++at_cell.y)
-            for (at_cell.z = 0; at_cell.z < n.z; ++at_cell.z) {
-                if (!is(at_cell)) continue;
+    for (glm::ivec3 span(0); span.x < n.x; ++span.x)
+        for (span.y = 0; span.y < n.y; ++span.y)
+            for (span.z = 0; span.z < n.z; ++span.z) {
+                if (!is(span)) continue;
                 glm::dvec3 lo, hi;
                 for (int a = 0; a < 3; ++a) {
                     const auto& breaks = verdicts.breaks[static_cast<std::size_t>(a)];
-                    lo[a] = breaks[static_cast<std::size_t>(at_cell[a])];
-                    hi[a] = breaks[static_cast<std::size_t>(at_cell[a] + 1)];
+                    lo[a] = breaks[static_cast<std::size_t>(span[a])];
+                    hi[a] = breaks[static_cast<std::size_t>(span[a] + 1)];
                 }
                 add_box(out, volume, lo, hi, steps, [&](int axis, bool end) {
                     if (!outside) return true;
-                    glm::ivec3 next = at_cell;
+                    glm::ivec3 next = span;
                     next[axis] += end ? 1 : -1;
                     return next[axis] < 0 || next[axis] >= n[axis] || !is(next);
                 });

@@ -41,7 +41,8 @@ bool is_tile_layer(const Document& document, Id id)
 
 bool lays_tiles(TileBrush brush)
 {
-    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill;
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill ||
+           brush == TileBrush::strand;
 }
 
 bool has_tiles(const Document& document)

@@ -2,6 +2,7 @@
 #include "editor/tools/all_tools.h"
 
 #include "editor/tools/lattice_points.h"
+#include "editor/tools/mask.h"
 #include "editor/tools/place.h"
 #include "editor/tools/press.h"
 #include "editor/tools/select.h"
@@ -21,6 +22,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     tools.push_back(std::make_unique<PlaceTool>(handles));
     tools.push_back(std::make_unique<PressTool>());
     tools.push_back(std::make_unique<TilesTool>());
+    tools.push_back(std::make_unique<MaskTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;
 }

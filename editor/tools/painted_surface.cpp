@@ -64,4 +64,43 @@ std::optional<SurfaceHit> PaintedSurface::hit(const Session& session, Id object,
         std::sqrt(seen_area / rest_area)};
 }
 
+std::vector<std::optional<SurfaceHit>> PaintedSurface::seen(const Session& session, Id object,
+                                                            std::span<const SurfacePoint> at_rest,
+                                                            double reach)
+{
+    std::vector<std::optional<SurfaceHit>> out(at_rest.size());
+    const auto found = session.evaluated().objects.find(object);
+    const auto there = session.document().objects.find(object);
+    if (found == session.evaluated().objects.end() || found->second->parts.empty() ||
+        there == session.document().objects.end())
+        return out;
+    const std::vector<Part>& parts = found->second->parts;
+    RestMeshes rest;
+    for (const Part& part : parts)
+        rest.emplace_back(part.rest, mesh_to_model(*found->second, *there->second, part));
+    if (!at_rest_ || rest != rest_) {
+        std::vector<TileBase::Piece> pieces;
+        for (const auto& [mesh, to_model] : rest)
+            pieces.push_back({std::make_shared<const RayMesh>(mesh), to_model});
+        at_rest_ = std::make_shared<const TileBase>(std::move(pieces));
+        rest_ = std::move(rest);
+    }
+    const auto places = at_rest_->locate(at_rest, reach);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!places[i]) continue;
+        const std::uint32_t piece = at_rest_->piece_of(places[i]->triangle);
+        const TileBase::Piece& of = at_rest_->pieces()[piece];
+        glm::uvec3 vertices =
+            of.mesh->triangles()[places[i]->triangle - at_rest_->first_triangle(piece)];
+        if (glm::determinant(glm::dmat3(of.to_model)) < 0) std::swap(vertices.y, vertices.z);
+        const Corners now = corners_of(*parts[piece].mesh(), vertices, parts[piece].to_world);
+        const glm::dvec3 &w = places[i]->weights, n = area_normal(now);
+        const double area = glm::length(n);
+        out[i] = SurfaceHit{w.x * now[0] + w.y * now[1] + w.z * now[2],
+                            area > 0 ? n / area : glm::dvec3(0, 0, 1),
+                            {at_rest_->position(*places[i]), at_rest_->normal(*places[i])}};
+    }
+    return out;
+}
+
 } // namespace trivar

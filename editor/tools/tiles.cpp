@@ -135,8 +135,18 @@ void TilesTool::choose_model(Session& session, const std::string& file, bool als
         return;
     }
     session.selected = {};
+    overlap_ = 0;
     if (!also) files_.clear();
     if (std::erase(files_, file) == 0 || files_.empty()) files_.push_back(file);
+}
+
+void TilesTool::fit_model(const TileFit& fit)
+{
+    overlap_ = fit.overlap;
+    if (fit.strand)
+        choose_brush(TileBrush::strand);
+    else if (lays_strands())
+        choose_brush(TileBrush::scatter);
 }
 
 std::optional<std::string> TilesTool::take_wanted_model()
@@ -192,6 +202,8 @@ double TilesTool::size(const Session& session) const
 void TilesTool::use(Session& session, const ViewportInput& input)
 {
     if (gesture_) return go_on(session, input);
+    const Id strands_of = lays_strands() && !begins_layer(session) ? tile(session) : 0;
+    if (strands_.use(session, input, surface_, strands_of)) return hit_.reset();
     if (uses_hand(session)) return use_hand(session, input);
     hand_.let_go();
     find_place(session, input);
@@ -208,6 +220,7 @@ void TilesTool::use(Session& session, const ViewportInput& input)
 
 void TilesTool::cancel(Session& session)
 {
+    strands_.cancel(session);
     if (hand_.motion()) {
         hand_.drop();
         return session.cancel();
@@ -231,9 +244,10 @@ void TilesTool::overlay(const Session& session, const ui::Theme& theme,
     if (uses_hand(session)) return hand_overlay(session, theme, input);
     if (point_ && settings_.heading == TileHeading::to_point && lays() && !covers_)
         paint_cross(theme, input, session.view.camera, point_->p_world);
+    strands_.overlay(session, theme, input);
     if (!hit_) return;
-    const bool one =
-        covers_ || settings_.brush == TileBrush::line || settings_.brush == TileBrush::grab;
+    const bool one = covers_ || settings_.brush == TileBrush::line ||
+                     settings_.brush == TileBrush::grab || lays_strands();
     if (!gesture_ && ImGui::GetIO().KeyShift && joins_last_stroke())
         ui::paint_path(
             {input.rect.lo + glm::vec2(project(session.view.camera, last_end_->at.p_world).p_px),
@@ -255,6 +269,8 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{"left"}, "Let go when done"},
                 {{"wheel"}, "Radius"},
                 {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.busy()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
+    if (strands_.hovers()) return {{{"left"}, "Drag the point of the strand"}};
     if (tile(session) == 0 && !begins_layer(session))
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},

@@ -3,6 +3,7 @@
 
 #include "core/commands/tiles.h"
 #include "editor/tools/painted_surface.h"
+#include "editor/tools/strand_handles.h"
 #include "editor/tools/tile_hand.h"
 #include "editor/tools/tool.h"
 #include "ui/option_bar.h"
@@ -31,20 +32,24 @@ public:
         covers_ = true;
         cover_ = cover;
     }
-    void choose_model(Session& session, const std::string& file, bool also) override;
-    std::optional<std::string> take_wanted_model() override;
-    // From now on a brush of that kind works.
+    // From now on strokes do that.
     void choose_brush(TileBrush brush)
     {
         covers_ = false;
         settings_.brush = brush;
     }
+    void choose_model(Session& session, const std::string& file, bool also) override;
+    void fit_model(const TileFit& fit) override;
+    std::optional<std::string> take_wanted_model() override;
     bool grab(Session& session, MotionKind kind) override;
     bool choose_parts(Session& session, PartChoice choice) override;
     bool remove_parts(Session& session) override;
     void take_keys(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value() || hand_.motion().has_value(); }
+    bool busy() const override
+    {
+        return gesture_.has_value() || hand_.motion().has_value() || strands_.busy();
+    }
     bool takes_wheel() const override { return gesture_.has_value(); }
     bool resize(Session& session, double factor) override;
     void cancel(Session& session) override;
@@ -63,6 +68,7 @@ private:
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
         std::size_t proposed = 0; // number of samples and moves of the last proposal
+        double overlap = 0;       // of a layer that begins
         bool over = false;        // the button was let go while its model was being read
         bool joins = false;       // where it turns out to be a click: by a line to the last stroke
         glm::dvec2 last_px{0};    // of the mouse
@@ -71,7 +77,8 @@ private:
     // What the strength of a stroke, or the size of its tiles, follows.
     enum class Follows { pen, speed, nothing };
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
-    bool lays() const;                               // the brush makes tiles where there are none
+    bool lays_strands() const { return !covers_ && settings_.brush == TileBrush::strand; }
+    bool lays() const; // the brush makes tiles where there are none
     void cover_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     void heading_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     void stroke_options(std::vector<ui::Option>& options, const ui::Theme& theme);
@@ -103,7 +110,8 @@ private:
     std::vector<std::string> files_;
     std::vector<std::string> wanted_; // those still to be read, the first one next
     bool reading_ = false;            // one of them is being read
-    Id mixing_ = 0; // the layer that is mixed with what is read; 0: the gesture waits for it
+    Id mixing_ = 0;      // the layer that is mixed with what is read; 0: the gesture waits for it
+    double overlap_ = 0; // of the layer that the next stroke begins
     TileStroke settings_{}; // all but lengths and the colour
     bool covers_ = false;   // a click covers what is under it, and there are no strokes
     TileCover cover_{.pattern = TilePattern::grid}; // all but its size
@@ -132,6 +140,7 @@ private:
     std::optional<MotionKind> asked_;     // by a key, to begin as soon as the mouse is known
     bool by_key_ = false, enter_ = false; // a click ends the hand's motion, or Enter
     std::optional<SeenTile> under_hand_;
+    StrandHandles strands_; // of the selected layer, while the brush lays strands
 };
 
 } // namespace trivar

@@ -10,17 +10,19 @@ namespace trivar {
 namespace {
 
 // As the option bar lists them; after Fill comes the cover, which is no brush of strokes.
-constexpr std::array brushes_in_order{
-    TileBrush::scatter, TileBrush::line,  TileBrush::fill,  TileBrush::erase, TileBrush::comb,
-    TileBrush::resize,  TileBrush::raise, TileBrush::color, TileBrush::morph, TileBrush::grab};
-constexpr int cover_brush = 3; // in that list
+constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line,  TileBrush::strand,
+                                      TileBrush::fill,    TileBrush::erase, TileBrush::comb,
+                                      TileBrush::resize,  TileBrush::raise, TileBrush::color,
+                                      TileBrush::morph,   TileBrush::grab};
+constexpr int cover_brush = 4; // in that list
 
 } // namespace
 
 void TilesTool::options(Session& session, const ui::Theme& theme, float width)
 {
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
-    const bool lays_strokes = lays() && !covers_, line = settings_.brush == TileBrush::line,
+    const bool lays_strokes = lays() && !covers_, strand = lays_strands(),
+               line = settings_.brush == TileBrush::line || strand,
                fills = settings_.brush == TileBrush::fill,
                grabs = settings_.brush == TileBrush::grab;
     std::vector<ui::Option> options;
@@ -31,16 +33,16 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
              int kind = static_cast<int>(now - brushes_in_order.begin());
              kind = covers_ ? cover_brush : kind >= cover_brush ? kind + 1 : kind;
              ui::choice(theme, "brush", kind,
-                        {"Scatter", "Line", "Fill", "Cover", "Erase", "Comb", "Resize", "Raise",
-                         "Colour", "Morph", "Grab"},
+                        {"Scatter", "Line", "Strand", "Fill", "Cover", "Erase", "Comb", "Resize",
+                         "Raise", "Colour", "Morph", "Grab"},
                         field);
              covers_ = kind == cover_brush;
              const int stroke = kind > cover_brush ? kind - 1 : kind;
              if (!covers_) settings_.brush = brushes_in_order[static_cast<std::size_t>(stroke)];
          },
-         "Scatter, Line and Fill lay tiles, Cover lays them all over what is clicked, Grab takes "
-         "single ones; the others change those under the brush. With Ctrl, tiles are erased; with "
-         "Shift, the stroke is straight."});
+         "Scatter, Line and Fill lay tiles, Strand lays them end to end, Cover lays them all over "
+         "what is clicked, Grab takes single ones; the others change those under the brush. With "
+         "Ctrl, tiles are erased; with Shift, the stroke is straight."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
                             const ui::NumberStyle& style, const char* help, auto&& taken) {
@@ -66,8 +68,29 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                [&] { radius_ = shown_radius; });
     const auto nothing = [] {};
     if (lays_strokes) {
-        number("Size", "size", shown_size, length, "Side of a tile; 0 is half of the radius.",
+        number("Size", "size", shown_size, length,
+               strand ? "Length of a tile along the strand; 0 is half of the radius."
+                      : "Side of a tile; 0 is half of the radius.",
                [&] { size_ = shown_size; });
+    }
+    if (strand) {
+        const ui::NumberStyle times{.lo = 0.01, .hi = 100, .unit = "x"};
+        number("Width", "width", settings_.width, times, "Factor of the width of the strand.",
+               nothing);
+        number("Height", "height", settings_.height, times, "Factor of the height of the strand.",
+               nothing);
+        number("Taper", "taper", settings_.taper, {.lo = 0, .hi = 1},
+               "Share by which the strand is narrower and lower at its end.", nothing);
+        options.push_back(
+            {"Ends", 96,
+             [&](float field) {
+                 int ends = settings_.apart ? 1 : 0;
+                 ui::choice(theme, "ends", ends, {"Join", "Stay apart"}, field);
+                 settings_.apart = ends == 1;
+             },
+             "Join: a strand goes on from the end of another one near it, and closes where its own "
+             "ends meet."});
+    } else if (lays_strokes) {
         number("Spacing", "spacing", settings_.spacing, {.lo = 0.05, .hi = 100, .unit = "x"},
                "Distance between tiles, in sizes.", nothing);
         number("Vary", "vary", settings_.size_variation, {.lo = 0, .hi = 1},
@@ -155,18 +178,30 @@ void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme&
         {"Pattern", 96,
          [&](float field) {
              int pattern = static_cast<int>(cover_.pattern) - 1; // without the first one
-             ui::choice(theme, "pattern", pattern, {"Grid", "Brick", "Hexagon"}, field);
+             ui::choice(theme, "pattern", pattern, {"Grid", "Brick", "Hexagon", "Texture"}, field);
              cover_.pattern = static_cast<TilePattern>(pattern + 1);
          },
          "Brick shifts every other row by half a tile; hexagons reach into the rows beside "
-         "theirs."});
-    options.push_back(
-        {"Per face", 88,
-         [&](float field) {
-             ui::integer_field(theme, "per face", cover_.per_face,
-                               {.lo = 0, .hi = 1000, .zero = "by size"}, field);
-         },
-         "Number of tiles along each side of a face of what is covered; 0: as the size says."});
+         "theirs; Texture lays one tile on each cell of the texture square."});
+    if (cover_.pattern == TilePattern::texture) {
+        const auto count = [&](const char* label, const char* id, int& value, const char* help) {
+            options.push_back({label, 80,
+                               [&theme, id, &value](float field) {
+                                   ui::integer_field(theme, id, value, {.lo = 1, .hi = 2000},
+                                                     field);
+                               },
+                               help});
+        };
+        count("Columns", "columns", cover_.columns, "Number of cells across the texture square.");
+        count("Rows", "rows", cover_.rows, "Number of cells up the texture square.");
+    } else
+        options.push_back(
+            {"Per face", 88,
+             [&](float field) {
+                 ui::integer_field(theme, "per face", cover_.per_face,
+                                   {.lo = 0, .hi = 1000, .zero = "by size"}, field);
+             },
+             "Number of tiles along each side of a face of what is covered; 0: as the size says."});
     options.push_back({"Vary height", 88,
                        [&](float field) {
                            ui::number_field(theme, "vary height", cover_.height_variation,

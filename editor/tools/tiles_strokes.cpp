@@ -11,7 +11,8 @@
 namespace trivar {
 namespace {
 
-constexpr double sample_step = 0.25; // of the size of a tile, between samples
+// Of the size of a tile, between samples; those of strands are few, and so easy to move.
+constexpr double sample_step = 0.25, strand_step = 1;
 
 // Whether a fill may be dragged over more of what it fills.
 bool takes_several(TileArea area)
@@ -26,6 +27,7 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     const bool fresh = begins_layer(session);
     Gesture g{fresh ? 0 : tile(session), under_, settings_};
     if (fresh) wanted_ = files_;
+    if (fresh) g.overlap = overlap_;
     mixing_ = 0;
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
@@ -66,6 +68,15 @@ void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
     if (samples.size() >= most_tile_samples) return;
     if (gesture_->stroke.brush == TileBrush::grab && samples.size() == 2) {
         samples.back() = {hit.at_rest, time_s, 1};
+        ++gesture_->moves;
+        return;
+    }
+    const bool strand = gesture_->stroke.brush == TileBrush::strand;
+    if (strand && samples.size() > 1 &&
+        glm::distance(samples.back().at.p, samples[samples.size() - 2].at.p) <
+            strand_step * gesture_->stroke.size) {
+        // The last sample goes with the mouse until it is far enough from the one before.
+        samples.back() = {hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)};
         ++gesture_->moves;
         return;
     }
@@ -157,7 +168,8 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others})) g.proposed = now;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap}))
+        g.proposed = now;
 }
 
 void TilesTool::finish(Session& session)
@@ -170,9 +182,9 @@ void TilesTool::finish(Session& session)
     }
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    const bool taken = g.cover
-                           ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                           : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others});
+    const bool taken =
+        g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
+                : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
     if (!taken) return session.cancel();
     session.commit();
     if (hit_ && !g.cover) last_end_ = StrokeEnd{g.layer, g.base, *hit_};

@@ -44,6 +44,12 @@ struct ViewportInput {
     std::function<std::vector<Id>(glm::dvec2 lo, glm::dvec2 hi)> seen_in;
 };
 
+// How a model is laid best as a tile.
+struct TileFit {
+    bool strand = false; // end to end
+    double overlap = 0;  // in shares of its cell
+};
+
 enum class PartChoice { all, none, others, more };
 
 // A way of working in the viewport. A gesture shows its result as a proposal, commits at most once
@@ -110,6 +116,8 @@ public:
     {
         (void)file, (void)also;
     }
+    // How the model that was chosen last is laid best.
+    virtual void fit_model(const TileFit& fit) { (void)fit; }
     // The file of a model that a gesture waits for, once. Whoever imports it calls take_up().
     virtual std::optional<std::string> take_wanted_model() { return {}; }
     virtual void cancel(Session& session) { (void)session; } // the gesture

@@ -2,6 +2,7 @@
 #include "editor/window/draw_editor.h"
 
 #include "editor/actions/hint_steps.h"
+#include "editor/actions/mask_actions.h"
 #include "editor/actions/run_keys.h"
 #include "editor/editor.h"
 #include "editor/panels/inspector/inspect.h"
@@ -44,6 +45,10 @@ void apply_preferences(Editor& editor)
     editor.files.ask_to_keep = p.ask_to_keep;
     editor.files.scenes_folder = p.scenes_folder;
     editor.files.models_folder = p.models_folder;
+    if (!editor.files.use_dropped_image)
+        editor.files.use_dropped_image = [&editor](const std::string& path) {
+            use_image(editor, path);
+        };
     editor.viewport.set_manners(p.mouse);
     const int threads = static_cast<int>(p.threads);
     auto& in_force = editor.memory.of<PreferencesInForce>();
@@ -163,7 +168,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
         editor.preferences.show_dock && !editor.only_view && editor.tab == Editor::Tab::inspector;
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
-        if (event.kind == ui::Event::Kind::drop) editor.files.drop(event.paths);
+        if (event.kind == ui::Event::Kind::drop && !drop_tiles(editor, event.paths))
+            editor.files.drop(event.paths);
         // Somewhere else has the keyboard now: a gesture would go on without its end.
         if (event.kind != ui::Event::Kind::focus || event.down) continue;
         editor.active_tool().cancel(editor.session);

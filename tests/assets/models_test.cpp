@@ -80,6 +80,7 @@ std::vector<Row> table()
             {"tile_rivet", {.98f, .35f, .98f}, 1},
             {"tile_rope", {1.00f, .43f, .42f}, 3},
             {"tile_braid", {1.00f, .38f, .66f}, 3},
+            {"tile_lock", {1.00f, .26f, .51f}, 13},
             {"tile_knit", {1.00f, .44f, .98f}, 1},
             {"tile_robot", {.54f, 1.00f, .62f}, 28}};
 }
@@ -171,7 +172,7 @@ TEST(Thorn, HasTheConnectivityOfTheFlowerSoThatTheyMorph)
 // In the planes x = 0 and x = 1 there are the same points, so that copies in a line continue.
 TEST(WovenTiles, EndAsTheyBegin)
 {
-    for (const char* name : {"tile_rope", "tile_braid", "tile_knit"}) {
+    for (const char* name : {"tile_rope", "tile_braid", "tile_lock", "tile_knit"}) {
         const make::Model model = made(name);
         for (const make::Mesh& part : model.nodes[0].parts) {
             std::vector<vec3> begin, end;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
+#include "assets/make/models/pictures.h"
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
+#include "core/document/named_files.h"
 #include "core/scene/log.h"
 
 #include <algorithm>
@@ -30,7 +32,16 @@ protected:
 TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
 {
     const trivar::History replayed = history();
+    const std::vector<make::NamedPicture> made = make::pictures();
     for (const auto& [id, object] : replayed.document().objects) {
+        for (const trivar::NamedFile& each : trivar::files_named(*object))
+            if (each.kind == trivar::NamedFile::Kind::image) {
+                const std::filesystem::path path(each.path);
+                EXPECT_EQ(path.parent_path(), "../../build/assets/models/pictures");
+                EXPECT_TRUE(std::ranges::any_of(made, [&](const make::NamedPicture& picture) {
+                    return picture.name == path.stem();
+                })) << path;
+            }
         const auto* file = std::get_if<trivar::ImportedFile>(&object->source);
         if (!file) continue;
         const std::filesystem::path path(file->path);
@@ -81,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "crocodile_pressed", "pressing_tools", "fold_and_repair", "ants_terrain",
                     "cars_over_obstacle", "text_teapot", "bulldozer_parks", "reptiles", "rider",
                     "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
-                    "thorn_to_flower", "robots_teapot", "face_thorns"),
+                    "thorn_to_flower", "robots_teapot", "face_thorns", "ruin",
+                    "camel_chains", "horse_hair"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -103,8 +103,9 @@ Document fitting_document()
     const Document document = after(after(small_document(), import_of("snail.obj")), AddText{});
     const Document bent = after(after(document, AddLattice{.objects = {6}}),
                                 WarpVolume{.object = 7, .warp = {.taper = 0.5}});
-    return after(after(bent, AddCylinder{.shape = {.radius = 0.1}}),
-                 PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()});
+    const Document painted = after(after(bent, AddCylinder{.shape = {.radius = 0.1}}),
+                                   PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()});
+    return after(painted, AddHeights{.shape = {.image = "hills.png"}});
 }
 
 std::vector<Command> fitting_commands()
@@ -179,7 +180,14 @@ std::vector<Command> fitting_commands()
             MixTiles{.object = 8, .weight = 2, .others = {{2, 1}}},
             MorphTiles{.object = 8, .into = 2},
             CoverWithTiles{
-                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}}};
+                .object = 8, .base = 2, .cover = {.pattern = TilePattern::brick, .size = 0.2}},
+            MaskTiles{.object = 8, .mask = {.drives = MaskDrives::scale, .low = 0.5}},
+            RemoveTileMasks{.object = 8},
+            AddHeights{.shape = {.image = "hills.png"}},
+            SetHeights{.object = 9, .shape = {.image = "dunes.png"}},
+            Displace{.base = 2, .shape = {.image = "hills.png"}},
+            Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
+            ClearUnwrap{.objects = {1}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id base_ball = 2, layer_stud = 8, other_box = 9; // of mixed_document()
+constexpr Id base_ball = 2, layer_stud = 8, other_box = 10; // of mixed_document()
 
 // A layer of cylinders on a ball, mixed with a box that is red.
 Document mixed_document(double own = 1, double of_box = 1)
@@ -147,9 +147,9 @@ Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 
     TileStroke stroke = a_tile_stroke();
     stroke.radius = 0.15;
     stroke.size = 0.02;
-    document = after(document, PaintTiles{9, base_ball, stroke, {}});
-    document = after(document, MorphTiles{9, 10});
-    return after(document, SetTiles{{9}, look});
+    document = after(document, PaintTiles{10, base_ball, stroke, {}});
+    document = after(document, MorphTiles{10, 11});
+    return after(document, SetTiles{{10}, look});
 }
 
 // The greatest height of the tiles of each part over the ball.
@@ -157,7 +157,7 @@ std::vector<double> heights_of(const Document& document)
 {
     std::vector<double> out;
     const Evaluation shown = new_evaluator()(document, 1);
-    for (const Part& part : shown.objects.at(9)->parts) {
+    for (const Part& part : shown.objects.at(10)->parts) {
         double highest = 0;
         for (const glm::vec3& p : part.mesh()->positions)
             highest = std::max(highest, static_cast<double>(glm::length(p)) - 0.4);
@@ -196,17 +196,34 @@ TEST(MorphTiles, ComeOneAfterTheOther)
     EXPECT_TRUE(std::ranges::is_sorted(halfway));
 }
 
+TEST(MorphTiles, FollowAMask)
+{
+    const auto heights = [](double value) {
+        const Document document =
+            morphing_document(AddBox{.shape = {.size = {0.2, 0.2, 0.05}, .segments = {1, 1, 1}}},
+                              {.morph = 1, .phases = 3});
+        return heights_of(
+            after(document,
+                  MaskTiles{10, 0, {.drives = MaskDrives::morph, .low = value, .high = value}}));
+    };
+    for (const auto& [value, height] :
+         {std::pair(0.0, 0.02), std::pair(0.5, 0.0125), std::pair(1.0, 0.005)}) {
+        ASSERT_EQ(heights(value).size(), 1u);
+        EXPECT_NEAR(heights(value).at(0), height, 1e-3);
+    }
+}
+
 TEST(MorphTiles, SayWhyTheyStayWhatTheyAre)
 {
     const Document document = morphing_document(AddSphere{}, {.morph = 1});
-    const Ref<EvaluatedObject> layer = new_evaluator()(document, 1).objects.at(9);
+    const Ref<EvaluatedObject> layer = new_evaluator()(document, 1).objects.at(10);
     EXPECT_THAT(layer->notices,
                 ::testing::Contains(::testing::HasSubstr("its tiles cannot become Sphere")));
     EXPECT_NEAR(heights_of(document).at(0), 0.02, 1e-3);
-    EXPECT_TRUE(object(document, 10).hidden);
+    EXPECT_TRUE(object(document, 11).hidden);
     expect_no_mix(MorphTiles{layer_stud, layer_stud}, "is the layer itself");
     expect_no_mix(MorphTiles{other_box, base_ball}, "no layer of tiles");
-    EXPECT_EQ(object(after(document, Delete{{10}}), 9).tiles->into, 0);
+    EXPECT_EQ(object(after(document, Delete{{11}}), 10).tiles->into, 0);
 }
 
 TEST(SlidingTiles, GoOverTheirBase)
@@ -219,11 +236,11 @@ TEST(SlidingTiles, GoOverTheirBase)
         one.brush = TileBrush::line;
         one.samples.resize(1);
         one.size = 0.02;
-        document = after(document, RemoveTileStrokes{9, {}});
-        document = after(document, PaintTiles{9, base_ball, one, {}});
-        document = after(document, SetTiles{{9}, {.slide_x = slide.x, .slide_y = slide.y}});
+        document = after(document, RemoveTileStrokes{10, {}});
+        document = after(document, PaintTiles{10, base_ball, one, {}});
+        document = after(document, SetTiles{{10}, {.slide_x = slide.x, .slide_y = slide.y}});
         const Evaluation shown = new_evaluator()(document, 1);
-        for (const Part& part : shown.objects.at(9)->parts)
+        for (const Part& part : shown.objects.at(10)->parts)
             for (const glm::vec3& p : part.mesh()->positions) {
                 sum += glm::dvec3(p);
                 ++count;

@@ -90,6 +90,13 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Mix the tiles of Cylinder with Ball",
         "Let the tiles of Cylinder become Ball",
         "Cover Ball with Cylinder",
+        "Mask the scale of Cylinder",
+        "Remove all masks of Cylinder",
+        "Add Heights hills.png",
+        "Picture of Heights dunes.png",
+        "Displace Ball by hills.png",
+        "Unwrap Table",
+        "Give Table its own UVs back",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
@@ -262,6 +269,15 @@ TEST(StepTitle, TellsOfTiles)
     EXPECT_EQ(said(before, cover), "Cover Ball with Cylinder");
     EXPECT_EQ(said(after(before, cover), cover), "Change the cover of Ball by Cylinder");
     EXPECT_EQ(said(before, CoverWithTiles{8, 2, {}}), "Uncover Ball from Cylinder");
+    const MaskTiles mask{8, 0, {.drives = MaskDrives::height}};
+    EXPECT_EQ(said(before, mask), "Mask the height of Cylinder");
+    EXPECT_EQ(said(after(before, mask), MaskTiles{8, 1, {}}), "Change mask 1 of Cylinder density");
+    EXPECT_EQ(said(after(before, mask), RemoveTileMasks{8, {1}}), "Remove mask 1 of Cylinder");
+    EXPECT_EQ(said(before, RemoveTileMasks{8, {}}), "Remove all masks of Cylinder");
+    EXPECT_EQ(said(before, SetHeights{9, {.image = "a/dunes.png"}}),
+              "Picture of Heights dunes.png");
+    EXPECT_EQ(said(before, Displace{.base = 2, .shape = {.image = "hills.png"}}),
+              "Displace Ball by hills.png");
 }
 
 TEST(StepTitle, TellsMovingFromTurningAndScaling)

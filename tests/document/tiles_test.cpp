@@ -200,6 +200,24 @@ TEST(PaintedTiles, FollowTheLookOfTheirLayer)
     EXPECT_NEAR(highest(after(document, SetTiles{{stud_id}, {.sink = 0.5}})), 0.525, 0.004);
 }
 
+TEST(PaintedTiles, FillTheirPlaceWithTheirCell)
+{
+    const Document document = painted_document();
+    const auto box = [&](const TileLook& look) {
+        const Evaluation all = evaluation_of(after(document, SetTiles{{stud_id}, look}));
+        return shown_in(all, stud_id).parts.at(0).tiles->model->box;
+    };
+    TileLook look;
+    look.cell_x0 = look.cell_y0 = 0.25;
+    look.cell_x1 = look.cell_y1 = 0.75;
+    look.base_level = 0.2;
+    const Box whole = box({}), part = box(look);
+    EXPECT_NEAR(part.size().x, 2 * whole.size().x, 1e-6); // twice as wide as its place
+    EXPECT_NEAR(part.size().y, 2 * whole.size().y, 1e-6);
+    EXPECT_NEAR(part.center().x, 0.5, 1e-6);
+    EXPECT_NEAR(part.lo.z, -0.2 * part.size().z, 1e-5);
+}
+
 TEST(PaintedTiles, TakeKeys)
 {
     const Document document =

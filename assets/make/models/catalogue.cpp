@@ -58,6 +58,7 @@ std::vector<Entry> catalogue()
             {"tile_rivet", tile_rivet},
             {"tile_rope", tile_rope},
             {"tile_braid", tile_braid},
+            {"tile_lock", tile_lock},
             {"tile_knit", tile_knit},
             {"tile_robot", tile_robot}};
 }

@@ -70,6 +70,7 @@ Model tile_stud();
 Model tile_rivet();
 Model tile_rope();
 Model tile_braid();
+Model tile_lock();
 Model tile_knit();
 Model tile_robot();
 

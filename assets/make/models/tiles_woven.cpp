@@ -95,6 +95,32 @@ Model tile_braid()
     return m;
 }
 
+// A lock of wavy hair; copies at a distance of their size continue it.
+Model tile_lock()
+{
+    Model m;
+    const int a = m.material("hair", vec3(1), .42f);
+    constexpr int hairs = 13;
+    for (int k = 0; k < hairs; k++) {
+        // Hairs fill an ellipse, the outer ones lower; they wave together, and a little on their
+        // own.
+        const float g = k * 2.39996f, far = std::sqrt((k + .5f) / hairs),
+                    y = .5f + .20f * far * std::cos(g), z = .135f + .085f * far * std::sin(g),
+                    own = k * 1.7f, shade = .5f + .5f * noise(vec3(k * 2.7f, 1, 0));
+        m.root().parts.push_back(
+            spun({[=](float t) {
+                      const float w = 2 * pi * t;
+                      return vec3(
+                          t, y + .035f * std::sin(w + .35f * own) + .022f * std::sin(2 * w + own),
+                          z + .016f * std::cos(w + own));
+                  },
+                  .046f, 2, 1, 20, 8, glm::mix(srgb(0x7d5526), srgb(0xa8793c), shade),
+                  glm::mix(srgb(0xd3a862), srgb(0xf3dba6), shade)})
+                .mat(a));
+    }
+    return m;
+}
+
 // A stitch of a knitted row; copies at a distance of their size continue the row, and rows hook
 // into each other at half of it.
 Model tile_knit()

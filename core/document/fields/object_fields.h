@@ -15,6 +15,7 @@
 #include "core/document/fields/tiles_fields.h"
 #include "core/document/fields/track_fields.h"
 #include "core/document/fields/travel_fields.h"
+#include "core/document/fields/unwrapping_fields.h"
 #include "core/document/fields/view_fields.h"
 
 // The fields of all that an object or a scene holds. Whoever walks through a whole object includes
@@ -69,6 +70,8 @@ template <> struct FieldsOf<Object> {
         field("refining", o.refining, "how finely its triangles are split",
               any_value.counts(Counting::marked));
         field("simplifying", o.simplifying, "how its triangles are reduced",
+              any_value.counts(Counting::marked).without_keys());
+        field("unwrapping", o.unwrapping, "how its texture coordinates are made",
               any_value.counts(Counting::marked).without_keys());
         field("tiles", o.tiles, "how copies of it are painted on another object",
               any_value.counts(Counting::marked));

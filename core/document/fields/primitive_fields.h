@@ -79,4 +79,26 @@ template <> struct FieldsOf<TeapotShape> {
     }
 };
 
+template <> struct FieldsOf<HeightShape> {
+    static constexpr std::string_view verb = "add_heights",
+                                      summary = "Add a square sheet in z = 0 that stands as high "
+                                                "as a picture is bright, to be used as a tile.",
+                                      name = "Heights";
+    static void fields(auto& s, auto&& field)
+    {
+        field("image", s.image, "file of the picture, relative to the scene file's folder",
+              required.without_keys());
+        field("image_hash", s.image_hash, "digest of that file's content; empty: any",
+              any_value.without_keys());
+        field("size", s.size, "side, metres", positive.in(Unit::metres));
+        field("height", s.height, "from black to white, metres",
+              in_range(-1e6, 1e6).in(Unit::metres));
+        field("level", s.level, "brightness that stays on the ground: 0 black, 1 white",
+              in_range(-1e6, 1e6));
+        field("segments", s.segments, "along each side", in_range(1, 512));
+        field("repeats", s.repeats, "the picture goes on over its border, so that copies fit",
+              any_value.without_keys());
+    }
+};
+
 } // namespace trivar

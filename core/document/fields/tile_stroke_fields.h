@@ -6,9 +6,9 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 11> choice_names<TileBrush>{
-    "scatter", "line", "fill",  "erase", "comb",  "resize",
-    "raise",   "grab", "color", "morph", "adjust"};
+inline constexpr std::array<std::string_view, 12> choice_names<TileBrush>{
+    "scatter", "line", "fill",   "erase", "comb",  "resize",
+    "raise",   "grab", "strand", "color", "morph", "adjust"};
 template <>
 inline constexpr std::array<std::string_view, 6> choice_names<TileHeading>{
     "along_stroke", "upward", "random", "least_curvature", "most_curvature", "to_point"};
@@ -36,7 +36,8 @@ template <> struct FieldsOf<TileStroke> {
     {
         field(
             "brush", s.brush,
-            "scatter, line and fill lay tiles; erase, comb, resize, raise, color and morph change "
+            "scatter, line and fill lay tiles; strand lays them end to end; erase, comb, resize, "
+            "raise, color and morph change "
             "those under the brush; grab and adjust take single tiles, one for each sample, which "
             "is within half of its size: adjust turns, scales or removes them, and grab moves "
             "them, so that the first one goes to the last sample");
@@ -61,6 +62,13 @@ template <> struct FieldsOf<TileStroke> {
               in_range(-1, 1));
         field("seed", s.seed, "of the random numbers", in_range(0, 1e9));
         field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
+        field("width", s.width, "of a strand: factor of the width of its tiles",
+              later_in_range(0.01, 100).resting_at(1).in(Unit::times));
+        field("taper", s.taper, "of a strand: share by which it is narrower and lower at its end",
+              later_in_range(0, 1).in(Unit::share));
+        field("apart", s.apart,
+              "the ends of a strand do not join with those of others near them, or each other",
+              later.called("Ends").says("apart", "joined"));
         field("point", s.point, "that tiles head to, on the base's model at rest, metres",
               later.in(Unit::metres));
         field("area", s.area,

@@ -20,8 +20,8 @@ template <> struct FieldsOf<RenderSettings> {
               any_value.called("Ambient occlusion"));
         field("wire", s.wire, "draws the edges of faces over the surfaces", later.called("Edges"));
         field("color_by", s.color_by,
-              "what colours show: materials, the stretch of placed objects, or the error of their "
-              "triangles",
+              "what colours show: materials, the stretch of placed objects, the error of their "
+              "triangles, how UVs change angles or areas, or a checkered texture",
               later.called("Colour by"));
         field("volumes", s.volumes,
               "shows the lattices of placed objects, and the ball if the last edit was a press",

@@ -20,10 +20,11 @@ struct DecodeTask {
     std::string format; // as OpenImageIO calls it
     glm::ivec2 size_px; // as the head says
     std::vector<std::string> tags;
+    bool numbers = false; // rows are numbers (grey.h), not colours
 };
 
-// A TakeRows takes whole rows from the top, RGBA, 8 bits per channel; colours of floating point as
-// sRGB.
+// A TakeRows takes whole rows from the top: RGBA, 8 bits per channel, colours of floating point as
+// sRGB; or one float for each pixel, which has four bytes, too.
 using TakeRows = std::function<void(std::span<const std::uint8_t>)>;
 
 struct DecodeResult {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/codec/decode.h"
 
+#include "core/files/codec/grey.h"
 #include "core/files/color.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -44,7 +45,8 @@ std::vector<std::uint8_t> display_bytes(const std::vector<float>& linear)
 constexpr int scanlines_at_a_time = 64;
 
 template <class T>
-bool read_rows(OIIO::ImageInput& input, T full, OIIO::TypeDesc type, const TakeRows& take)
+bool read_rows(OIIO::ImageInput& input, T full, OIIO::TypeDesc type, bool numbers,
+               const TakeRows& take)
 {
     const OIIO::ImageSpec spec = input.spec();
     const int channels = std::min(spec.nchannels, 4), bottom = spec.y + spec.height;
@@ -60,6 +62,11 @@ bool read_rows(OIIO::ImageInput& input, T full, OIIO::TypeDesc type, const TakeR
                                    channels, type, pixels.data())
                 : input.read_scanlines(0, 0, y, end, spec.z, 0, channels, type, pixels.data());
         if (!read) return false;
+        if constexpr (std::is_same_v<T, float>)
+            if (numbers) { // integers fill 0 to 1 already
+                take(grey_bytes<float>(pixels, static_cast<std::size_t>(channels), 1));
+                continue;
+            }
         const std::vector<T> rgba = to_rgba(pixels, static_cast<std::size_t>(channels), full);
         if constexpr (std::is_same_v<T, float>)
             take(display_bytes(rgba));
@@ -91,9 +98,9 @@ try {
     for (const std::string& tag : task.tags)
         if (const std::string words(spec.get_string_attribute(tag)); !words.empty())
             decoded.tags.emplace_back(tag, words);
-    decoded.whole = spec.format.is_floating_point()
-                        ? read_rows(*input, 1.0f, OIIO::TypeDesc::FLOAT, take)
-                        : read_rows(*input, std::uint8_t{255}, OIIO::TypeDesc::UINT8, take);
+    decoded.whole = task.numbers || spec.format.is_floating_point()
+                        ? read_rows(*input, 1.0f, OIIO::TypeDesc::FLOAT, task.numbers, take)
+                        : read_rows(*input, std::uint8_t{255}, OIIO::TypeDesc::UINT8, false, take);
     if (!decoded.whole) input->geterror();
     return decoded;
 } catch (const std::exception&) { // of the library, or out of memory

@@ -91,7 +91,11 @@ void answer(PictureAnswer::What what, int bits, const void* bytes, std::size_t c
 void decode(const Codec& codec, const PictureOrder& order, const std::string& words,
             std::string_view file)
 {
-    DecodeTask task{file, words.substr(0, words.find('\0')), {order.width_px, order.height_px}, {}};
+    DecodeTask task{file,
+                    words.substr(0, words.find('\0')),
+                    {order.width_px, order.height_px},
+                    {},
+                    order.numbers != 0};
     for (std::size_t at = task.format.size() + 1; at < words.size();) {
         task.tags.emplace_back(words.c_str() + at);
         at += task.tags.back().size() + 1;

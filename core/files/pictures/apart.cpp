@@ -174,6 +174,7 @@ try {
     order.width_px = task.size_px.x;
     order.height_px = task.size_px.y;
     order.cpu_s = limits.cpu_s;
+    order.numbers = task.numbers ? 1 : 0;
     send(message_bytes(order), wait_ms);
     send(words, wait_ms);
     send(task.bytes, wait_ms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/pictures/pixels.h"
 
+#include "core/files/codec/grey.h"
 #include "core/files/pictures/byte_view.h"
 
 #include <algorithm>
@@ -71,7 +72,11 @@ bool read_jpeg_rows(jpeg_decompress_struct& jpeg, JpegErrors& errors, const Deco
         std::uint8_t* row = rows.read.data();
         jpeg_read_scanlines(&jpeg, &row, 1);
         if (inks) rgba_from_inks(rows.read, rows.rgba);
-        take(inks ? rows.rgba : rows.read);
+        const std::vector<std::uint8_t>& row_rgba = inks ? rows.rgba : rows.read;
+        if (task.numbers)
+            take(grey_bytes<std::uint8_t>(row_rgba, 4, 255));
+        else
+            take(row_rgba);
     }
     if (!errors.damaged) jpeg_finish_decompress(&jpeg);
     return !errors.damaged && !(errors.ended && several_scans);

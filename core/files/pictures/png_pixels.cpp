@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/pictures/pixels.h"
 
+#include "core/files/codec/grey.h"
 #include "core/files/pictures/kinds.h"
 #include "core/files/png_chunks.h"
 
@@ -25,15 +26,27 @@ void take_png_bytes(png_structp png, png_bytep to, std::size_t count)
     left.remove_prefix(count);
 }
 
-// Asks the library to convert all pixels to RGBA with 8 bits per channel.
-void ask_for_rgba(png_structp png, png_infop info)
+// Asks the library to convert all pixels to RGBA with 8 bits per channel; of numbers with 16.
+void ask_for_rgba(png_structp png, png_infop info, bool numbers)
 {
     png_set_expand(png); // palettes, fewer bits, one transparent colour
-    png_set_scale_16(png);
+    if (numbers) {
+        png_set_expand_16(png);
+        png_set_swap(png);
+    } else
+        png_set_scale_16(png);
     png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    png_set_add_alpha(png, numbers ? 0xffff : 0xff, PNG_FILLER_AFTER);
     png_set_interlace_handling(png);
     png_read_update_info(png, info);
+}
+
+// Rows of RGBA with 8 bits, or of numbers from 16 bits.
+void take_png_rows(const std::vector<std::uint8_t>& rows, bool numbers, const TakeRows& take)
+{
+    if (!numbers) return take(rows);
+    const std::span deep(reinterpret_cast<const std::uint16_t*>(rows.data()), rows.size() / 2);
+    take(grey_bytes<std::uint16_t>(deep, 4, 65535));
 }
 
 // Decodes the rows. No object with a destructor is made between setjmp and code that may jump.
@@ -44,14 +57,14 @@ bool read_rows(png_structp png, png_infop info, const DecodeTask& task,
     // Chunks other than size, palette, transparency and pixels are not used: profiles, dates, text.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
-    ask_for_rgba(png, info);
-    const std::size_t row = 4 * static_cast<std::size_t>(task.size_px.x);
+    ask_for_rgba(png, info, task.numbers);
+    const std::size_t row = (task.numbers ? 8 : 4) * static_cast<std::size_t>(task.size_px.x);
     if (png_get_rowbytes(png, info) != row) return false;
     if (png_get_interlace_type(png, info) == PNG_INTERLACE_NONE) {
         rows.resize(row);
         for (int y = 0; y < task.size_px.y; ++y) {
             png_read_row(png, rows.data(), nullptr);
-            take(rows);
+            take_png_rows(rows, task.numbers, take);
         }
     } else {
         rows.resize(row * static_cast<std::size_t>(task.size_px.y));
@@ -59,7 +72,7 @@ bool read_rows(png_structp png, png_infop info, const DecodeTask& task,
         for (int pass = 0; pass < passes; ++pass)
             for (std::size_t at = 0; at < rows.size(); at += row)
                 png_read_row(png, rows.data() + at, nullptr);
-        take(rows);
+        take_png_rows(rows, task.numbers, take);
     }
     png_read_end(png, nullptr);
     return true;

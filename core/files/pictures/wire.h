@@ -13,8 +13,8 @@ struct PictureOrder {
     std::uint64_t file_bytes = 0, word_bytes = 0;
     std::uint64_t memory_bytes = 0; // it may take beside what it holds at its start
     std::int32_t width_px = 0, height_px = 0;
-    std::uint32_t cpu_s = 0; // of the processor's time it may take
-    std::uint32_t unused = 0;
+    std::uint32_t cpu_s = 0;   // of the processor's time it may take
+    std::uint32_t numbers = 0; // 1: rows are numbers and not colours
 };
 
 // From the helper: that it is there, rows of pixels, and at the end that all were there, with words

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_sections.h"
 
+#include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_tiles.h"
+#include "editor/panels/inspector/inspector_unwrap.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"
 
@@ -53,11 +55,13 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_made_of<ImportedFile>,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},
         {is_made_of<TextShape>, draw_text},
+        {is_made_of<HeightShape>, draw_heights},
         {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,
                                        Id id) { draw_refinement(editor, theme, {id}); }},
         {always, draw_transform},
         {always, draw_material},
         {has_triangles, draw_simplify},
+        {has_triangles, draw_unwrap},
         {always, draw_other_numbers},
     };
     return all;

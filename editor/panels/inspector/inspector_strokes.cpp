@@ -31,6 +31,7 @@ std::string words_of_stroke(const TileStroke& stroke)
     case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
     case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
     case TileBrush::grab: return taken == 1 ? "Move a tile" : fmt::format("Move {} tiles", taken);
+    case TileBrush::strand: return "Strand, tiles of " + length(stroke.size);
     case TileBrush::color: return stroke.strength < 0 ? "Take colour away" : "Colour";
     case TileBrush::morph: return stroke.strength < 0 ? "Morph back" : "Morph";
     case TileBrush::adjust: {

@@ -4,10 +4,13 @@
 #include "core/commands/mix_tiles.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/key_gutter.h"
+#include "editor/panels/inspector/tile_cell.h"
 #include "editor/tools/cover.h"
 #include "ui/icons.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -59,10 +62,16 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     ValueRows rows{theme, &keys};
     FieldRows<TileCover> fields(rows, cover, "tiles.cover");
     fields(&TileCover::pattern);
-    if (cover.pattern != TilePattern::none) {
+    if (cover.pattern == TilePattern::texture) {
+        fields(&TileCover::columns);
+        fields(&TileCover::rows);
+    } else if (cover.pattern != TilePattern::none) {
         fields(&TileCover::size);
         fields(&TileCover::per_face);
+    }
+    if (cover.pattern != TilePattern::none) {
         fields(&TileCover::height_variation);
+        fields(&TileCover::even_height);
         if (cover.height_variation > 0) fields(&TileCover::seed);
     }
     // The first time, tiles get a size that fits what they cover.
@@ -121,8 +130,21 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
     }
+    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
+            return stroke->brush == TileBrush::strand;
+        })) {
+        fields(&TileLook::overlap);
+        fields(&TileLook::roll_deg);
+        fields(&TileLook::alternate_deg);
+    }
     fields(&TileLook::slide_x);
     fields(&TileLook::slide_y);
+    rows.take(draw_tile_cell(session, theme, id, look));
+    fields(&TileLook::cell_x0);
+    fields(&TileLook::cell_x1);
+    fields(&TileLook::cell_y0);
+    fields(&TileLook::cell_y1);
+    fields(&TileLook::base_level);
     const Object& layer = object(session.document(), id);
     if (tiling.into != 0) {
         ui::fact_row(theme, "Become", object(session.document(), tiling.into).name,
@@ -140,6 +162,7 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
                      fmt::format("{} of {}", effects->overlapping, effects->painted),
                      theme.color.text,
                      "painted tiles that overlap another one by more than a tenth of their side");
+    draw_masks(editor, theme, id, tiling, keys);
     draw_tile_strokes(editor, theme, id, tiling);
     ui::gap(theme, 8);
 }

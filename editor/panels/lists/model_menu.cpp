@@ -3,6 +3,7 @@
 #include "editor/actions/model_actions.h"
 #include "editor/panels/help/welcome.h"
 #include "editor/panels/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <filesystem>
@@ -25,18 +26,26 @@ std::string picture_of_model(const Editor& editor, const OwnModel& model)
 bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model,
                 bool chosen)
 {
+    return draw_model_cell(editor, theme, r, model.name, picture_of_model(editor, model), chosen);
+}
+
+bool draw_model_cell(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
+                     const std::string& name, const std::string& picture_path, bool chosen)
+{
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
-    const bool clicked = ImGui::InvisibleButton(model.name, {r.width(), r.height()});
+    const bool clicked = ImGui::InvisibleButton(name.c_str(), {r.width(), r.height()});
     const bool here = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const ui::Rect picture = {r.lo, {r.hi.x, r.hi.y - theme.px(22)}};
-    paint_picture(editor, theme, picture, picture_of_model(editor, model));
+    paint_picture(editor, theme, picture, picture_path);
+    if (picture_path.empty())
+        ui::paint_text(theme.font.strong, picture, c.text_2, ui::icon::tiles, ui::Align::center);
     ui::paint_rim(picture, here || chosen ? c.focus : c.raised_rim, theme.size.rounding,
                   chosen ? 2 * theme.scale
                   : here ? 1.5f * theme.scale
                          : theme.size.hairline);
     ui::paint_text(theme.font.body, {{r.lo.x, picture.hi.y}, r.hi}, c.text,
-                   ui::elided(theme.font.body, model.name, r.width()), ui::Align::center);
+                   ui::elided(theme.font.body, name, r.width()), ui::Align::center);
     return clicked;
 }
 

@@ -17,21 +17,36 @@ namespace trivar {
 namespace {
 
 struct TileLibrary {
-    bool folded = false; // only its heading is shown
+    bool folded = false;            // only its heading is shown
+    std::vector<std::string> files; // that were dropped
 };
 
 // At scale 1.
-constexpr glm::vec2 cell{76, 76};
+constexpr glm::vec2 tile_cell_px{76, 76};
 constexpr float most_share = 0.4f; // of the height of the picture
-constexpr float cell_gap = 6, pad = 12, heading = 34, most_rows = 2, most_columns = 8;
+constexpr float cell_gap = 6, pad = 12, heading_px = 34, most_rows = 2, most_columns = 8;
 
-// The library shows the models that are there to be tiles.
-std::vector<const OwnModel*> tile_models()
+struct LibraryTile {
+    std::string name, file;
+    const OwnModel* own = nullptr; // null: a file that was dropped
+};
+
+// The library shows the files that were dropped, and the models that are there to be tiles.
+std::vector<LibraryTile> library_tiles(const Editor& editor, const TileLibrary& library)
 {
-    std::vector<const OwnModel*> tiles;
+    std::vector<LibraryTile> tiles;
+    for (const std::string& file : library.files)
+        tiles.push_back({std::filesystem::path(file).stem().string(), file});
     for (const OwnModel& each : own_models())
-        if (each.use == ModelUse::painted) tiles.push_back(&each);
+        if (each.use == ModelUse::painted)
+            tiles.push_back({each.name, file_of(editor.files, each), &each});
     return tiles;
+}
+
+void choose_tile(Editor& editor, const LibraryTile& tile, bool also)
+{
+    editor.active_tool().choose_model(editor.session, tile.file, also);
+    if (tile.own) editor.active_tool().fit_model(tile.own->fit);
 }
 
 // Names what the brush paints with, in its order: tiles of the library by their names, other
@@ -56,35 +71,49 @@ bool takes_another(const Session& session)
 
 } // namespace
 
+bool drop_tiles(Editor& editor, const std::vector<std::string>& paths)
+{
+    const bool paints = editor.active_tool().chosen_models(editor.session).has_value() &&
+                        !editor.session.document().objects.empty();
+    if (!paints || !std::ranges::all_of(paths, is_model)) return false;
+    std::vector<std::string>& files = editor.memory.of<TileLibrary>().files;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        std::erase(files, paths[i]);
+        choose_tile(editor, {{}, paths[i]}, i > 0);
+    }
+    files.insert(files.begin(), paths.begin(), paths.end());
+    return true;
+}
+
 std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme,
                                           const FootCards& foot)
 {
-    Tool& tool = editor.active_tool();
-    const std::optional<std::vector<std::string>> chosen = tool.chosen_models(editor.session);
+    const std::optional<std::vector<std::string>> chosen =
+        editor.active_tool().chosen_models(editor.session);
     if (!chosen) return {};
-    const std::vector<const OwnModel*> tiles = tile_models();
     auto& library = editor.memory.of<TileLibrary>();
+    const std::vector<LibraryTile> tiles = library_tiles(editor, library);
     const ui::Palette& c = theme.color;
-    const glm::vec2 size = theme.px(1) * cell;
+    const glm::vec2 size = theme.px(1) * tile_cell_px;
     const float gap = theme.px(cell_gap), edge = theme.px(pad);
     const float room = foot.view().width() - 2 * edge - theme.px(2 * pad);
     const float columns = std::clamp(std::floor((room + gap) / (size.x + gap)), 1.0f, most_columns);
     const float rows = std::ceil(static_cast<float>(tiles.size()) / columns);
     const bool there = !editor.files.own_models_folder.empty();
-    const float fit = std::floor((most_share * foot.view().height() - theme.px(heading)) /
+    const float fit = std::floor((most_share * foot.view().height() - theme.px(heading_px)) /
                                  (size.y + gap)); // rows
     const bool open = there && !library.folded && fit >= 1;
     const float width = columns * (size.x + gap) - gap + 2 * theme.px(pad);
     const float shown = open ? std::min({rows, most_rows, fit}) * (size.y + gap) + theme.px(6) : 0;
     const float left = foot.view().lo.x + edge;
     const ui::Rect view = foot.above(left, left + width);
-    const float height = theme.px(heading) + shown;
+    const float height = theme.px(heading_px) + shown;
     const ui::Rect card = ui::rect_at({left, view.hi.y - height - edge}, {width, height});
     ui::paint_card(theme, card);
     ui::lower_area("tile library", card); // takes the clicks
 
     const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
-                           {card.hi.x - theme.px(36), card.lo.y + theme.px(heading)}};
+                           {card.hi.x - theme.px(36), card.lo.y + theme.px(heading_px)}};
     ui::paint_text(theme.font.strong, head, c.text, "Tiles");
     const std::vector<std::string> with = painted_with(editor, *chosen);
     const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
@@ -109,10 +138,11 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
         const glm::vec2 place(i % across, i / across);
         const ui::Rect r =
             ui::rect_at(glm::vec2(at.x, at.y) + place * (size + glm::vec2(gap)), size);
-        const bool now = std::ranges::find(with, tiles[i]->name) != with.end();
-        if (draw_model(editor, theme, r, *tiles[i], now))
-            tool.choose_model(editor.session, file_of(editor.files, *tiles[i]),
-                              ImGui::GetIO().KeyShift);
+        const bool now = std::ranges::find(with, tiles[i].name) != with.end();
+        const bool clicked = tiles[i].own
+                                 ? draw_model(editor, theme, r, *tiles[i].own, now)
+                                 : draw_model_cell(editor, theme, r, tiles[i].name, {}, now);
+        if (clicked) choose_tile(editor, tiles[i], ImGui::GetIO().KeyShift);
     }
     ImGui::SetCursorScreenPos({at.x, at.y + rows * (size.y + gap)});
     ImGui::Dummy({1, 0});

@@ -121,7 +121,7 @@ Room room_in(const Editor& editor, const ui::Theme& theme, float width)
 }
 
 // The title too is pressed, as those of sections are.
-void transport_heading(Editor& editor, Transport& line, bool has_title)
+void timeline_heading(Editor& editor, Transport& line, bool has_title)
 {
     const ui::Theme& theme = line.theme;
     const bool open = editor.preferences.timeline_open;
@@ -422,7 +422,7 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const ui::Rect bar = {r.lo, {r.hi.x, std::min(r.hi.y, r.lo.y + theme.px(40))}};
     const Room room = room_in(editor, theme, r.width());
     Transport line{theme, bar, r.lo.x + theme.px(8)};
-    transport_heading(editor, line, room.title);
+    timeline_heading(editor, line, room.title);
     buttons(editor, line, room.steps);
     numbers(editor, line, room);
     const Time& time = editor.session.document().time;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/unwrap/cut_surface.h"
+
+#include <numeric>
+
+namespace trivar {
+
+CutSurface::CutSurface(const Mesh& mesh)
+    : mesh_(mesh),
+      adjacency_(mesh),
+      takes_part_(mesh.face_count(), 1),
+      vertex_(mesh.corners.size(), none),
+      behind_(mesh.corners.size(), none)
+{
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        for (std::uint32_t a = mesh.face_begin[f]; a < mesh.face_begin[f + 1]; ++a)
+            for (std::uint32_t b = a + 1; b < mesh.face_begin[f + 1]; ++b)
+                if (adjacency_.point(a) == adjacency_.point(b)) takes_part_[f] = 0;
+        left_out_ += !takes_part_[f];
+    }
+    for (std::size_t e = 0; e < adjacency_.edge_count(); ++e) {
+        if (!adjacency_.is_manifold(e)) continue;
+        const auto sides = adjacency_.sides(e);
+        const std::uint32_t f = adjacency_.face(sides[0]), g = adjacency_.face(sides[1]);
+        if (f == g || !takes_part_[f] || !takes_part_[g]) continue;
+        behind_[sides[0]] = sides[1];
+        behind_[sides[1]] = sides[0];
+    }
+    // Corners are one vertex where faces can be crossed side by side from one to the other.
+    std::vector<std::uint32_t> leader(mesh.corners.size());
+    std::iota(leader.begin(), leader.end(), 0u);
+    const auto find = [&](std::uint32_t c) {
+        while (leader[c] != c) c = leader[c] = leader[leader[c]];
+        return c;
+    };
+    for (std::uint32_t side = 0; side < behind_.size(); ++side) {
+        if (behind_[side] == none) continue;
+        const std::uint32_t a = find(side), b = find(adjacency_.next(behind_[side]));
+        leader[std::max(a, b)] = std::min(a, b);
+    }
+    for (std::uint32_t c = 0; c < vertex_.size(); ++c) {
+        const std::uint32_t first = find(c);
+        if (first == c)
+            vertex_[c] = static_cast<std::uint32_t>(vertex_count_++);
+        else
+            vertex_[c] = vertex_[first];
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace trivar {
+
+// How charts are laid flat.
+enum class UnwrapMethod {
+    conformal, // keeps angles
+    rigid,     // keeps lengths as well as it can, and angles less
+};
+
+} // namespace trivar
