@@ -62,6 +62,15 @@ double per_px(double start, const NumberStyle& style)
     return std::max(std::abs(start), 0.04) * 0.01 / 4 * 2;
 }
 
+// Where a drag has come to that stops at a value for a while, pixels at scale 1.
+double moved_past(double stop, double start, double travel_px, double per_px)
+{
+    constexpr double held_px = 60;
+    const double free = start + travel_px * per_px;
+    if (start > stop || free <= stop) return free;
+    return std::max(stop, free - held_px * per_px);
+}
+
 // What a drag goes in while Ctrl is held: about a tenth of the value or of the range.
 double round_step(double start, const NumberStyle& style)
 {
@@ -347,9 +356,11 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
         if (memory.mode() == Memory::dragging) {
             memory.set_travel(memory.travel() + io.MouseDelta.x * (io.KeyShift ? 0.1f : 1.0f));
             const double start = memory.get();
-            const double moved = start + memory.travel() / theme.scale * per_px(start, style);
+            const double moved =
+                moved_past(style.stop, start, memory.travel() / theme.scale, per_px(start, style));
             const double step = io.KeyCtrl ? round_step(start, style) : style.step;
-            const double next = std::clamp(handy(moved, step), style.lo, style.hi);
+            const double next =
+                std::clamp(moved == style.stop ? moved : handy(moved, step), style.lo, style.hi);
             if (next != value && memory.travel() != 0) edit = Edit::changed;
             if (edit == Edit::changed) value = next;
         }

@@ -34,6 +34,7 @@ struct NumberStyle {
     Color axis_color = 0;
     std::string zero = {};  // what is shown in place of 0: "auto"
     std::string words = {}; // what is shown in place of any number: "mixed"
+    double stop = 1e300;    // drags from below halt there, and go on if they are pulled further
 };
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width);

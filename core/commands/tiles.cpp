@@ -62,9 +62,9 @@ void check_cell(std::string_view field, double from, double to)
                                    field, to, from + least_cell, from));
 }
 
-std::string_view verb_of(TileBrush brush)
+std::string_view verb_of(const TileStroke& stroke)
 {
-    switch (brush) {
+    switch (stroke.brush) {
     case TileBrush::scatter: return "Scatter";
     case TileBrush::line: return "Line up";
     case TileBrush::fill: return "Fill with";
@@ -72,7 +72,15 @@ std::string_view verb_of(TileBrush brush)
     case TileBrush::comb: return "Comb";
     case TileBrush::resize: return "Resize";
     case TileBrush::raise: return "Raise";
-    case TileBrush::grab: return "Move a tile of";
+    case TileBrush::grab: return stroke.samples.size() > 2 ? "Move tiles of" : "Move a tile of";
+    case TileBrush::color: return "Colour";
+    case TileBrush::morph: return "Morph";
+    case TileBrush::adjust: {
+        const bool one = stroke.samples.size() == 1;
+        if (stroke.factor == 0) return one ? "Remove a tile of" : "Remove tiles of";
+        if (stroke.factor == 1) return one ? "Turn a tile of" : "Turn tiles of";
+        return one ? "Scale a tile of" : "Scale tiles of";
+    }
     case TileBrush::strand: return "Lay a strand of";
     }
     return "Paint";
@@ -115,7 +123,7 @@ Document applied(Document document, const PaintTiles& command)
 
 StepTitle title(const PaintTiles& c, const StepDocuments& step)
 {
-    return {fmt::format("{} {}", verb_of(c.stroke.brush), names_in(step.before, {c.object})),
+    return {fmt::format("{} {}", verb_of(c.stroke), names_in(step.before, {c.object})),
             "on " + names_in(step.before, {c.base})};
 }
 

@@ -123,6 +123,10 @@ std::vector<ChosenTiles> chosen_tiles(const Covering& covering, const CoveringPo
             continue;
         }
         told.lowered += on_one_of(guarded.lowered);
+        if (!guarded.of_limit.empty())
+            for (const std::uint32_t c : all[k].cells)
+                all[k].tile.of_limit =
+                    std::max(all[k].tile.of_limit, static_cast<float>(guarded.of_limit[c]));
         ChosenTiles& of_kind = out[kinds[k]];
         if (all[k].off <= most_off) {
             of_kind.patched.push_back(k);
@@ -239,6 +243,8 @@ CoverParts Covers::operator()(const CoverInput& input)
                     pose.factors.empty() ? 1 : *std::ranges::max_element(pose.factors);
                 guarded = guarded_heights(covering, pose, most * highest);
                 pose.heights = guarded.heights;
+                for (const double each : guarded.of_limit)
+                    out.of_limit = std::max(out.of_limit, each);
             }
             std::vector<ChosenTiles> chosen =
                 chosen_tiles(covering, pose, kind_of_tile, cells, guarded, out.counts);

@@ -24,6 +24,8 @@ struct CoverParts {
     std::vector<Part> parts; // in the world
     TileCounts counts;
     std::vector<std::string> notices; // why nothing is covered
+    // The greatest height of its tiles as a share of that which is proven; 0: nobody asked.
+    double of_limit = 0;
 };
 
 // Covers lays tiles all over a base: over its limit surface where it is shown as a subdivision

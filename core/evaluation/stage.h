@@ -9,6 +9,7 @@
 #include "core/refinement/refine.h"
 #include "core/unwrap/unwrap.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,12 @@ struct RefiningEffects {
 struct TilingEffects {
     // of the other objects among its tiles, behind its own; null: none
     Ref<std::vector<Material>> mixed_materials;
+    // The heights of its look up to which no tile is lowered, at this frame: of all, and by stroke
+    // of those that it lays; infinite: none is ever lowered, or the guard is off.
+    double height_limit = std::numeric_limits<double>::infinity();
+    std::vector<double> stroke_limits = {};
+    std::size_t painted = 0;     // number of tiles that strokes lay
+    std::size_t overlapping = 0; // of these, where such tiles are not left out
 };
 
 struct SimplifyingEffects {

@@ -4,12 +4,12 @@
 #include "core/evaluation/standing.h"
 #include "core/mesh/mesh_materials.h"
 #include "core/mesh/morphed.h"
-#include "core/tiles/layout.h"
 #include "core/tiles/tile_mix.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -55,17 +55,31 @@ std::size_t vertex_count(const std::vector<Part>& parts)
 
 } // namespace
 
-std::size_t TileKinds::of(std::uint32_t seed, double morph) const
+std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painted_morph) const
 {
     const Mixed& object = objects[kind_of(seed, weights)];
-    if (object.masked)
-        return object.first +
-               static_cast<std::size_t>(std::lround(std::clamp(morph, 0.0, 1.0) *
-                                                    (static_cast<double>(object.phases) - 1)));
     const auto phases = static_cast<double>(object.phases);
-    return object.first +
-           std::min(object.phases - 1,
-                    static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
+    const auto phase =
+        object.masked
+            ? static_cast<std::size_t>(
+                  std::lround(std::clamp(masked_morph, 0.0, 1.0) * (phases - 1)))
+            : std::min(object.phases - 1,
+                       static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
+    std::size_t nearest = 0;
+    for (std::size_t m = 1; m < object.morphs; ++m)
+        if (std::abs(morphs[m] - painted_morph) < std::abs(morphs[nearest] - painted_morph))
+            nearest = m;
+    return object.first + object.morphs * phase + nearest;
+}
+
+std::vector<double> painted_morphs(const std::vector<Tile>& tiles, int phases)
+{
+    // A step of a sixteenth is not seen as one; with many phases there are fewer of them.
+    const double steps = std::clamp(128 / std::max(phases, 1), 2, 16);
+    std::set<double> out{0};
+    for (const Tile& tile : tiles)
+        if (tile.morph != 0) out.insert(std::round(tile.morph * steps) / steps);
+    return {out.begin(), out.end()};
 }
 
 Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned)
@@ -168,6 +182,7 @@ void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share, cons
 }
 
 std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Morph& morph,
+                                             const std::vector<double>& painted,
                                              const StepInput& input)
 {
     const Object& object = trivar::object(input.document, id);
@@ -179,7 +194,8 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     const int phases = plays_apart || morphs_apart ? look.phases : 1;
     Posing& posing = posings_[id];
     posing.keep(3 * static_cast<std::size_t>(phases));
-    if (!morph.into.empty()) morphs_.keep(3 * static_cast<std::size_t>(phases) * morph.into.size());
+    if (!morph.into.empty())
+        morphs_.keep(3 * static_cast<std::size_t>(phases) * painted.size() * morph.into.size());
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
@@ -190,23 +206,32 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
             kind.parts = parts_in_model(
                 *posing(stage.shape, playing, input.seconds_since(playing.start_frame)));
         }
-        const double share = phases > 1 ? k / (phases - 1.0) : 0;
-        if (!morph.into.empty())
-            move_on(kind, morph, masked ? look.morph * share : morph_of(look, share), look);
-        out.push_back(std::move(kind));
+        if (morph.into.empty()) {
+            out.push_back(std::move(kind));
+            continue;
+        }
+        const double share = phases > 1 ? k / (phases - 1.0) : 0,
+                     all = masked ? look.morph * share : morph_of(look, share);
+        for (const double more : painted) { // which leads up to the other shape and not beyond
+            TileKind& moved = out.emplace_back(kind);
+            const double least = std::min(0.0, all), most = std::max(1.0, all);
+            move_on(moved, morph, std::clamp(all + more, least, most), look);
+        }
     }
     return out;
 }
 
-TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
+TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
+                                  const std::vector<double>& painted)
 {
     const Tiling& tiling = *input.object.tiles;
     TileKinds kinds;
+    kinds.morphs = painted;
     auto materials = static_cast<std::uint32_t>(layer.shape->materials->size());
     int meshes = 0;
     const auto add = [&](std::vector<TileKind> phases, double weight,
-                         const Ref<std::vector<Material>>& own) {
-        kinds.objects.push_back({kinds.all.size(), phases.size()});
+                         const Ref<std::vector<Material>>& own, std::size_t morphs) {
+        kinds.objects.push_back({kinds.all.size(), phases.size() / morphs, morphs});
         kinds.weights.push_back(weight);
         for (TileKind& kind : phases) {
             if (own) {
@@ -221,15 +246,16 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input)
         if (own) materials += static_cast<std::uint32_t>(own->size());
     };
     const Morph morph = morph_of_layer(layer, input, kinds.trouble);
-    add(phases_of(input.id, layer, morph, input), tiling.weight, nullptr);
+    add(phases_of(input.id, layer, morph, painted, input), tiling.weight, nullptr,
+        morph.into.empty() ? 1 : painted.size());
     kinds.objects.front().masked = !morph.into.empty() && morph_is_masked(tiling);
     for (const MixedTile& each : tiling.others) {
         const auto found = input.done.find(each.object);
         if (found == input.done.end() || found->second->parts.empty() ||
             object(input.document, each.object).tiles)
             continue;
-        add(phases_of(each.object, *found->second, {}, input), each.weight,
-            found->second->materials);
+        add(phases_of(each.object, *found->second, {}, {}, input), each.weight,
+            found->second->materials, 1);
     }
     return kinds;
 }

@@ -4,10 +4,12 @@
 #include "core/evaluation/posing.h"
 #include "core/evaluation/step.h"
 #include "core/patches/tile_set.h"
+#include "core/tiles/layout.h"
 
 namespace trivar {
 
-// A TileKind is an object whose copies are tiles of a layer, in one phase of its clip and morph.
+// A TileKind is an object whose copies are tiles of a layer, in one phase of its clip and morph,
+// and with one of the morphs that a brush has painted.
 struct TileKind {
     std::vector<Part> parts;                        // in the object's own space; posed if they move
     glm::dmat4 turned{1};                           // its own rotation and scale
@@ -22,7 +24,8 @@ struct TileKind {
 struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
-        bool masked = false; // a mask chooses the phase, from not yet morphed to altogether
+        std::size_t morphs = 1; // number of painted morphs in each phase
+        bool masked = false;    // a mask chooses the phase, from not yet morphed to altogether
         bool operator==(const Mixed&) const = default;
     };
     std::vector<TileKind> all;
@@ -31,9 +34,15 @@ struct TileKinds {
     std::string trouble;         // why tiles do not become what they should; empty: they do
     bool operator==(const TileKinds&) const = default;
 
-    // The kind of a tile, by its seed alone, or by its share of the morph where a mask says that.
-    std::size_t of(std::uint32_t seed, double morph = 1) const;
+    // The kind of a tile: its seed chooses the object and the phase; where a mask says how far it
+    // has morphed, that chooses the phase.
+    std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0) const;
+    std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };
+
+// The morphs that brushes have given to the tiles of a layout, in few steps, ascending; 0 is among
+// them. `phases` is the number of phases that each of them is multiplied with.
+std::vector<double> painted_morphs(const std::vector<Tile>& tiles, int phases);
 
 // Bounds an object's parts at rest, turned. O(#V).
 Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
@@ -53,7 +62,8 @@ Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);
 // A TileKindsOf finds the kinds of a layer at a frame and makes their tiles; it keeps the last few.
 class TileKindsOf {
 public:
-    TileKinds operator()(const Stage& layer, const StepInput& input);
+    TileKinds operator()(const Stage& layer, const StepInput& input,
+                         const std::vector<double>& morphs);
     // Makes the tile of one of the kind's parts in a cell. Tiles that move have no levels.
     Ref<TileModel> model(const TileKind& kind, const Part& part, const TileCell& cell);
 
@@ -63,9 +73,9 @@ private:
         glm::dmat4 turned{1};
     };
     static Morph morph_of_layer(const Stage& layer, const StepInput& input, std::string& trouble);
-    // The kinds of one object, one for each phase of its clip and morph.
+    // The kinds of one object, for each phase of its clip and morph one for each painted morph.
     std::vector<TileKind> phases_of(Id id, const Stage& stage, const Morph& morph,
-                                    const StepInput& input);
+                                    const std::vector<double>& painted, const StepInput& input);
     // Poses parts as far on their way to what they become as the share says.
     void move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look);
 

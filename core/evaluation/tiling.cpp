@@ -3,6 +3,8 @@
 
 #include "core/base/parallel.h"
 #include "core/tiles/fold_limit.h"
+#include "core/tiles/on_surface.h"
+#include "core/tiles/overlaps.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
@@ -67,64 +69,112 @@ std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base
     return out;
 }
 
-// Adds the tiles that have room, each as high as it may be, to those of their kind. `kinds` and
-// `cells` hold the kind of each tile and the cell of each kind.
-void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
-                 const TileLayout& layout, const TileCharts& charts,
-                 const std::vector<MaskFactors>* factors, const std::vector<TilePatch>& patches,
-                 const TileLook& look, const std::vector<std::size_t>& kinds,
-                 const std::vector<TileCell>& cells, TileCounts& told)
+// The kinds of the tiles of a layout, and what masks make of each.
+struct LaidKinds {
+    std::vector<std::size_t> kinds;                    // of each tile
+    std::vector<TileCell> cells;                       // of each kind
+    const std::vector<MaskFactors>* factors = nullptr; // of each tile; null: 1
+
+    bool has(std::size_t i, const Tile& tile) const
+    {
+        return !factors ||
+               ((*factors)[i].scale >= smallest && is_there(tile.seed, (*factors)[i].density));
+    }
+};
+
+// The tiles of a layout where one member of its base stands, by their patches. `overlapping`: those
+// that are left out; null: none.
+std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout& layout,
+                                         const TileCharts& charts, std::vector<TilePatch> patches,
+                                         const TileLook& look, const LaidKinds& laid,
+                                         const Ref<std::vector<char>>& overlapping)
 {
-    enum class Fate : char { as_wanted, lowered, folded, at_border, not_there };
-    std::vector<PlacedTile> all(patches.size());
-    std::vector<Fate> fates(patches.size(), Fate::as_wanted);
+    using Fate = StandingTile::Fate;
+    std::vector<StandingTile> out(patches.size());
     parallel_blocks(patches.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const MaskFactors masked = factors ? (*factors)[i] : MaskFactors{};
-            if (masked.scale < smallest || !is_there(layout.tiles[i].seed, masked.density)) {
-                fates[i] = Fate::not_there;
-                continue;
-            }
-            if (charts.cut(i) > most_cut) {
-                fates[i] = Fate::at_border;
-                continue;
-            }
-            PlacedTile& tile = all[i];
-            const TileCell& cell = cells[kinds[i]];
+            StandingTile& tile = out[i];
             const TileMotion motion =
                 motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
-            if (motion.size < smallest) {
-                fates[i] = Fate::not_there;
-                continue;
-            }
+            const double reach = laid.cells[laid.kinds[i]].reach;
+            tile.fate = !laid.has(i, layout.tiles[i])      ? Fate::not_there
+                        : charts.cut(i) > most_cut         ? Fate::at_border
+                        : motion.size < smallest           ? Fate::not_there
+                        : overlapping && (*overlapping)[i] ? Fate::overlapping
+                                                           : Fate::there;
+            if (tile.fate != Fate::there) continue;
             tile.patch = patches[i];
             if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
-            tile.height = side_in_world(tile.patch) * layout.tiles[i].height * look.height *
-                          motion.height * masked.height;
+            tile.side = side_in_world(tile.patch);
+            if (look.guard)
+                tile.limit = fold_limit(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
+        }
+    });
+    return out;
+}
+
+// Adds the tiles that have room, each as high as it may be, to those of their kind. `kinds` and
+// `cells` hold the kind of each tile and the cell of each kind. `height_limits` are, by stroke, the
+// heights of the look up to which none is lowered; they only fall.
+void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
+                 const TileLayout& layout, const std::vector<StandingTile>& standing,
+                 const TileLook& look, const LaidKinds& of, TileCounts& told,
+                 std::vector<double>& height_limits)
+{
+    enum class Guarded : char { as_wanted, lowered, folded };
+    std::vector<PlacedTile> all(standing.size());
+    std::vector<Guarded> guarded(standing.size(), Guarded::as_wanted);
+    std::vector<double> limits(standing.size(), std::numeric_limits<double>::infinity());
+    parallel_blocks(standing.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const StandingTile& there = standing[i];
+            if (there.fate != StandingTile::Fate::there) continue;
+            PlacedTile& tile = all[i];
+            const Tile& laid = layout.tiles[i];
+            const TileCell& cell = of.cells[of.kinds[i]];
+            const double masked = of.factors ? (*of.factors)[i].height : 1;
+            const TileMotion motion = motion_of(look, layout, laid, base.position(laid.at));
+            tile.patch = there.patch;
+            tile.tint = glm::vec3(laid.tint);
+            tile.height = there.side * laid.height * look.height * motion.height * masked;
             const double top = tile.height * cell.top / cell.side;
             tile.base = -look.sink * top;
             if (!look.guard) continue;
-            const double limit =
-                fold_limit(cell.reach > 1 ? middle_of(tile.patch, cell.reach) : tile.patch);
-            if (!(limit > 0)) {
-                fates[i] = Fate::folded;
+            if (!(there.limit > 0)) {
+                guarded[i] = Guarded::folded;
                 continue;
             }
+            const double proven = below_limit * there.limit;
+            const double per_height = there.side * laid.height * motion.height * masked * cell.top /
+                                      cell.side * (1 - look.sink);
+            if (per_height > 0) limits[i] = proven / per_height;
             const double highest = std::max(0.0, top + tile.base);
-            if (highest <= below_limit * limit) continue;
-            const double factor = below_limit * limit / highest;
+            tile.of_limit = static_cast<float>(highest / proven);
+            if (highest <= proven) continue;
+            const double factor = proven / highest;
             tile.height *= factor;
             tile.base *= factor;
-            fates[i] = Fate::lowered;
+            guarded[i] = Guarded::lowered;
         }
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
-        told.lowered += fates[i] == Fate::lowered;
-        told.folded += fates[i] == Fate::folded;
-        told.at_borders += fates[i] == Fate::at_border;
-        if (fates[i] == Fate::as_wanted || fates[i] == Fate::lowered)
-            out[kinds[i]].push_back(std::move(all[i]));
+        const StandingTile::Fate fate = standing[i].fate;
+        told.at_borders += fate == StandingTile::Fate::at_border;
+        told.overlapping += fate == StandingTile::Fate::overlapping;
+        if (fate != StandingTile::Fate::there) continue;
+        told.lowered += guarded[i] == Guarded::lowered;
+        told.folded += guarded[i] == Guarded::folded;
+        if (guarded[i] == Guarded::folded) continue;
+        const auto stroke = static_cast<std::size_t>(layout.tiles[i].stroke);
+        double& limit = height_limits[std::min(stroke, height_limits.size() - 1)];
+        limit = std::min(limit, limits[i]);
+        out[of.kinds[i]].push_back(std::move(all[i]));
     }
+}
+
+bool stands_alike(const Tile& a, const Tile& b)
+{
+    return a.at == b.at && a.x == b.x && a.size == b.size;
 }
 
 std::string tiles(int count)
@@ -142,6 +192,8 @@ void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
     if (told.at_borders > 0)
         stage.notices.push_back(tiles(told.at_borders) +
                                 " left out, where the surface has no room for them");
+    if (told.overlapping > 0)
+        stage.notices.push_back(tiles(told.overlapping) + " left out, which overlap earlier ones");
     if (layout.lost > 0)
         stage.notices.push_back(
             fmt::format("{} of the points that were painted {} no longer on the surface",
@@ -187,7 +239,7 @@ Ref<TileCharts> TilingStep::charts(const FoundLimit& limit, const Ref<TileBase>&
             parallel_blocks(layout->tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     const Tile& tile = layout->tiles[i];
-                    if (i < known && tile == last_.layout->tiles[i]) {
+                    if (i < known && stands_alike(tile, last_.layout->tiles[i])) {
                         if (limit.base)
                             out.smooth[i] = last_.charts->smooth[i];
                         else
@@ -218,9 +270,15 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
             meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
         base = bases_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
     }
+    const Lazy<TileCurvature> curvature = curvatures_(base, [&] {
+        return Lazy<TileCurvature>([base, smooth = limit.base] {
+            return smooth ? TileCurvature(smooth) : TileCurvature(*base);
+        });
+    });
     Ref<TileLayout> whole = layouts_({base, tiling.strokes}, [&] {
-        return timed(input.timings, "tiles",
-                     [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
+        return timed(input.timings, "tiles", [&] {
+            return make_ref(layout_of(*base, tiling.strokes, input.progress, &curvature));
+        });
     });
     Ref<TextureLayout> others;
     if (by_texture) {
@@ -240,6 +298,35 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
     return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};
 }
 
+Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKinds& kinds,
+                                            const TileLook& look, Timings& timings)
+{
+    OverlapKey key{strokes.layout, look.turn_deg, look.scale, !look.keep_overlaps, strokes.factors, {},
+                   kinds.weights};
+    const LaidKinds laid{{}, {}, strokes.factors.get()};
+    for (const TileKind& kind : kinds.all) {
+        const glm::dvec3 size = box_at_rest(kind.parts, kind.turned).size();
+        key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
+    }
+    return overlaps_(key, [&] {
+        return timed(timings, "tiles", [&] {
+            const std::vector<Tile>& tiles = strokes.layout->tiles;
+            std::vector<TileOutline> outlines(tiles.size());
+            parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Tile& tile = tiles[i];
+                    if (!std::isfinite(tile.size) || !laid.has(i, tile)) continue;
+                    const glm::dvec3 n = strokes.base->normal(tile.at);
+                    outlines[i] = {strokes.base->position(tile.at),
+                                   turned_about(tile.x, n, glm::radians(look.turn_deg)), n,
+                                   tile.size * look.scale * key.halves[kinds.of(tile.seed)]};
+                }
+            });
+            return make_ref(look.keep_overlaps ? overlapping(outlines) : overlapping_earlier(outlines));
+        });
+    });
+}
+
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     if (!input.object.tiles) return before;
@@ -257,7 +344,9 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const FoundMasks masks = masks_of_(pieces, input);
     const Painted strokes = painted(pieces, limit, masks, input);
     const TileLook& look = tiling.look;
-    const TileKinds of_layer = kinds_of_(*before, input);
+    const TileKinds of_layer = kinds_of_(
+        *before, input,
+        painted_morphs(strokes.layout ? strokes.layout->tiles : std::vector<Tile>(), look.phases));
     return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
@@ -267,21 +356,46 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         if (strokes.charts) {
             std::vector<TileCell> cells;
             for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind, look));
-            std::vector<std::size_t> kind_of_tile, counts;
-            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i)
-                kind_of_tile.push_back(
-                    of_layer.of(strokes.layout->tiles[i].seed,
-                                strokes.factors ? (*strokes.factors)[i].morph : 1));
-            std::vector<std::vector<PlacedTile>> all(kinds.size());
-            for (const auto& [member, parts] : members) {
-                if (parts.size() != pieces.size()) continue; // a part is too far away
-                timed(input.timings, "tiles", [&] {
-                    place_tiles(all, *strokes.base, *strokes.layout, *strokes.charts,
-                                strokes.factors.get(),
-                                patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
-                                kind_of_tile, cells, told);
-                });
+            std::vector<std::size_t> counts;
+            LaidKinds laid{{}, std::move(cells), strokes.factors.get()};
+            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i) {
+                const Tile& tile = strokes.layout->tiles[i];
+                laid.kinds.push_back(of_layer.of(
+                    tile.seed, strokes.factors ? (*strokes.factors)[i].morph : 1, tile.morph));
             }
+            const Ref<std::vector<char>> overlapping =
+                overlaps(strokes, of_layer, look, input.timings);
+            stage.painted = strokes.layout->tiles.size();
+            if (look.keep_overlaps)
+                stage.overlapping =
+                    static_cast<std::size_t>(std::ranges::count(*overlapping, char(1)));
+            const Ref<std::vector<char>> left_out = look.keep_overlaps ? nullptr : overlapping;
+            StandingKey standing_key{shown,     strokes.charts,   left_out,    strokes.factors,
+                                     {},        of_layer.weights, look.growth, look.growth_softness,
+                                     look.guard};
+            for (const TileCell& cell : laid.cells) standing_key.reaches.push_back(cell.reach);
+            const Ref<Members> standing = standing_(standing_key, [&] {
+                return timed(input.timings, "tiles", [&] {
+                    Members out;
+                    for (const auto& [member, parts] : members)
+                        if (parts.size() == pieces.size()) // else a part is too far away
+                            out[member] = standing_tiles(
+                                *strokes.base, *strokes.layout, *strokes.charts,
+                                patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
+                                laid, left_out);
+                    return make_ref(std::move(out));
+                });
+            });
+            std::vector<std::vector<PlacedTile>> all(kinds.size());
+            stage.stroke_limits.assign(tiling.strokes.size() + 1,
+                                       std::numeric_limits<double>::infinity());
+            for (const auto& [member, tiles] : *standing)
+                timed(input.timings, "tiles", [&] {
+                    place_tiles(all, *strokes.base, *strokes.layout, tiles, look, laid, told,
+                                stage.stroke_limits);
+                });
+            stage.height_limit = *std::ranges::min_element(stage.stroke_limits);
+            stage.stroke_limits.pop_back();
             for (const auto& of_kind : all) counts.push_back(of_kind.size());
             if (const std::string words = too_many_words(kinds, counts); !words.empty())
                 return refused(before, words);
@@ -290,7 +404,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                 const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
                 for (const Part& part : kinds[k].parts) {
                     if (part.rest->positions.empty()) continue;
-                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, cells[k]);
+                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, laid.cells[k]);
                     PartKey key = part.key;
                     key.mesh += kinds[k].first_mesh;
                     stage.parts.push_back(timed(input.timings, "tiles", [&] {
@@ -310,6 +424,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
             covers_({tiling, of_layer, pieces, limit, members, masks, input.timings});
         stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
         told += cover.counts;
+        if (cover.of_limit > 0 && look.height > 0)
+            stage.height_limit = std::min(stage.height_limit, look.height / cover.of_limit);
         if (strokes.by_texture)
             stage.notices.insert(stage.notices.end(), strokes.by_texture->notices.begin(),
                                  strokes.by_texture->notices.end());

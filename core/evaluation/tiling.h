@@ -8,6 +8,8 @@
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_chart.h"
 
+#include <limits>
+
 namespace trivar {
 
 // TileCharts say where the tiles of a layout are on their base at rest; one of the lists is empty.
@@ -16,6 +18,16 @@ struct TileCharts {
     std::vector<LimitChart> smooth; // on its limit surface
     std::size_t count() const { return flat.size() + smooth.size(); }
     double cut(std::size_t i) const { return flat.empty() ? smooth[i].cut : flat[i].cut; }
+};
+
+// A StandingTile is a painted tile where its base stands at a frame, before it is known how high it
+// is to be.
+struct StandingTile {
+    enum class Fate : char { there, at_border, not_there, overlapping } fate = Fate::there;
+    TilePatch patch;
+    double side = 0; // metres in the world
+    // up to which it is proven not to fold, metres in the world; 0: it folds in itself
+    double limit = std::numeric_limits<double>::infinity();
 };
 
 // A TilingStep puts copies of an object's meshes where its strokes lay them on their base, and all
@@ -50,11 +62,31 @@ private:
         FoundMasks masks;
         bool operator==(const Key&) const = default;
     };
+    struct StandingKey {
+        Ref<EvaluatedObject> base;
+        Ref<TileCharts> charts;
+        Ref<std::vector<char>> overlapping;
+        Ref<std::vector<MaskFactors>> factors;
+        std::vector<double> reaches, weights; // of the kinds
+        double growth, growth_softness;
+        bool guard;
+        bool operator==(const StandingKey&) const = default;
+    };
+    struct OverlapKey {
+        Ref<TileLayout> layout;
+        double turn_deg, scale;
+        bool left_out;
+        Ref<std::vector<MaskFactors>> factors;
+        std::vector<glm::dvec2> halves; // of the kinds
+        std::vector<double> weights;
+        bool operator==(const OverlapKey&) const = default;
+    };
+    using Members = std::map<int, std::vector<StandingTile>>; // by member of the base
     struct Painted { // all null where there are neither strokes nor tiles by texture
         Ref<TileBase> base;
         Ref<TileLayout> layout;
         Ref<TileCharts> charts;
-        Ref<TextureLayout> by_texture; // null: none
+        Ref<TextureLayout> by_texture;         // null: none
         Ref<std::vector<MaskFactors>> factors; // of the masks; null: 1
     };
     struct LastCharts { // of which those of tiles that stay are taken over
@@ -67,15 +99,21 @@ private:
                            const Ref<TileLayout>& layout, const TileLook& look, Timings& timings);
     Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const FoundMasks& masks,
                     const StepInput& input);
+    // Of each tile whether it overlaps another one, or where such are left out, an earlier one.
+    Ref<std::vector<char>> overlaps(const Painted& strokes, const TileKinds& kinds,
+                                    const TileLook& look, Timings& timings);
 
     LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
+    Recent<Ref<TileBase>, Lazy<TileCurvature>> curvatures_;
     TextureTiles textures_;
     Recent<std::pair<Ref<TileLayout>, Ref<TextureLayout>>, Ref<TileLayout>> joined_;
     Recent<SlideKey, Ref<TileLayout>> slides_;
     Recent<ChartKey, Ref<TileCharts>> charts_;
     LastCharts last_;
+    Recent<OverlapKey, Ref<std::vector<char>>> overlaps_;
+    Recent<StandingKey, Ref<Members>> standing_{1}; // 800 bytes per tile
     TileKindsOf kinds_of_;
     MasksOf masks_of_;
     Covers covers_;

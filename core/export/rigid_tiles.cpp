@@ -38,11 +38,15 @@ void fit_parts(RigidTile& tile, const std::vector<const Part*>& parts,
 RigidTile rigid_tile(const std::vector<const Part*>& parts, std::size_t number, double tolerance,
                      StoredParts stored)
 {
+    RigidTile out;
+    out.off = out.off_instance = infinite;
+    // An instance has no colour of its own.
+    if (is_tinted((*parts.front()->tiles->tiles)[number])) return out;
+    out.off_instance = 0;
     std::vector<BentPlaces> places;
     for (const Part* part : parts)
         places.push_back(
             bent_places(*part->tiles->model->mesh, (*part->tiles->tiles)[number], part->to_world));
-    RigidTile out;
     fit_parts(out, parts, places, stored);
     out.off = out.off_instance;
     out.way = Way::instance;

@@ -10,10 +10,20 @@ namespace trivar {
 // A point of the tile in its unit cell, z in sides, lies at T(x, y, height z + base).
 struct PlacedTile {
     TilePatch patch;
-    double height = 1; // metres in the world of what is one side high
-    double base = 0;   // added to z, metres in the world
+    double height = 1;   // metres in the world of what is one side high
+    double base = 0;     // added to z, metres in the world
+    glm::vec3 tint{1};   // factor of the colours of its material, linear
+    float tint_over = 0; // share by which the tint takes the place of the colours of its vertices
+    // The height that it was to have, as a share of that up to which it is proven not to fold;
+    // above 1 it was lowered. 0: nobody asked.
+    float of_limit = 0;
     bool operator==(const PlacedTile&) const = default;
 };
+
+inline bool is_tinted(const PlacedTile& tile)
+{
+    return tile.tint != glm::vec3(1) || tile.tint_over != 0;
+}
 
 // TilePowers are a placed tile as polynomials in x and y, made for single precision: with
 // P'(x, y) = P + base N and N'(x, y) = height N,

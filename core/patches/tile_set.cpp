@@ -94,6 +94,7 @@ Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
 {
     const std::size_t count = unit.vertex_count(), copies = tiles.size();
     Mesh out = copies_of(unit, copies, false);
+    if (std::ranges::any_of(tiles, is_tinted)) out.colors.resize(count * copies, glm::vec4(1));
     const TileVertices vertices(unit);
     parallel_blocks(copies, 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -103,6 +104,13 @@ Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
                           {out.positions.data() + to,
                            out.normals.empty() ? nullptr : out.normals.data() + to,
                            out.tangents.empty() ? nullptr : out.tangents.data() + to});
+            if (is_tinted(tiles[i]))
+                for (std::size_t v = 0; v < count; ++v) {
+                    glm::vec4& color = out.colors[to + v];
+                    color = {tiles[i].tint *
+                                 glm::mix(glm::vec3(color), glm::vec3(1), tiles[i].tint_over),
+                             color.a};
+                }
         }
     });
     return out;

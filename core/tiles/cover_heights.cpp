@@ -48,7 +48,8 @@ std::vector<double> heights_along_rows(const Covering& covering,
 GuardedHeights guarded_heights(const Covering& covering, const CoveringPose& pose, double top)
 {
     const std::size_t count = covering.cell_count();
-    GuardedHeights out{pose.heights, std::vector<char>(count, 0), std::vector<char>(count, 0)};
+    GuardedHeights out{pose.heights, std::vector<char>(count, 0), std::vector<char>(count, 0),
+                       std::vector<double>(count, 0)};
     if (!(top > 0)) return out;
     std::vector<double> highest(count);
     parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
@@ -61,6 +62,7 @@ GuardedHeights guarded_heights(const Covering& covering, const CoveringPose& pos
         if (out.folded[c]) continue;
         for (const std::uint32_t node : covering.corners(c)) {
             if (pose.heights[node] > highest[c]) out.lowered[c] = 1;
+            out.of_limit[c] = std::max(out.of_limit[c], pose.heights[node] / highest[c]);
             out.heights[node] = std::min(out.heights[node], highest[c]);
         }
     }

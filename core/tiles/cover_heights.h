@@ -14,6 +14,9 @@ std::vector<double> heights_along_rows(const Covering& covering,
 struct GuardedHeights {
     std::vector<double> heights;       // of the nodes
     std::vector<char> lowered, folded; // of the cells
+    // Of the cells: their greatest height as a share of that which is proven; above 1 it was
+    // lowered. 0 where a cell folds in itself.
+    std::vector<double> of_limit = {};
 };
 // Lowers heights at corners until no cell folds below `top`, in lengths of a tile: a corner as far
 // as the cells round it need, so that tiles that meet stay equally high there. Cells that fold in

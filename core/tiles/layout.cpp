@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/layout.h"
 
-#include "core/limit/tangent.h"
-#include "core/tiles/near_tiles.h"
+#include "core/tiles/filled_triangles.h"
+#include "core/tiles/mirror_plane.h"
+#include "core/tiles/on_surface.h"
 #include "core/tiles/straightest.h"
+#include "core/tiles/tile_brushes.h"
 
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
@@ -23,63 +25,27 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
 // The purpose of a random number; a new purpose does not change the numbers of the others.
 enum Purpose : std::uint32_t { across, around, size, turn, heading, triangle, side };
 
-glm::dvec3 tangent(const glm::dvec3& v, const glm::dvec3& n)
-{
-    const glm::dvec3 flat = v - glm::dot(v, n) * n;
-    const double length = glm::length(flat);
-    if (length > 1e-9 * glm::length(v)) return flat / length;
-    const glm::dvec3 other = std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(other - glm::dot(other, n) * n);
-}
-
-glm::dvec3 rotated(const glm::dvec3& x, const glm::dvec3& n, double angle)
-{
-    return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x);
-}
-
 // Largest number of tiles that are tried for all strokes together, so that no file blocks the
 // editor.
 constexpr int most_tries = 20 * static_cast<int>(most_tiles);
 
-// A Step is a sample of a stroke on the present base; samples that are on no surface are left out.
-struct Step {
-    SurfacePlace at;
-    glm::dvec3 p, n;
-    double time_s, pressure;
-};
-
-// Returns the direction of the stroke at one of its samples, in the plane of the normal there.
-glm::dvec3 along(const std::vector<Step>& path, std::size_t i)
-{
-    const glm::dvec3 from = path[i > 0 ? i - 1 : 0].p,
-                     to = path[std::min(i + 1, path.size() - 1)].p;
-    const glm::dvec3 way = to - from;
-    return tangent(glm::length(way) > 0 ? way : glm::dvec3(1, 0, 0), path[i].n);
-}
-
-double falloff(double distance, double radius) // 1 in the middle, 0 and flat at the rim
-{
-    const double r = std::min(1.0, distance / radius), s = 1 - r * r;
-    return s * s;
-}
-
 class Layouter {
 public:
     Layouter(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
-             const Progress& progress)
+             const Progress& progress, const Lazy<TileCurvature>* curvature)
         : base_(base),
           progress_(progress),
-          near_(cube_of(base, strokes))
+          estimate_([&base] { return TileCurvature(base); }),
+          curvature_(curvature ? curvature : &estimate_),
+          laid_{base, {}, {}, NearTiles(cube_of(base, strokes))}
     {
         for (std::size_t i = 0; i < strokes.size(); ++i)
             if (!strokes[i]->hidden && !out_.too_many) work_off(*strokes[i], static_cast<int>(i));
     }
     TileLayout result() &&
     {
-        std::vector<Tile> alive;
-        for (std::size_t i = 0; i < out_.tiles.size(); ++i)
-            if (!gone_[i]) alive.push_back(out_.tiles[i]);
-        out_.tiles = std::move(alive);
+        for (std::size_t i = 0; i < laid_.tiles.size(); ++i)
+            if (!laid_.gone[i]) out_.tiles.push_back(laid_.tiles[i]);
         return std::move(out_);
     }
 
@@ -91,22 +57,51 @@ private:
         return std::max(least, 1e-4 * base.diagonal()) + 1e-300;
     }
 
-    std::vector<Step> path_of(const TileStroke& stroke)
+    std::vector<StrokeStep> path_of(const TileStroke& stroke)
     {
         std::vector<SurfacePoint> points;
         for (const TileSample& each : stroke.samples) points.push_back(each.at);
-        const double reach = std::max(stroke.size, 1e-3 * base_.diagonal());
-        const auto places = base_.locate(points, reach);
-        std::vector<Step> path;
+        const auto places = base_.locate(points, reach_of(stroke));
+        std::vector<StrokeStep> path;
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!places[i]) {
                 ++out_.lost;
                 continue;
             }
             path.push_back({*places[i], base_.position(*places[i]), base_.normal(*places[i]),
-                            out_.duration_s + time_of(stroke, i), stroke.samples[i].pressure});
+                            glm::dvec3(0), out_.duration_s + time_of(stroke, i),
+                            stroke.samples[i].pressure});
+        }
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const glm::dvec3 way =
+                path[std::min(i + 1, path.size() - 1)].p - path[i > 0 ? i - 1 : 0].p;
+            path[i].ahead =
+                direction_on(glm::length(way) > 0 ? way : glm::dvec3(1, 0, 0), path[i].n);
         }
         return path;
+    }
+
+    // How far from their samples strokes find the surface.
+    double reach_of(const TileStroke& stroke) const
+    {
+        return std::max(stroke.size, 1e-3 * base_.diagonal());
+    }
+
+    // The mirror image of a path, where the base has it; empty: the stroke has no mirror.
+    std::vector<StrokeStep> image_of(const TileStroke& stroke,
+                                     const std::vector<StrokeStep>& path) const
+    {
+        std::vector<StrokeStep> out;
+        if (const std::optional<MirrorPlane> plane = plane_of(stroke.mirror))
+            for (StrokeStep step : path)
+                if (const auto at = mirrored(*plane, base_, step.at, reach_of(stroke))) {
+                    step.at = *at;
+                    step.p = base_.position(*at);
+                    step.n = base_.normal(*at);
+                    step.ahead = direction_on(plane->across(step.ahead), step.n);
+                    out.push_back(step);
+                }
+        return out;
     }
 
     // Where a stroke does not say how long it took, it took a second.
@@ -124,15 +119,34 @@ private:
 
     void work_off(const TileStroke& stroke, int number)
     {
-        const std::vector<Step> path = path_of(stroke);
+        const std::vector<StrokeStep> path = path_of(stroke);
         if (path.empty()) return;
         switch (stroke.brush) {
         case TileBrush::scatter: scatter(stroke, number, path); break;
         case TileBrush::line: line(stroke, number, path); break;
         case TileBrush::fill: fill(stroke, number, path); break;
-        case TileBrush::grab: grab(path); return;
-        case TileBrush::strand: strand(stroke, number, path); break;
-        default: change(stroke, path); return;
+        case TileBrush::grab: {
+            std::vector<StrokeStep> image = image_of(stroke, path);
+            if (image.size() < path.size()) image.clear(); // it would not say what goes where
+            grab_tiles(laid_, path, image);
+            return;
+        }
+        case TileBrush::adjust: adjust_tiles(laid_, stroke, path, image_of(stroke, path)); return;
+        case TileBrush::strand:
+            strand(stroke, number, path);
+            strand(stroke, number, image_of(stroke, path));
+            break;
+        default: {
+            std::vector<StrokeStep> both = path;
+            const std::vector<StrokeStep> image = image_of(stroke, path);
+            both.insert(both.end(), image.begin(), image.end());
+            std::vector<StrandPoint> points;
+            for (const StrokeStep& each : both)
+                points.push_back({{each.p, each.n}, 0, each.pressure});
+            change_strands(out_.strands, base_, stroke, points);
+            change_tiles(laid_, stroke, both);
+            return;
+        }
         }
         out_.duration_s += duration_of(stroke);
     }
@@ -148,38 +162,103 @@ private:
         return mixed(static_cast<std::uint32_t>(stroke.seed), made_++);
     }
 
-    // Lays a tile if there is room. `turned` is the direction of the stroke there.
-    bool lay(const TileStroke& stroke, int number, std::uint32_t seed, const SurfacePlace& at,
-             const glm::dvec3& turned, double time_s, double pressure, bool avoiding)
+    // What a brush asks for at one place. `ahead` is the direction of the stroke there.
+    struct Wanted {
+        std::uint32_t seed;
+        SurfacePlace at;
+        glm::dvec3 ahead;
+        double time_s, pressure;
+    };
+
+    // Lays a tile if there is room, and where the stroke has a mirror its image. What would overlap
+    // its own image stands on the plane.
+    void lay(const TileStroke& stroke, int number, Wanted wanted, bool avoiding)
     {
-        const glm::dvec3 p = base_.position(at), n = base_.normal(at);
-        const double share = 1 - stroke.size_variation * random_share(seed, Purpose::size);
-        const double side = stroke.size * share * pressure;
-        if (!(side > 0)) return false;
+        const double share = 1 - stroke.size_variation * random_share(wanted.seed, Purpose::size);
+        const double side = stroke.size * share * wanted.pressure;
+        if (!(side > 0)) return;
         const double room = stroke.spacing * stroke.size;
-        if (avoiding && near_.any(p, room, [&](int other, double distance) {
-                const auto o = static_cast<std::size_t>(other);
-                return !gone_[o] && distance < room && // on this side of the surface
-                       glm::dot(base_.normal(out_.tiles[o].at), n) > -0.2;
-            }))
-            return false;
-        if (out_.tiles.size() >= most_tiles) {
+        const std::optional<MirrorPlane> plane = plane_of(stroke.mirror);
+        const std::optional<SurfacePlace> on_plane =
+            plane ? on_the_plane(*plane, wanted.at, room / 2) : std::nullopt;
+        if (on_plane) wanted.at = *on_plane;
+        if (avoiding && !has_room(wanted.at, room)) return;
+        Tile tile{
+            wanted.at,    heading_of(stroke, wanted), side, stroke.height, wanted.seed, number,
+            wanted.time_s};
+        if (on_plane) { // it is its own image: along the plane or across it
+            const glm::dvec3 flat = plane->onto(tile.x);
+            tile.x =
+                direction_on(glm::length(flat) > 0.7 ? flat : tile.x - flat, base_.normal(tile.at));
+        }
+        if (!add(tile) || !plane || on_plane) return;
+        const std::optional<SurfacePlace> image =
+            mirrored(*plane, base_, tile.at, reach_of(stroke));
+        if (!image || (avoiding && !has_room(*image, room))) return;
+        tile.at = *image;
+        tile.x = direction_on(plane->across(tile.x), base_.normal(*image));
+        add(tile);
+    }
+
+    bool has_room(const SurfacePlace& at, double room) const
+    {
+        const glm::dvec3 n = base_.normal(at);
+        return !laid_.near.any(base_.position(at), room, [&](int other, double distance) {
+            const auto o = static_cast<std::size_t>(other);
+            return !laid_.gone[o] && distance < room && // on this side of the surface
+                   glm::dot(base_.normal(laid_.tiles[o].at), n) > -0.2;
+        });
+    }
+
+    bool add(const Tile& tile)
+    {
+        if (laid_.tiles.size() >= most_tiles) {
             out_.too_many = true;
             return false;
         }
-        glm::dvec3 x = tangent(turned, n);
-        if (stroke.heading == TileHeading::upward) x = tangent({0, 0, 1}, n);
-        if (stroke.heading == TileHeading::random)
-            x = rotated(x, n, glm::two_pi<double>() * random_share(seed, Purpose::heading));
-        const double most = glm::radians(stroke.turn_variation_deg);
-        x = rotated(x, n, most * (2 * random_share(seed, Purpose::turn) - 1));
-        near_.add(p, static_cast<int>(out_.tiles.size()));
-        out_.tiles.push_back({at, x, side, stroke.height, seed, number, time_s});
-        gone_.push_back(0);
+        laid_.add(tile);
         return true;
     }
 
-    void scatter(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    // Where the surface meets the plane beside a place that is nearer to it than `near`.
+    std::optional<SurfacePlace> on_the_plane(const MirrorPlane& plane, const SurfacePlace& at,
+                                             double near) const
+    {
+        const glm::dvec3 p = base_.position(at), n = plane.onto(base_.normal(at));
+        const double length = glm::length(n);
+        if (!(std::abs(p[plane.axis]) < near) || !(length > 0.5)) return std::nullopt;
+        const SurfacePoint beside{plane.onto(p), n / length};
+        return base_.locate({&beside, 1}, 2 * near).front();
+    }
+
+    glm::dvec3 heading_of(const TileStroke& stroke, const Wanted& wanted)
+    {
+        const glm::dvec3 n = base_.normal(wanted.at);
+        glm::dvec3 x = direction_on(wanted.ahead, n);
+        switch (stroke.heading) {
+        case TileHeading::along_stroke: break;
+        case TileHeading::upward: x = direction_on({0, 0, 1}, n); break;
+        case TileHeading::random:
+            x = turned_about(x, n,
+                             glm::two_pi<double>() * random_share(wanted.seed, Purpose::heading));
+            break;
+        case TileHeading::least_curvature:
+        case TileHeading::most_curvature: {
+            glm::dvec3 least = (**curvature_).least(base_, wanted.at);
+            if (least == glm::dvec3(0)) break;
+            if (stroke.heading == TileHeading::most_curvature) least = glm::cross(n, least);
+            x = direction_on(glm::dot(least, x) < 0 ? -least : least, n); // on with the stroke
+            break;
+        }
+        case TileHeading::to_point:
+            x = direction_on(stroke.point - base_.position(wanted.at), n);
+            break;
+        }
+        const double most = glm::radians(stroke.turn_variation_deg);
+        return turned_about(x, n, most * (2 * random_share(wanted.seed, Purpose::turn) - 1));
+    }
+
+    void scatter(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
         made_ = 0;
         // The number of tries is twice the number of discs of the spacing's radius that fill the
@@ -192,80 +271,63 @@ private:
             if (i > 0) since += glm::distance(path[i].p, path[i - 1].p);
             if (since < radius / 2) continue;
             since = 0;
-            const glm::dvec3 ahead = along(path, i);
+            const glm::dvec3 ahead = path[i].ahead;
             for (int k = 0; k < tries && !out_.too_many; ++k) {
                 const std::uint32_t seed = next_seed(stroke);
                 const double away = radius * std::sqrt(random_share(seed, Purpose::across));
                 const double angle = glm::two_pi<double>() * random_share(seed, Purpose::around);
                 const SurfaceRay ray =
-                    straightest(base_, path[i].at, away * rotated(ahead, path[i].n, angle));
+                    straightest(base_, path[i].at, away * turned_about(ahead, path[i].n, angle));
                 if (ray.left > 0) continue;
                 const SurfacePlace at = inside(ray.at);
                 const glm::dvec3 n = base_.normal(at);
                 // The direction of the stroke keeps its angle to the path.
-                const glm::dvec3 x = rotated(tangent(ray.direction, n), n, -angle);
-                lay(stroke, number, seed, at, x, path[i].time_s, path[i].pressure, true);
+                const glm::dvec3 x = turned_about(direction_on(ray.direction, n), n, -angle);
+                lay(stroke, number, {seed, at, x, path[i].time_s, path[i].pressure}, true);
             }
         }
     }
 
-    void line(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    void line(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
         made_ = 0;
         const double step = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
-        lay(stroke, number, next_seed(stroke), path.front().at, along(path, 0), path.front().time_s,
-            path.front().pressure, false);
+        lay(stroke, number,
+            {next_seed(stroke), path.front().at, path.front().ahead, path.front().time_s,
+             path.front().pressure},
+            false);
         double next = step; // length to the next tile
         for (std::size_t i = 1; i < path.size() && !out_.too_many; ++i) {
-            const Step &a = path[i - 1], &b = path[i];
+            const StrokeStep &a = path[i - 1], &b = path[i];
             const double length = glm::distance(a.p, b.p);
             double gone = next;
             for (; gone <= length && !out_.too_many; gone += step) {
-                const glm::dvec3 way = gone * tangent(b.p - a.p, a.n);
+                const glm::dvec3 way = gone * direction_on(b.p - a.p, a.n);
                 const SurfaceRay ray = straightest(base_, a.at, way);
                 const double share = gone / length;
-                lay(stroke, number, next_seed(stroke), inside(ray.at), b.p - a.p,
-                    glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share),
+                lay(stroke, number,
+                    {next_seed(stroke), inside(ray.at), b.p - a.p,
+                     glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share)},
                     false);
             }
             next = gone - length;
         }
     }
 
-    // Lists the triangles that are connected with those of the path over their sides.
-    std::vector<std::uint32_t> joined(const std::vector<Step>& path) const
+    void strand(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
-        std::vector<char> seen(base_.triangle_count(), 0);
-        std::vector<std::uint32_t> out;
-        for (const Step& each : path)
-            if (!seen[each.at.triangle]) {
-                seen[each.at.triangle] = 1;
-                out.push_back(each.at.triangle);
-            }
-        for (std::size_t i = 0; i < out.size(); ++i)
-            for (int e = 0; e < 3; ++e) {
-                const std::uint32_t behind = base_.across(out[i], e);
-                if (behind == TileBase::none || seen[behind / 3]) continue;
-                seen[behind / 3] = 1;
-                out.push_back(behind / 3);
-            }
-        std::ranges::sort(out);
-        return out;
-    }
-
-    void strand(const TileStroke& stroke, int number, const std::vector<Step>& path)
-    {
+        if (path.empty()) return;
         std::vector<StrandPoint> points;
-        for (const Step& each : path)
+        for (const StrokeStep& each : path)
             points.push_back({{each.p, each.n}, each.time_s, each.pressure});
         add_strand(out_.strands, base_, stroke, number, std::move(points));
         out_.too_many |= out_.strands.cells.size() >= most_tiles;
     }
 
-    void fill(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    void fill(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
         made_ = 0;
-        const std::vector<std::uint32_t> all = joined(path);
+        const std::vector<std::uint32_t> all = filled_triangles(base_, stroke.area, path);
         std::vector<double> sums;
         double area = 0;
         for (const std::uint32_t t : all) sums.push_back(area += base_.area(t));
@@ -273,7 +335,7 @@ private:
         // Random tries fill a surface slowly in the end: ten tries per place of a tile.
         const double tries =
             std::min<double>(std::ceil(10 * area / (0.7 * room * room)), most_tries + 1);
-        const glm::dvec3 ahead = along(path, 0);
+        const glm::dvec3 ahead = path.front().ahead;
         for (int k = 0; k < static_cast<int>(tries) && !out_.too_many; ++k) {
             const std::uint32_t seed = next_seed(stroke);
             const double at = area * random_share(seed, Purpose::triangle);
@@ -285,81 +347,19 @@ private:
             const SurfacePlace place{all[found], {1 - u, u * (1 - v), u * v}};
             // It spreads from where it began.
             const double way = glm::distance(base_.position(place), path.front().p);
-            lay(stroke, number, seed, place, ahead,
-                out_.duration_s + std::min(1.0, way / base_.diagonal()), path.front().pressure,
+            lay(stroke, number,
+                {seed, place, ahead, out_.duration_s + std::min(1.0, way / base_.diagonal()),
+                 path.front().pressure},
                 true);
-        }
-    }
-
-    // Moves the nearest tile within half of its size.
-    void grab(const std::vector<Step>& path)
-    {
-        const Step &from = path.front(), &to = path.back();
-        std::size_t nearest = out_.tiles.size();
-        double least = 1e300;
-        near_.any(from.p, base_.diagonal(), [&](int tile, double distance) {
-            const auto t = static_cast<std::size_t>(tile);
-            const bool within = !gone_[t] && distance <= 0.5 * out_.tiles[t].size;
-            if (within && distance < least) {
-                least = distance;
-                nearest = t;
-            }
-            return false;
-        });
-        if (nearest == out_.tiles.size()) return;
-        Tile moved = out_.tiles[nearest];
-        gone_[nearest] = 1;
-        // Its direction turns as its normal does, by the smallest rotation.
-        moved.x = tangent(turned_from_to(base_.normal(moved.at), to.n, moved.x), to.n);
-        moved.at = to.at;
-        near_.add(to.p, static_cast<int>(out_.tiles.size()));
-        out_.tiles.push_back(moved);
-        gone_.push_back(0);
-    }
-
-    void change(const TileStroke& stroke, const std::vector<Step>& path)
-    {
-        std::vector<StrandPoint> points;
-        for (const Step& each : path) points.push_back({{each.p, each.n}, 0, each.pressure});
-        change_strands(out_.strands, base_, stroke, points);
-        // For each tile this is the nearest sample of the stroke on its side of the surface.
-        std::unordered_map<int, std::pair<double, std::size_t>> nearest;
-        for (std::size_t i = 0; i < path.size(); ++i)
-            near_.any(path[i].p, stroke.radius, [&](int tile, double distance) {
-                const auto t = static_cast<std::size_t>(tile);
-                if (gone_[t] || glm::dot(base_.normal(out_.tiles[t].at), path[i].n) < -0.2)
-                    return false;
-                const auto [known, added] = nearest.try_emplace(tile, distance, i);
-                if (!added && distance < known->second.first) known->second = {distance, i};
-                return false;
-            });
-        for (const auto& [tile, by] : nearest) {
-            const auto t = static_cast<std::size_t>(tile);
-            const double much =
-                falloff(by.first, stroke.radius) * stroke.strength * path[by.second].pressure;
-            Tile& each = out_.tiles[t];
-            switch (stroke.brush) {
-            case TileBrush::erase: gone_[t] = 1; break;
-            case TileBrush::comb: {
-                const glm::dvec3 n = base_.normal(each.at);
-                const glm::dvec3 to = tangent(along(path, by.second), n);
-                const double angle =
-                    std::atan2(glm::dot(glm::cross(each.x, to), n), glm::dot(each.x, to));
-                each.x = rotated(each.x, n, angle * std::min(1.0, 2 * much));
-                break;
-            }
-            case TileBrush::resize: each.size *= std::exp2(much); break;
-            case TileBrush::raise: each.height *= std::exp2(much); break;
-            default: break;
-            }
         }
     }
 
     const TileBase& base_;
     const Progress& progress_;
+    const Lazy<TileCurvature> estimate_; // where nobody has one
+    const Lazy<TileCurvature>* curvature_;
     TileLayout out_;
-    std::vector<char> gone_; // by tile
-    NearTiles near_;
+    LaidTiles laid_;
     std::uint32_t made_ = 0; // number of tiles that the present stroke tried to lay
     int tries_ = 0;          // of all strokes
 };
@@ -372,9 +372,9 @@ double random_share(std::uint32_t seed, std::uint32_t purpose)
 }
 
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
-                     const Progress& progress)
+                     const Progress& progress, const Lazy<TileCurvature>* curvature)
 {
-    return Layouter(base, strokes, progress).result();
+    return Layouter(base, strokes, progress, curvature).result();
 }
 
 } // namespace trivar

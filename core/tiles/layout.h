@@ -3,20 +3,11 @@
 
 #include "core/base/progress.h"
 #include "core/tiles/strand.h"
+#include "core/tiles/tile.h"
+#include "core/tiles/tile_curvature.h"
+#include "core/tiles/tile_stroke.h"
 
 namespace trivar {
-
-// A Tile is one tile as strokes have laid it.
-struct Tile {
-    SurfacePlace at;
-    glm::dvec3 x{1, 0, 0}; // unit, in the plane of the normal at its middle
-    double size = 0;       // side, metres on the model
-    double height = 1;     // factor
-    std::uint32_t seed = 0;
-    int stroke = 0;    // number of the stroke that laid it
-    double time_s = 0; // since the first stroke began; the strokes follow each other at once
-    bool operator==(const Tile&) const = default;
-};
 
 struct TileLayout {
     std::vector<Tile> tiles;
@@ -28,9 +19,10 @@ struct TileLayout {
 
 // Works the strokes off in their order. Pure: a tile's seed comes from its stroke and its number in
 // it, so that editing one stroke leaves the tiles of others, except where they avoid each other.
-// About 5 microseconds per try. Throws Cancelled.
+// About 5 microseconds per try. `curvature`: of the base, asked for where tiles head along it;
+// null: it is estimated then. Throws Cancelled.
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
-                     const Progress& progress = {});
+                     const Progress& progress = {}, const Lazy<TileCurvature>* curvature = nullptr);
 
 // A number of [0, 1) for a seed and a purpose: the same for ever.
 double random_share(std::uint32_t seed, std::uint32_t purpose);

@@ -17,6 +17,18 @@ double even_share(int step, int count)
     return static_cast<double>(step) / count;
 }
 
+// By chart of a cage the face of that: itself, or where charts are the corners of faces, the face
+// that has the corner.
+std::vector<std::uint32_t> faces_of_charts(const Mesh& cage, std::size_t charts)
+{
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t f = 0; f < cage.face_count(); ++f)
+        out.insert(out.end(),
+                   charts == cage.face_count() ? 1 : cage.face_begin[f + 1] - cage.face_begin[f],
+                   f);
+    return out;
+}
+
 // The triangles of some charts. Vertices lie chart by chart, row by row.
 Mesh triangles_on(const LimitSurface& surface, std::uint32_t first, std::uint32_t last, int cells)
 {
@@ -52,10 +64,19 @@ Mesh triangles_on(const LimitSurface& surface, std::uint32_t first, std::uint32_
 } // namespace
 
 LimitBase::LimitBase(std::span<const Piece> pieces)
+    : LimitBase(pieces, [&] {
+          std::vector<Mesh> out;
+          for (const Piece& piece : pieces) out.push_back(ready_to_subdivide(*piece.cage));
+          return out;
+      }())
+{
+}
+
+LimitBase::LimitBase(std::span<const Piece> pieces, const std::vector<Mesh>& ready)
     : cages_([&] {
           std::vector<Cage> each;
-          for (const Piece& piece : pieces)
-              each.push_back(cage_of(ready_to_subdivide(*piece.cage), piece.to_model));
+          for (std::size_t k = 0; k < pieces.size(); ++k)
+              each.push_back(cage_of(ready[k], pieces[k].to_model));
           return joined(each);
       }()),
       surface_(cages_.cage)
@@ -65,10 +86,19 @@ LimitBase::LimitBase(std::span<const Piece> pieces)
             most_limit_triangles)
             break;
     std::vector<TileBase::Piece> on_it;
-    for (std::size_t k = 0; k < pieces.size(); ++k)
-        on_it.push_back({std::make_shared<const RayMesh>(make_ref(triangles_on(
-                             surface_, cages_.first_chart[k], cages_.first_chart[k + 1], cells_))),
-                         glm::dmat4(1)});
+    const auto per_chart = static_cast<std::size_t>(2 * cells_ * cells_);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const std::uint32_t first = cages_.first_chart[k], last = cages_.first_chart[k + 1];
+        Mesh mesh = triangles_on(surface_, first, last, cells_);
+        std::vector<std::uint32_t> faces;
+        for (const std::uint32_t face : faces_of_charts(ready[k], last - first))
+            faces.insert(faces.end(), per_chart, face);
+        if (!ready[k].face_material.empty())
+            for (const std::uint32_t face : faces)
+                mesh.face_material.push_back(ready[k].face_material[face]);
+        on_it.push_back({std::make_shared<const RayMesh>(make_ref(std::move(mesh))), glm::dmat4(1),
+                         make_ref(std::move(faces))});
+    }
     triangles_ = std::make_unique<const TileBase>(std::move(on_it));
 }
 

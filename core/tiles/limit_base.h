@@ -27,6 +27,7 @@ public:
     std::size_t piece_of(std::uint32_t chart) const { return cages_.piece_of(chart); }
 
 private:
+    LimitBase(std::span<const Piece> pieces, const std::vector<Mesh>& ready);
     JoinedCages cages_;
     LimitSurface surface_;
     int cells_ = 1; // along each side of a chart, two triangles each

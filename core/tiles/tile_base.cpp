@@ -6,6 +6,7 @@
 #include "core/mesh/barycentric.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace trivar {
 namespace {
@@ -49,6 +50,20 @@ std::vector<glm::dvec3> angle_normals(std::span<const glm::dvec3> points,
     return normals;
 }
 
+void TileBase::add_faces(const Piece& piece)
+{
+    const Mesh& mesh = piece.mesh->mesh();
+    const std::uint32_t first = faces_.empty() ? 0 : 1 + *std::ranges::max_element(faces_);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        const std::uint32_t triangles = mesh.face_begin[f + 1] - mesh.face_begin[f] - 2;
+        for (std::uint32_t k = 0; k < triangles; ++k) {
+            const std::size_t t = mesh.face_begin[f] - 2 * f + k;
+            faces_.push_back(first + (piece.faces ? (*piece.faces)[t] : f));
+            materials_.push_back(mesh.face_material.empty() ? 0 : mesh.face_material[f]);
+        }
+    }
+}
+
 TileBase::TileBase(std::vector<Piece> pieces)
     : pieces_(std::move(pieces)),
       scene_(scene_of(pieces_))
@@ -70,7 +85,9 @@ TileBase::TileBase(std::vector<Piece> pieces)
             triangles_.emplace_back(before + mesh.point(t.x), before + mesh.point(t.y),
                                     before + mesh.point(t.z));
         }
+        add_faces(piece);
     }
+    assert(faces_.size() == triangles_.size());
     first_.push_back(static_cast<std::uint32_t>(triangles_.size()));
     for (const glm::dvec3& p : points_) box.add(p);
     diagonal_ = glm::length(box.size());

@@ -28,6 +28,8 @@ public:
     struct Piece {
         Ref<RayMesh> mesh;
         glm::dmat4 to_model{1};
+        // By triangle: the face that it is of, where that is not one of the mesh; null: it is.
+        Ref<std::vector<std::uint32_t>> faces = nullptr;
         bool operator==(const Piece&) const = default;
     };
     explicit TileBase(std::vector<Piece> pieces);
@@ -42,6 +44,8 @@ public:
     const glm::dvec3& face_normal(std::uint32_t t) const { return face_normals_[t]; }
     std::uint32_t piece_of(std::uint32_t t) const;
     std::uint32_t first_triangle(std::size_t piece) const { return first_[piece]; }
+    std::uint32_t face_of(std::uint32_t t) const { return faces_[t]; } // a number for each face
+    std::uint32_t material_of(std::uint32_t t) const { return materials_[t]; }
 
     std::array<glm::dvec3, 3> corners(std::uint32_t t) const; // in the model's space
     // The place of a point of the triangle's plane; outside, some of its weights are negative.
@@ -59,11 +63,12 @@ public:
                                                     double reach) const;
 
 private:
+    void add_faces(const Piece& piece);
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> first_; // triangle of each piece; one more at the end
     std::vector<glm::uvec3> triangles_;
     std::vector<glm::dvec3> points_, point_normals_, face_normals_;
-    std::vector<std::uint32_t> across_;
+    std::vector<std::uint32_t> across_, faces_, materials_;
     RayScene scene_;
     double area_ = 0, diagonal_ = 0;
 };

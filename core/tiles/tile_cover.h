@@ -20,7 +20,7 @@ struct TileCover {
     double height_variation = 0; // 0..1: heights are smaller by up to that share
     int seed = 1;
     int columns = 20, rows = 20; // of cells, with the pattern `texture`
-    bool even_height = false; // tiles are as high as their object everywhere, in metres
+    bool even_height = false;    // tiles are as high as their object everywhere, in metres
     bool operator==(const TileCover&) const = default;
 };
 

@@ -12,17 +12,28 @@ namespace trivar {
 enum class TileBrush {
     scatter, // lays tiles all over the width of the brush
     line,    // lays tiles one behind the other
-    fill,    // lays tiles all over the connected surfaces that the stroke touches
+    fill,    // lays tiles all over the area that the stroke touches
     erase,   // removes tiles
     comb,    // turns tiles toward the direction of the stroke
     resize,  // makes tiles larger, or smaller where the strength is negative
     raise,   // makes tiles higher, or lower where the strength is negative
-    grab,    // takes the tile nearest to the first sample to the last one
+    grab,    // takes tiles to another place: the first one to the last sample
     strand,  // lays tiles end to end: each shares its ends with those before and behind it
+    color,   // brings the colours of tiles nearer to its own
+    morph,   // lets tiles become the layer's other shape, or what they were
+    adjust,  // turns, scales or removes single tiles
 };
 
-// The direction in which the x axis of a new tile points.
-enum class TileHeading { along_stroke, upward, random };
+// The direction in which the x axis of a new tile points. Where the surface bends alike in all
+// directions, curvature says nothing, and tiles head along the stroke.
+enum class TileHeading { along_stroke, upward, random, least_curvature, most_curvature, to_point };
+
+// What a fill covers: the surfaces that are connected with those that the stroke touches, all that
+// has a material that it touches, the faces that it touches, or all of the base.
+enum class TileArea { island, material, faces, all };
+
+// The plane through the origin of the base's model over which a stroke works a second time.
+enum class TileMirror { none, x, y, z };
 
 struct TileSample {
     SurfacePoint at;     // on the base at rest
@@ -42,12 +53,18 @@ struct TileStroke {
     double size_variation = 0;     // 0..1: sizes are smaller by up to that share
     double turn_variation_deg = 0; // new tiles are turned by up to that angle either way
     TileHeading heading = TileHeading::along_stroke;
-    double strength = 0.5; // of comb, resize and raise; -1..1
+    double strength = 0.5; // of comb, resize, raise, color and morph; -1..1
     int seed = 1;
     bool hidden = false; // it does nothing
     double width = 1;    // of a strand: factor of the width of its tiles
     double taper = 0;   // of a strand: 0..1, the share by which it is narrower and lower at its end
     bool apart = false; // of a strand: its ends do not join with others near them
+    glm::dvec3 point{0}; // that tiles head to, on the model
+    TileArea area = {};  // of a fill
+    TileMirror mirror = {};
+    glm::dvec3 color{1}; // of the brush color, linear, 0..1: a factor of the material's
+    double turn_deg = 0; // by which adjusted tiles are turned about their normals
+    double factor = 1;   // of the sizes of adjusted tiles; 0: they are removed
     bool operator==(const TileStroke&) const = default;
 };
 
@@ -70,6 +87,7 @@ struct TileLook {
     double clip_variation = 0;    // share of a clip by which tiles differ at random
     int phases = 8;               // number of tiles that differ so; the others are like one of them
     double slide_x = 0, slide_y = 0; // how far tiles have gone along their own axes, in sides
+    bool keep_overlaps = true;       // tiles that overlap earlier ones stay; else they are left out
     // The unit cell: the part of the tile's box, in shares of its sides, that fills the place of a
     // tile; what lies outside of it reaches over the tiles beside it.
     double cell_x0 = 0, cell_x1 = 1, cell_y0 = 0, cell_y1 = 1;

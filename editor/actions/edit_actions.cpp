@@ -249,6 +249,7 @@ void add_edit_actions(std::vector<Action>& a)
                  "Delete",
                  {{ui::key_delete}, {'X'}},
                  [](Editor& e) {
+                     if (e.active_tool().remove_parts(e.session)) return;
                      const std::vector<Id> ids = deletable(e, "Nothing was deleted");
                      if (!ids.empty()) delete_objects(e, ids);
                  },

@@ -59,6 +59,8 @@ void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool s
                              ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                              ImGuiWindowFlags_NoSavedSettings |
                              ImGuiWindowFlags_NoBringToFrontOnFocus;
+    // One that appears must not take what the hand holds.
+    if (ImGui::IsAnyItemActive()) flags |= ImGuiWindowFlags_NoFocusOnAppearing;
     if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::Begin(name, nullptr, flags);
     ImGui::PopStyleColor();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
+#include "editor/picture/limit_colors.h"
 #include "editor/picture/shown_values.h"
+#include "editor/session/session_facts.h"
 #include "gpu/color_map.h"
 #include "ui/widgets.h"
 
@@ -34,8 +36,14 @@ std::string millimetres(double metres)
     return ui::short_number(metres * 1000) + " mm";
 }
 
-std::optional<Legend> legend_of(const Document& document)
+std::optional<Legend> legend_of(const Session& session)
 {
+    if (heights_in_hand(session) != 0) {
+        const auto color = [](float t) { return limit_color((static_cast<double>(t) + 1) / 2); };
+        return Legend{
+            "Height of tiles relative to their fold limit", {"0 %", "50 %", "100 %"}, color};
+    }
+    const Document& document = session.document();
     const ColorBy by = document.render->color_by;
     if (by == ColorBy::material || by == ColorBy::uv_checker) return std::nullopt;
     if (by == ColorBy::stretch)
@@ -78,10 +86,10 @@ void draw_folded(const ui::Theme& theme, const ui::Rect& box)
 
 } // namespace
 
-std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
+std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& theme,
                                     const FootCards& foot)
 {
-    const std::optional<Legend> legend = legend_of(document);
+    const std::optional<Legend> legend = legend_of(session);
     if (!legend) return {};
     const glm::vec2 size(theme.px(292), theme.px(72));
     const float left_of_all = foot.view().lo.x + theme.px(12);

@@ -54,8 +54,8 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
 class FootCards;
-// Of the colours of stretch. Cards at the foot return where they lie, if they do.
-std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
+// Of the colours of values in the picture. Cards at the foot return where they lie, if they do.
+std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& theme,
                                     const FootCards& foot);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);

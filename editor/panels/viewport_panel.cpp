@@ -11,6 +11,7 @@
 #include "editor/picture/volume_picture.h"
 #include "editor/record/record_plan.h"
 #include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
@@ -296,6 +297,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const std::optional<double> pace = parse_number(editor.preferences.pace); // pictures a second
     style.draft_ms = pace ? 1000 / *pace : 0;
     style.shading = editor.shading;
+    style.at_limits = heights_in_hand(session);
     editor.viewport.set_style(style);
     RefinedView& refined = editor.viewport.refined();
     refined.follow(session, parse_number(editor.preferences.view_tolerance).value_or(0), moving,
@@ -350,7 +352,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     foot.add(export_progress(editor, frame, foot));
     foot.add(progress(editor, frame, foot));
     if (!welcome) foot.add(draw_tile_library(editor, theme, foot));
-    foot.add(draw_legend(session.document(), theme, foot));
+    foot.add(draw_legend(session, theme, foot));
     draw_adjustment(editor, theme, foot);
     if (session.auto_key) ui::paint_rim(view, theme.color.bad, 0, 2 * theme.scale);
     ImGui::End();

@@ -39,6 +39,12 @@ bool is_tile_layer(const Document& document, Id id)
     return found != document.objects.end() && found->second->tiles;
 }
 
+bool lays_tiles(TileBrush brush)
+{
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill ||
+           brush == TileBrush::strand;
+}
+
 bool has_tiles(const Document& document)
 {
     return std::ranges::any_of(document.objects,

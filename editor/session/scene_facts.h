@@ -14,6 +14,8 @@ bool belongs_to(const Document& document, Id id, Id group);
 bool moves_in_time(const Document& document);
 // Whether the object is a layer of tiles; not for an id that is gone.
 bool is_tile_layer(const Document& document, Id id);
+// Whether the brush makes tiles where there are none.
+bool lays_tiles(TileBrush brush);
 // Whether a layer of tiles is in it.
 bool has_tiles(const Document& document);
 

@@ -44,4 +44,25 @@ Camera camera_for_pictures(const Session& session)
     return ui::reshaped(session.view.camera, kept->second.size_px);
 }
 
+Id heights_in_hand(const Session& session)
+{
+    if (!session.proposing() || session.selected == 0) return 0;
+    const Id id = session.selected;
+    const auto before = session.committed().objects.find(id),
+               now = session.scene().history().document().objects.find(id);
+    if (before == session.committed().objects.end() ||
+        now == session.scene().history().document().objects.end())
+        return 0;
+    const std::optional<Tiling>&was = before->second->tiles, &is = now->second->tiles;
+    if (!was || !is || was == is) return 0;
+    if (was->look.height != is->look.height) return id;
+    for (std::size_t i = 0; i < is->strokes.size(); ++i) {
+        const TileStroke& stroke = *is->strokes[i];
+        const bool other = i >= was->strokes.size() ? stroke.brush == TileBrush::raise
+                                                    : stroke.height != was->strokes[i]->height;
+        if (other) return id;
+    }
+    return 0;
+}
+
 } // namespace trivar

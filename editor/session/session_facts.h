@@ -17,4 +17,7 @@ std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>&
 // The camera of the window, in the shape of the kept view of pictures if there is one.
 Camera camera_for_pictures(const Session& session);
 
+// The layer whose tiles are made higher or lower by what is proposed now; 0: none.
+Id heights_in_hand(const Session& session);
+
 } // namespace trivar

@@ -16,15 +16,6 @@
 namespace trivar {
 namespace {
 
-// Of the size of a tile, between samples; those of strands are few, and so easy to move.
-constexpr double sample_step = 0.25, strand_step = 1;
-
-bool lays_tiles(TileBrush brush)
-{
-    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill ||
-           brush == TileBrush::strand;
-}
-
 // The brush as a ring that lies on the surface.
 void paint_ring(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                 const glm::dvec3& center, const glm::dvec3& normal, double radius)
@@ -48,6 +39,21 @@ void paint_ring(const ui::Theme& theme, const ViewportInput& input, const Camera
     if (tip.depth_world > 0)
         ui::paint_path({input.rect.lo + glm::vec2(foot.p_px), input.rect.lo + glm::vec2(tip.p_px)},
                        theme.color.stroke, theme.line(1.6f));
+}
+
+// Where tiles head to.
+void paint_cross(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                 const glm::dvec3& p_world)
+{
+    const PicturePoint at = project(camera, p_world);
+    if (at.depth_world <= 0) return;
+    const glm::vec2 p = input.rect.lo + glm::vec2(at.p_px);
+    const float arm = theme.px(7);
+    for (const auto& [color, width] :
+         {std::pair(theme.color.halo, 3.5f), {theme.color.stroke, 1.6f}}) {
+        ui::paint_path({p - glm::vec2(arm, 0), p + glm::vec2(arm, 0)}, color, theme.line(width));
+        ui::paint_path({p - glm::vec2(0, arm), p + glm::vec2(0, arm)}, color, theme.line(width));
+    }
 }
 
 } // namespace
@@ -198,8 +204,10 @@ void TilesTool::use(Session& session, const ViewportInput& input)
     if (gesture_) return go_on(session, input);
     const Id strands_of = lays_strands() && !begins_layer(session) ? tile(session) : 0;
     if (strands_.use(session, input, surface_, strands_of)) return hit_.reset();
+    if (uses_hand(session)) return use_hand(session, input);
+    hand_.let_go();
     find_place(session, input);
-    if (!input.pressed || session.committing()) return;
+    if (!input.pressed || session.committing() || picks_point(input)) return;
     if (hit_)
         begin(session, input);
     else if (const Id layer = begins_layer(session) ? 0 : tile(session);
@@ -210,129 +218,13 @@ void TilesTool::use(Session& session, const ViewportInput& input)
                             "Choose Scatter, Line or Fill to paint some.", of_a_step);
 }
 
-void TilesTool::begin(Session& session, const ViewportInput& input)
-{
-    const bool fresh = begins_layer(session);
-    Gesture g{fresh ? 0 : tile(session), under_, settings_};
-    if (fresh) wanted_ = files_;
-    if (fresh) g.overlap = overlap_;
-    mixing_ = 0;
-    g.stroke.radius = radius(session) / hit_->scale;
-    g.stroke.size = size(session) / hit_->scale;
-    g.stroke.seed = ++strokes_;
-    if (covers_) {
-        g.cover = cover_;
-        g.cover->size = g.stroke.size;
-        if (ImGui::GetIO().KeyCtrl) g.cover->pattern = TilePattern::none;
-    } else if (ImGui::GetIO().KeyCtrl) { // the opposite of what the brush does
-        if (lays_tiles(g.stroke.brush))
-            g.stroke.brush = TileBrush::erase;
-        else
-            g.stroke.strength = -g.stroke.strength;
-    }
-    g.begun_px = input.mouse;
-    gesture_ = std::move(g);
-    add(*hit_, 0, 1);
-    session.notices.forget(of_a_step);
-    go_on(session, input);
-}
-
-void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
-{
-    std::vector<TileSample>& samples = gesture_->stroke.samples;
-    if (samples.size() >= most_tile_samples) return;
-    if (gesture_->stroke.brush == TileBrush::grab && samples.size() == 2) {
-        samples.back() = {hit.at_rest, time_s, 1};
-        ++gesture_->moves;
-        return;
-    }
-    const bool strand = gesture_->stroke.brush == TileBrush::strand;
-    if (strand && samples.size() > 1 &&
-        glm::distance(samples.back().at.p, samples[samples.size() - 2].at.p) <
-            strand_step * gesture_->stroke.size) {
-        // The last sample goes with the mouse until it is far enough from the one before.
-        samples.back() = {hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)};
-        ++gesture_->moves;
-        return;
-    }
-    const double step = sample_step * std::min(gesture_->stroke.size, gesture_->stroke.radius);
-    if (!samples.empty() && glm::distance(samples.back().at.p, hit.at_rest.p) < step) return;
-    samples.push_back({hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)});
-}
-
-void TilesTool::straighten(Session& session, const ViewportInput& input)
-{
-    constexpr double step_px = 4, most_steps = 1000;
-    Gesture& g = *gesture_;
-    if (input.moves.empty() || g.stroke.samples.empty()) return;
-    const TileSample first = g.stroke.samples.front();
-    const StrokeSample& last = input.moves.back();
-    g.stroke.samples = {first};
-    ++g.moves;
-    const double steps =
-        std::clamp(std::ceil(glm::distance(g.begun_px, last.p_px) / step_px), 1.0, most_steps);
-    for (double i = 1; i <= steps; ++i) {
-        const glm::dvec2 p_px = glm::mix(g.begun_px, last.p_px, i / steps);
-        const auto hit = surface_.hit(session, g.base, ray_through(session.view.camera, p_px));
-        if (!hit) continue;
-        hit_ = hit;
-        add(*hit, last.time_s * i / steps, last.pressure);
-    }
-}
-
-void TilesTool::extend_stroke(Session& session, const ViewportInput& input)
-{
-    Gesture& g = *gesture_;
-    if (input.wheel != 0) {
-        radius_ = rounded(radius(session) * std::pow(1.1, input.wheel), 3);
-        if (hit_) g.stroke.radius = radius_ / hit_->scale;
-    }
-    const bool one_place = g.stroke.brush == TileBrush::fill || g.stroke.brush == TileBrush::grab;
-    if (ImGui::GetIO().KeyShift && !one_place)
-        straighten(session, input);
-    else if (g.stroke.brush != TileBrush::fill)
-        for (const StrokeSample& move : input.moves)
-            if (const auto hit =
-                    surface_.hit(session, g.base, ray_through(session.view.camera, move.p_px))) {
-                hit_ = hit;
-                add(*hit, move.time_s, move.pressure);
-            }
-}
-
-void TilesTool::go_on(Session& session, const ViewportInput& input)
-{
-    Gesture& g = *gesture_;
-    if (!g.cover) extend_stroke(session, input);
-    g.over = g.over || input.released || !input.down;
-    // Where reading failed a notice says why.
-    if (reading_ && !session.jobs().status()) reading_ = false;
-    if (reading_ || !wanted_.empty()) return;
-    if (g.layer == 0) return gesture_.reset();
-    if (g.over) return finish(session);
-    if (g.cover) return; // it is laid when the button is let go
-    // One proposal at a time: the next piece waits until the last one can be seen.
-    const std::size_t now = g.stroke.samples.size() + g.moves;
-    if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap}))
-        g.proposed = now;
-}
-
-void TilesTool::finish(Session& session)
-{
-    const Gesture g = std::move(*gesture_);
-    gesture_.reset();
-    const bool taken =
-        g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
-    if (taken)
-        session.commit();
-    else
-        session.cancel();
-}
-
 void TilesTool::cancel(Session& session)
 {
     strands_.cancel(session);
+    if (hand_.motion()) {
+        hand_.drop();
+        return session.cancel();
+    }
     if (!gesture_) return;
     gesture_.reset();
     wanted_.clear();
@@ -349,10 +241,18 @@ bool TilesTool::resize(Session& session, double factor)
 void TilesTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
+    if (uses_hand(session)) return hand_overlay(session, theme, input);
+    if (point_ && settings_.heading == TileHeading::to_point && lays() && !covers_)
+        paint_cross(theme, input, session.view.camera, point_->p_world);
     strands_.overlay(session, theme, input);
     if (!hit_) return;
     const bool one = covers_ || settings_.brush == TileBrush::line ||
                      settings_.brush == TileBrush::grab || lays_strands();
+    if (!gesture_ && ImGui::GetIO().KeyShift && joins_last_stroke())
+        ui::paint_path(
+            {input.rect.lo + glm::vec2(project(session.view.camera, last_end_->at.p_world).p_px),
+             input.rect.lo + glm::vec2(input.mouse)},
+            theme.color.stroke, theme.line(1.6f));
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
                one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
@@ -375,12 +275,24 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},
                 {{"Esc"}, "Select"}};
+    if (hand_.motion())
+        return {{{"left"}, "Done"},
+                {{"Ctrl"}, "Snap"},
+                {{"Shift"}, "Fine"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    if (uses_hand(session))
+        return {{{"left"}, "Take a tile, drag to move it"},
+                {{"Shift", "left"}, "Several"},
+                {{"@Move", "@Rotate", "@Scale"}, "Move, turn, scale"},
+                {{"@Delete"}, "Remove"},
+                {{"Esc"}, "Select"}};
+    if (picking_) return {{{"left"}, "Click the point that tiles head to"}, {{"Esc"}, "Select"}};
     if (covers_)
         return {{{"left"}, "Click a body to cover it"},
                 {{"Ctrl", "left"}, "Take the cover away"},
                 {{"Esc"}, "Select"}};
     if (settings_.brush == TileBrush::fill)
-        return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
+        return {{{"left"}, "Click what is to be filled"}, {{"Esc"}, "Select"}};
     return {{{"left"}, lays() ? "Drag over a surface to paint" : "Drag"},
             {{"Ctrl", "left"}, lays() ? "Erase" : "Opposite"},
             {{"Shift", "left"}, "Straight"},

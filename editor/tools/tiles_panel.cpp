@@ -12,7 +12,8 @@ namespace {
 // As the option bar lists them; after Fill comes the cover, which is no brush of strokes.
 constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line,  TileBrush::strand,
                                       TileBrush::fill,    TileBrush::erase, TileBrush::comb,
-                                      TileBrush::resize,  TileBrush::raise, TileBrush::grab};
+                                      TileBrush::resize,  TileBrush::raise, TileBrush::color,
+                                      TileBrush::morph,   TileBrush::grab};
 constexpr int cover_brush = 4; // in that list
 
 } // namespace
@@ -33,14 +34,14 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
              kind = covers_ ? cover_brush : kind >= cover_brush ? kind + 1 : kind;
              ui::choice(theme, "brush", kind,
                         {"Scatter", "Line", "Strand", "Fill", "Cover", "Erase", "Comb", "Resize",
-                         "Raise", "Grab"},
+                         "Raise", "Colour", "Morph", "Grab"},
                         field);
              covers_ = kind == cover_brush;
              const int stroke = kind > cover_brush ? kind - 1 : kind;
              if (!covers_) settings_.brush = brushes_in_order[static_cast<std::size_t>(stroke)];
          },
          "Scatter, Line and Fill lay tiles, Strand lays them end to end, Cover lays them all over "
-         "what is clicked, Grab moves a single one; the others change those under the brush. With "
+         "what is clicked, Grab takes single ones; the others change those under the brush. With "
          "Ctrl, tiles are erased; with Shift, the stroke is straight."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
@@ -96,18 +97,79 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                "Tiles are smaller by up to this share, at random.", nothing);
         number("Turn", "turn", settings_.turn_variation_deg, {.lo = 0, .hi = 180, .unit = "deg"},
                "Tiles are turned by up to this angle either way, at random.", nothing);
-        options.push_back(
-            {"Heading", 96,
-             [&](float field) {
-                 int heading = static_cast<int>(settings_.heading);
-                 ui::choice(theme, "heading", heading, {"Along stroke", "Upward", "Random"}, field);
-                 settings_.heading = static_cast<TileHeading>(heading);
-             },
-             "Where the X axis of the tile points."});
+        heading_options(options, theme);
     } else if (settings_.brush != TileBrush::erase && !grabs)
         number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
                "Of the brush; with Ctrl it goes the other way.", nothing);
+    stroke_options(options, theme);
     ui::option_bar(theme, options, width);
+}
+
+void TilesTool::heading_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+{
+    options.push_back({"Heading", 124,
+                       [&](float field) {
+                           int heading = static_cast<int>(settings_.heading);
+                           ui::choice(theme, "heading", heading,
+                                      {"Along stroke", "Upward", "Random", "Least curvature",
+                                       "Most curvature", "To a point"},
+                                      field);
+                           settings_.heading = static_cast<TileHeading>(heading);
+                       },
+                       "Where the X axis of the tile points: along the stroke, up, anywhere, where "
+                       "the surface bends least or most, or to a point."});
+    if (settings_.heading == TileHeading::to_point)
+        options.push_back(
+            {"Point", 72,
+             [&](float field) {
+                 const char* words = picking_ ? "Click it" : point_ ? "Other" : "Pick";
+                 if (ui::button(theme, words, ui::ButtonKind::plain, {field, theme.size.row}))
+                     picking_ = !picking_;
+             },
+             "The next click on the surface is the point to which tiles head; until "
+             "then it is the origin of what they are painted on."});
+}
+
+void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+{
+    const TileBrush brush = settings_.brush;
+    if (brush == TileBrush::fill)
+        options.push_back(
+            {"Area", 88,
+             [&](float field) {
+                 int area = static_cast<int>(settings_.area);
+                 ui::choice(theme, "area", area, {"Island", "Material", "Faces", "All"}, field);
+                 settings_.area = static_cast<TileArea>(area);
+             },
+             "What a click fills: all that is connected, all of that material, the "
+             "face alone, or the whole object."});
+    if (brush == TileBrush::color)
+        options.push_back({"Colour", 96,
+                           [&](float field) {
+                               glm::vec4 color(glm::vec3(color_), 1);
+                               ui::color_field(theme, "colour", color, field);
+                               color_ = glm::dvec3(glm::vec3(color));
+                           },
+                           "The colours of the materials are multiplied by it; Ctrl takes it away "
+                           "again."});
+    options.push_back({"Mirror", 64,
+                       [&](float field) {
+                           int mirror = static_cast<int>(settings_.mirror);
+                           ui::choice(theme, "mirror", mirror, {"Off", "X", "Y", "Z"}, field);
+                           settings_.mirror = static_cast<TileMirror>(mirror);
+                       },
+                       "The stroke works on the other side, too: across this axis of what is "
+                       "painted on."});
+    if (brush != TileBrush::fill && brush != TileBrush::grab)
+        options.push_back(
+            {"Pressure", 72,
+             [&](float field) {
+                 int follows = static_cast<int>(follows_);
+                 ui::choice(theme, "pressure", follows, {"Pen", "Speed", "Off"}, field);
+                 follows_ = static_cast<Follows>(follows);
+             },
+             "What makes tiles smaller or the brush weaker: a light pen, a fast "
+             "stroke, or nothing."});
 }
 
 void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme& theme)

@@ -87,6 +87,8 @@ public:
     {
         return (void)session, (void)choice, false;
     }
+    // Removes the parts that it has chosen; false where it has chosen none, and objects are meant.
+    virtual bool remove_parts(Session& session) { return (void)session, false; }
     // Whether neighbours of what it moves go along; nothing where it has no such switch.
     virtual std::optional<bool> proportional() const { return {}; }
     virtual void set_proportional(bool on) { (void)on; }

@@ -2,6 +2,7 @@
 #include "editor/viewport/viewport.h"
 
 #include "core/base/rejected.h"
+#include "editor/picture/limit_colors.h"
 #include "editor/picture/picture.h"
 #include "editor/viewport/picture_selection.h"
 #include "gpu/context.h"
@@ -47,6 +48,7 @@ gpu::Picture picture_of(const Session& session, const Evaluation& seen, gpu::Lev
     gpu::Picture picture =
         picture_of(seen, session.document(), session.view.camera, values, style.deform_by);
     gpu::set_level(picture, level);
+    if (style.at_limits != 0) color_by_limits(picture, style.at_limits);
     leave_out(picture, session.hidden_here);
     outline_selected(picture, Members(session.document(), session.selected.ids()));
     shade(picture, style);

@@ -43,6 +43,7 @@ struct ViewportStyle {
     Shading shading = {};
     glm::vec3 edge_color{1}; // of a wireframe; linear
     ui::Look look = {};      // of what is drawn over the scene
+    Id at_limits = 0;        // the layer whose tiles show how near they are to folding; 0: none
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
@@ -62,7 +63,6 @@ public:
                              const Tool& tool);
     void set_manners(const MouseManners& manners) { manners_ = manners; }
     bool moves_camera() const { return move_ != Move::none; } // by a button that is held
-
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it is
     // a draft; a moment after they rest it is drawn in full, one piece per frame, for which it asks
     // for frames. The draft stays until the full picture is complete. What cannot be drawn leaves

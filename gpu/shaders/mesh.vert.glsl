@@ -44,6 +44,7 @@ out vec4 at_uv;
 void main()
 {
     vec3 p = position, n = normal, t = tangent.xyz;
+    vec4 tint = vec4(1.0, 1.0, 1.0, 0.0);
 #ifdef ORDER_U
     DeformedVertex v = deformed_vertex(position, normal, tangent);
     p = v.position;
@@ -55,11 +56,12 @@ void main()
     p = bent.position;
     n = bent.normal;
     t = bent.tangent;
+    tint = tile_tint();
 #endif
     mat4 to_there = scene_from_mesh();
     at_scene = (to_there * vec4(p, 1.0)).xyz;
     at_normal = scene_from_normals() * n;
-    at_color = color;
+    at_color = vec4(mix(color.rgb, vec3(1.0), tint.a) * tint.rgb, color.a);
 #ifdef SOLID
 #ifdef TILES
     at_rest = (p - rest_middle.xyz) * rest_middle.w; // of them all as they lie
@@ -79,7 +81,7 @@ void main()
     copy_id = id_of_copy;
 #endif
 #ifdef PLAIN
-    Surface s = plain_surface(n, vec4(1.0));
+    Surface s = plain_surface(n, vec4(tint.rgb, 1.0));
 #ifdef CLAY
     s = as_clay(s);
 #endif

@@ -1,6 +1,6 @@
 // A vertex of a tile, bent over the patch of its place: core/patches/placed_tile.h says how. A tile
-// is 25 texels: its origin and scale, and four rows of coefficients for each component. FOOTPRINTS:
-// beyond the unit square the tile goes on straight.
+// is 26 texels: its origin and scale, four rows of coefficients for each component, and its tint.
+// FOOTPRINTS: beyond the unit square the tile goes on straight.
 layout(location = 13) in uint tile;
 layout(binding = 14) uniform samplerBuffer tile_patches;
 #if __VERSION__ >= 400
@@ -34,9 +34,12 @@ vec3 unit_or_up(vec3 v)
     return square > 1e-36 ? v * inversesqrt(square) : vec3(0.0, 0.0, 1.0);
 }
 
+// The factor of the colour, and the share by which it takes the place of that of the vertex.
+vec4 tile_tint() { return texelFetch(tile_patches, 26 * int(tile) + 25); }
+
 TileVertex tile_vertex(vec3 p, vec3 normal, vec3 tangent)
 {
-    int first = 25 * int(tile);
+    int first = 26 * int(tile);
     vec4 place = texelFetch(tile_patches, first);
     vec2 at = p.xy;
 #ifdef FOOTPRINTS

@@ -12,7 +12,7 @@ namespace trivar::gpu {
 namespace {
 
 constexpr unsigned patches_unit = 14; // tile.glsl; no draw reads a volume, too
-constexpr std::size_t texels_per_tile = 25;
+constexpr std::size_t texels_per_tile = 26;
 
 using TileTexels = std::array<glm::vec4, texels_per_tile>;
 
@@ -26,6 +26,7 @@ TileTexels texels_of(const PlacedTile& tile, const glm::dvec3& origin)
             const float* c = powers.c[k].data() + 4 * j;
             out[1 + 4 * k + j] = {c[0], c[1], c[2], c[3]};
         }
+    out[25] = glm::vec4(tile.tint, tile.tint_over);
     return out;
 }
 

@@ -13,7 +13,7 @@
 namespace trivar::gpu {
 
 // TilePatches are the places of tiles on the GPU, as polynomials in a buffer texture that the
-// vertex stage reads (tile.glsl): 400 bytes per tile. Positions are relative to an origin near the
+// vertex stage reads (tile.glsl), with their tints: 416 bytes per tile. Positions are relative to an origin near the
 // tiles, which stays while they stay near it.
 class TilePatches {
 public:

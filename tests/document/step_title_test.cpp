@@ -253,6 +253,13 @@ TEST(StepTitle, TellsOfTiles)
     EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Scatter Cylinder on Ball");
     stroke.brush = TileBrush::comb;
     EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Comb Cylinder on Ball");
+    stroke.brush = TileBrush::color;
+    EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Colour Cylinder on Ball");
+    stroke.brush = TileBrush::adjust;
+    stroke.turn_deg = 20;
+    EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Turn tiles of Cylinder on Ball");
+    stroke.factor = 0;
+    EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Remove tiles of Cylinder on Ball");
     EXPECT_EQ(said(before, EditTileStroke{8, 1, stroke}), "Change stroke 1 of Cylinder");
     EXPECT_EQ(said(before, RemoveTileStrokes{8, {1}}), "Remove stroke 1 of Cylinder");
     EXPECT_EQ(said(before, RemoveTileStrokes{8, {}}), "Remove all strokes of Cylinder");

@@ -212,6 +212,27 @@ TEST_F(TilesOnCard, ShowTexturesCutOutsGlassAndWoodAsTheirMeshDoes)
     EXPECT_LT(unlike(glass), 2 * few);
 }
 
+TEST_F(TilesOnCard, AreTintedAsTheVerticesOfTheirMeshAre)
+{
+    std::vector<PlacedTile> tiles = tiles_on_waves(6);
+    for (std::size_t i = 0; i < tiles.size(); i += 2)
+        tiles[i].tint = {1, 0.2f, 0.1f * static_cast<float>(i % 7)};
+    for (std::size_t i = 0; i < tiles.size(); i += 3) tiles[i].tint_over = 1;
+    Mesh colored = *ring_model()->mesh;
+    for (const glm::vec3& p : colored.positions) colored.colors.emplace_back(p.x, p.y, 0.5f, 1);
+    const Ref<TileSet> set = tile_set(tile_model(colored), make_ref(tiles));
+    ASSERT_FALSE((*set->mesh)->colors.empty());
+    Material wood;
+    wood.filling = Filling::wood;
+    EXPECT_LT(unlike(TilePair(set)), few);
+    EXPECT_LT(unlike(TilePair(tile_set(ring_model(), make_ref(tiles)))), few);
+    EXPECT_LT(unlike(TilePair(set, glm::dmat4(1), wood)), 2 * few);
+    TilePair pair(set);
+    for (PlacedTile& tile : tiles) tile.tint = glm::vec3(1), tile.tint_over = 0;
+    pair.tiles.instances.front().tiles = tile_set(set->model, make_ref(tiles));
+    EXPECT_GT(unlike(pair), 0.02);
+}
+
 TEST_F(TilesOnCard, ShowTheirEdgesAsTheirMeshDoes)
 {
     TilePair pair;
@@ -348,7 +369,7 @@ TEST_F(TilesOnCard, AreSimplerInDraftsWhereTheyAreSmall)
 
 TEST_F(TilesOnCard, AreUploadedOnceAndThenOnlyWhereTheyDiffer)
 {
-    constexpr std::size_t tile_bytes = 400;
+    constexpr std::size_t tile_bytes = 416;
     std::vector<PlacedTile> tiles = tiles_on_waves(20);
     const Ref<TileModel> model = ring_model();
     TilePair pair(tile_set(model, make_ref(tiles)));

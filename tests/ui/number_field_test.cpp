@@ -173,11 +173,13 @@ struct Holder : Typist {
             ImGui::SetNextWindowSize({360, 180});
             ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
             ImGui::SetCursorScreenPos({20, 20});
-            number_field(frame.theme, "number", value, {.lo = 0, .hi = 10, .bar_hi = 10}, 160);
+            number_field(frame.theme, "number", value,
+                         {.lo = 0, .hi = 10, .bar_hi = 10, .stop = stop}, 160);
             ImGui::End();
         };
         screen.frames(2, body);
     }
+    double stop = 1e300;
     void move(glm::vec2 at)
     {
         screen.input().push(move_to(at));
@@ -212,6 +214,28 @@ TEST(HeldByAClick, ADragWithTheButtonHeldEndsWhereItIsLetGo)
     hand.move({120, 30});
     EXPECT_GT(hand.value, 5);
     EXPECT_FALSE(ImGui::IsAnyItemActive());
+}
+
+TEST(ADragWithAStop, HaltsThereForAWhileAndGoesOnIfItIsPulledFurther)
+{
+    Holder hand;
+    hand.stop = 6;
+    hand.move({20, 30});
+    hand.screen.input().push(press(Button::left));
+    hand.move({40, 30}); // a fortieth per pixel
+    EXPECT_GT(hand.value, 5);
+    EXPECT_LT(hand.value, 6);
+    hand.move({70, 30});
+    EXPECT_EQ(hand.value, 6);
+    hand.move({100, 30});
+    EXPECT_EQ(hand.value, 6);
+    hand.move({160, 30});
+    EXPECT_GT(hand.value, 6);
+    EXPECT_LT(hand.value, 8);
+    hand.move({40, 30});
+    EXPECT_LT(hand.value, 6);
+    hand.screen.input().push(press(Button::left, false));
+    hand.move({40, 30});
 }
 
 TEST(HeldByAClick, EscapeRestoresAndADoubleClickTypes)

@@ -78,6 +78,9 @@ template <> struct FieldsOf<TileLook> {
         field("alternate_deg", l.alternate_deg,
               "turn of every other tile of a strand about its path, besides, degrees",
               later_in_range(-360, 360).called("Alternate").in(Unit::degrees).without_keys());
+        field("keep_overlaps", l.keep_overlaps,
+              "painted tiles that overlap earlier ones by more than a tenth of their side stay",
+              later.resting_at(1).says("kept", "left out").without_keys());
     }
 };
 

@@ -11,58 +11,13 @@
 #include "ui/icons.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <limits>
 
 namespace trivar {
 namespace {
-
-std::string words_of_stroke(const TileStroke& stroke)
-{
-    const auto length = [](double metres) { return ui::short_number(metres) + " m"; };
-    switch (stroke.brush) {
-    case TileBrush::scatter: return "Scatter, tiles of " + length(stroke.size);
-    case TileBrush::line: return "Line, tiles of " + length(stroke.size);
-    case TileBrush::fill: return "Fill, tiles of " + length(stroke.size);
-    case TileBrush::erase: return "Erase";
-    case TileBrush::comb: return "Comb";
-    case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
-    case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
-    case TileBrush::grab: return "Move a tile";
-    case TileBrush::strand: return "Strand, tiles of " + length(stroke.size);
-    }
-    return {};
-}
-
-// A stroke with buttons that turn it off and remove it.
-void stroke_row(Session& session, const ui::Theme& theme, Id id, int number,
-                const TileStroke& stroke)
-{
-    const float side = theme.size.row, edge = theme.px(12); // as rows have it
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
-    ImGui::PushID(number);
-    ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
-                  stroke.hidden ? theme.color.text_3 : theme.color.text_2,
-                  fmt::format("{}  {}", number, words_of_stroke(stroke)));
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
-    if (ui::icon_button(theme, "stroke off", stroke.hidden ? ui::icon::hidden : ui::icon::eye,
-                        {side, side},
-                        {stroke.hidden ? "Turn this stroke on" : "Turn this stroke off",
-                         {},
-                         "The strokes after it act on what is left."})) {
-        TileStroke other = stroke;
-        other.hidden = !other.hidden;
-        session.run(EditTileStroke{id, number, std::move(other)});
-    }
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4) + side, at.y});
-    if (ui::icon_button(theme, "remove stroke", ui::icon::trash, {side, side},
-                        {"Remove this stroke", {}, "The other strokes stay."}))
-        session.run(RemoveTileStrokes{id, {number}});
-    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
-    ImGui::Dummy({1, 0});
-    ImGui::PopID();
-}
 
 // Rows for the objects of a mix, each with its weight and, but for the layer's own, a button that
 // takes it out.
@@ -126,7 +81,20 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     propose_edit(editor, rows.edit, [&] { return CoverWithTiles{id, tiling.base, cover}; });
 }
 
+void limit_row(const ui::Theme& theme, double limit)
+{
+    if (!std::isfinite(limit)) return;
+    ui::fact_row(theme, "Fold limit", ui::short_number(limit) + " x", theme.color.text,
+                 "the height up to which no tile folds, as the base is bent now; a drag of the "
+                 "height stops there, and goes on if you pull further");
+}
+
 } // namespace
+
+double just_below(double limit)
+{
+    return limit * (1 - 1e-9);
+}
 
 void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
 {
@@ -142,10 +110,17 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     ValueRows rows{theme, &keys};
     FieldRows<TileLook> fields(rows, look, "tiles");
     fields(&TileLook::scale);
+    const auto shown = session.evaluated().objects.find(id);
+    const EvaluatedObject* effects =
+        shown != session.evaluated().objects.end() ? shown->second.get() : nullptr;
+    const double limit = effects ? effects->height_limit : std::numeric_limits<double>::infinity();
+    rows.stop = just_below(limit);
     fields(&TileLook::height);
+    limit_row(theme, limit);
     fields(&TileLook::sink);
     fields(&TileLook::turn_deg);
     fields(&TileLook::guard);
+    if (!tiling.strokes.empty()) fields(&TileLook::overlaps);
     fields(&TileLook::growth);
     fields(&TileLook::growth_softness);
     fields(&TileLook::wave);
@@ -182,9 +157,13 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
     propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
     if (tiling.base != 0) draw_cover(editor, theme, id, tiling, keys);
+    if (effects && effects->overlapping > 0)
+        ui::fact_row(theme, "Overlapping",
+                     fmt::format("{} of {}", effects->overlapping, effects->painted),
+                     theme.color.text,
+                     "painted tiles that overlap another one by more than a tenth of their side");
     draw_masks(editor, theme, id, tiling, keys);
-    for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
-        stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
+    draw_tile_strokes(editor, theme, id, tiling);
     ui::gap(theme, 8);
 }
 

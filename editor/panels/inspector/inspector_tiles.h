@@ -11,4 +11,10 @@ struct Editor;
 // The rows of a layer of tiles: what holds for all of them, and its strokes.
 void draw_tiles(Editor& editor, const ui::Theme& theme, Id id);
 
+// The strokes of a layer, of which one at a time shows its numbers.
+void draw_tile_strokes(Editor& editor, const ui::Theme& theme, Id id, const Tiling& tiling);
+
+// The height at which drags stop for a fold limit: rounded numbers must not pass that.
+double just_below(double limit);
+
 } // namespace trivar

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace trivar {
 
@@ -14,6 +15,7 @@ struct ValueRows {
     const ui::Theme& theme;
     const KeyGutter* keys = nullptr; // null: no row has a mark
     ui::Edit edit = ui::Edit::none;
+    double stop = 1e300; // at which drags of the next number halt for a while, as it is shown
 
     void take(ui::Edit one)
     {
@@ -37,8 +39,10 @@ struct ValueRows {
     void number(const std::string& label, double& value, double rest, const ui::NumberStyle& style,
                 const RowWords& words)
     {
+        ui::NumberStyle halting = style;
+        halting.stop = std::min(std::exchange(stop, 1e300), 1e300);
         row(label, value, rest, words,
-            [&](float width) { return ui::number_field(theme, label, value, style, width); });
+            [&](float width) { return ui::number_field(theme, label, value, halting, width); });
     }
     // Draws a length that is `present` where it is 0: a drag from "auto" begins at that.
     void size(const std::string& label, double& value, double present, const RowWords& words)
