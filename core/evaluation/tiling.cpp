@@ -301,7 +301,8 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
 Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKinds& kinds,
                                             const TileLook& look, Timings& timings)
 {
-    OverlapKey key{strokes.layout, look.turn_deg, look.scale, !look.keep_overlaps, strokes.factors, {},
+    OverlapKey key{strokes.layout,      look.turn_deg,   look.scale,
+                   !look.keep_overlaps, strokes.factors, {},
                    kinds.weights};
     const LaidKinds laid{{}, {}, strokes.factors.get()};
     for (const TileKind& kind : kinds.all) {
@@ -322,7 +323,8 @@ Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKi
                                    tile.size * look.scale * key.halves[kinds.of(tile.seed)]};
                 }
             });
-            return make_ref(look.keep_overlaps ? overlapping(outlines) : overlapping_earlier(outlines));
+            return make_ref(look.keep_overlaps ? overlapping(outlines)
+                                               : overlapping_earlier(outlines));
         });
     });
 }

@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 // A point is under the mouse, or its strand is shown, if it is as near; pixels at scale 1.
-constexpr double point_reach_px = 9, strand_reach_px = 60;
+constexpr double strand_point_px = 9, strand_reach_px = 60;
 // How far along the strand points go along with the one that is dragged, in sizes of its tiles.
 constexpr double least_soft = 3;
 
@@ -34,7 +34,7 @@ void StrandHandles::find(const Session& session, const ViewportInput& input,
     forget();
     const Tiling& tiling = *object(session.document(), layer).tiles;
     const Camera& camera = session.view.camera;
-    double nearest = strand_reach_px * input.scale, nearest_point = point_reach_px * input.scale;
+    double nearest = strand_reach_px * input.scale, nearest_point = strand_point_px * input.scale;
     for (std::size_t k = 0; k < tiling.strokes.size(); ++k) {
         const TileStroke& stroke = *tiling.strokes[k];
         if (stroke.brush != TileBrush::strand || stroke.hidden) continue;

@@ -13,8 +13,8 @@
 namespace trivar::gpu {
 
 // TilePatches are the places of tiles on the GPU, as polynomials in a buffer texture that the
-// vertex stage reads (tile.glsl), with their tints: 416 bytes per tile. Positions are relative to an origin near the
-// tiles, which stays while they stay near it.
+// vertex stage reads (tile.glsl), with their tints: 416 bytes per tile. Positions are relative to
+// an origin near the tiles, which stays while they stay near it.
 class TilePatches {
 public:
     // Uploads the tiles that differ from those that were there before; `box_world` holds them all.

@@ -120,7 +120,7 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     fields(&TileLook::sink);
     fields(&TileLook::turn_deg);
     fields(&TileLook::guard);
-    if (!tiling.strokes.empty()) fields(&TileLook::overlaps);
+    if (!tiling.strokes.empty()) fields(&TileLook::keep_overlaps);
     fields(&TileLook::growth);
     fields(&TileLook::growth_softness);
     fields(&TileLook::wave);
