@@ -290,9 +290,10 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
     const auto& [layout, factors] =
         timed(input.timings, "tiles", [&] { return masks_of_.masked(base, whole, masks); });
     const TileLook& look = tiling.look;
-    const SlideKey key{base, layout, look.turn_deg, look.scale, look.slide_x, look.slide_y};
+    const SlideKey key{base,         layout,       look.turn_deg,   look.scale,
+                       look.slide_x, look.slide_y, look.slide_along};
     const Ref<TileLayout> slid =
-        look.slide_x == 0 && look.slide_y == 0
+        look.slide_x == 0 && look.slide_y == 0 && look.slide_along == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
     return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};

@@ -44,7 +44,7 @@ private:
     struct SlideKey {
         Ref<TileBase> base;
         Ref<TileLayout> layout;
-        double turn_deg, scale, slide_x, slide_y;
+        double turn_deg, scale, slide_x, slide_y, slide_along;
         bool operator==(const SlideKey&) const = default;
     };
     struct ChartKey {

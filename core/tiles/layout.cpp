@@ -168,6 +168,7 @@ private:
         SurfacePlace at;
         glm::dvec3 ahead;
         double time_s, pressure;
+        double along = -1; // on the last track; -1: on none
     };
 
     // Lays a tile if there is room, and where the stroke has a mirror its image. What would overlap
@@ -186,6 +187,10 @@ private:
         Tile tile{
             wanted.at,    heading_of(stroke, wanted), side, stroke.height, wanted.seed, number,
             wanted.time_s};
+        if (wanted.along >= 0) {
+            tile.track = track_;
+            tile.along = wanted.along;
+        }
         if (on_plane) { // it is its own image: along the plane or across it
             const glm::dvec3 flat = plane->onto(tile.x);
             tile.x =
@@ -197,6 +202,7 @@ private:
         if (!image || (avoiding && !has_room(*image, room))) return;
         tile.at = *image;
         tile.x = direction_on(plane->across(tile.x), base_.normal(*image));
+        if (tile.track >= 0) tile.track = image_track_;
         add(tile);
     }
 
@@ -292,11 +298,12 @@ private:
     {
         made_ = 0;
         const double step = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
+        begin_tracks(stroke, path, step);
         lay(stroke, number,
             {next_seed(stroke), path.front().at, path.front().ahead, path.front().time_s,
-             path.front().pressure},
+             path.front().pressure, 0},
             false);
-        double next = step; // length to the next tile
+        double next = step, before = 0; // length to the next tile, and of the way up to here
         for (std::size_t i = 1; i < path.size() && !out_.too_many; ++i) {
             const StrokeStep &a = path[i - 1], &b = path[i];
             const double length = glm::distance(a.p, b.p);
@@ -307,11 +314,23 @@ private:
                 const double share = gone / length;
                 lay(stroke, number,
                     {next_seed(stroke), inside(ray.at), b.p - a.p,
-                     glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share)},
+                     glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share),
+                     before + gone},
                     false);
             }
             next = gone - length;
+            before += length;
         }
+    }
+
+    // Notes the way of a line, and that of its mirror image where it is as long.
+    void begin_tracks(const TileStroke& stroke, const std::vector<StrokeStep>& path, double step)
+    {
+        track_ = static_cast<int>(out_.tracks.size());
+        out_.tracks.push_back(track_of(path, stroke.size, step));
+        const std::vector<StrokeStep> image = image_of(stroke, path);
+        image_track_ = image.size() == path.size() ? track_ + 1 : -1;
+        if (image_track_ > 0) out_.tracks.push_back(track_of(image, stroke.size, step));
     }
 
     void strand(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
@@ -360,8 +379,9 @@ private:
     const Lazy<TileCurvature>* curvature_;
     TileLayout out_;
     LaidTiles laid_;
-    std::uint32_t made_ = 0; // number of tiles that the present stroke tried to lay
-    int tries_ = 0;          // of all strokes
+    int track_ = -1, image_track_ = -1; // of the line that is laid
+    std::uint32_t made_ = 0;            // number of tiles that the present stroke tried to lay
+    int tries_ = 0;                     // of all strokes
 };
 
 } // namespace

@@ -16,6 +16,8 @@ struct Tile {
     double time_s = 0;  // since the first stroke began; the strokes follow each other at once
     glm::dvec3 tint{1}; // factor of the colours of its material, linear
     double morph = 0;   // -1..1, added to that of its layer
+    int track = -1;     // number of the track of its layout on which it was laid; -1: none
+    double along = 0;   // length of that track up to it, metres on the model
     bool operator==(const Tile&) const = default;
 };
 

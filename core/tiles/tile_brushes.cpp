@@ -81,6 +81,7 @@ void move_along(LaidTiles& laid, const Grip& grip)
         // Its direction turns as its normal does, by the smallest rotation.
         moved.x = direction_on(first ? x : turned_from_to(own_n, new_n, x), new_n);
         moved.at = *there;
+        moved.track = -1;
         laid.add(moved);
     }
 }

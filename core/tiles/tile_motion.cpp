@@ -2,6 +2,7 @@
 #include "core/tiles/tile_motion.h"
 
 #include "core/base/parallel.h"
+#include "core/tiles/on_surface.h"
 #include "core/tiles/straightest.h"
 
 #include <algorithm>
@@ -51,6 +52,21 @@ double morph_of(const TileLook& look, double share)
                       std::max(1.0, look.morph));
 }
 
+std::optional<Tile> slid_along(const TileBase& base, const Tile& tile, const StrokeTrack& track,
+                               double sides)
+{
+    const auto from = point_on(base, track, tile.along),
+               to = point_on(base, track, tile.along + sides * track.side);
+    if (!from || !to) return {};
+    const glm::dvec3 n = base.normal(tile.at), m = base.normal(to->at);
+    Tile there = tile;
+    there.at = to->at;
+    // The x axis keeps its angle to the stroke.
+    const double angle = angle_about(direction_on(from->ahead, n), tile.x, n);
+    there.x = turned_about(direction_on(to->ahead, m), m, angle);
+    return there;
+}
+
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look)
 {
     const glm::dvec2 slide(look.slide_x, look.slide_y);
@@ -77,11 +93,17 @@ TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const Til
 {
     TileLayout out = layout;
     parallel_blocks(out.tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (const auto there = slid(base, out.tiles[i], look))
+        for (std::size_t i = begin; i < end; ++i) {
+            std::optional<Tile> there = out.tiles[i];
+            if (look.slide_along != 0 && there->track >= 0)
+                there = slid_along(base, *there, out.tracks[static_cast<std::size_t>(there->track)],
+                                   look.slide_along);
+            if (there) there = slid(base, *there, look);
+            if (there)
                 out.tiles[i] = *there;
             else
                 out.tiles[i].size = std::numeric_limits<double>::infinity();
+        }
     });
     return out;
 }

@@ -28,7 +28,13 @@ double morph_of(const TileLook& look, double share);
 // nothing where a border stopped it. O(#edges crossed).
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look);
 
-// The layout with all tiles slid; those that a border stopped are infinitely large, so that
+// A tile that has gone along the track on which it was laid, with its x axis at the same angle to
+// it; nothing beyond the ends of a track that is not closed.
+std::optional<Tile> slid_along(const TileBase& base, const Tile& tile, const StrokeTrack& track,
+                               double sides);
+
+// The layout with all tiles slid; those that a border or the end of their track stopped are
+// infinitely large, so that
 // they get no chart. In parallel.
 TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const TileLook& look);
 

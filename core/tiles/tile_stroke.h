@@ -87,6 +87,7 @@ struct TileLook {
     double clip_variation = 0;    // share of a clip by which tiles differ at random
     int phases = 8;               // number of tiles that differ so; the others are like one of them
     double slide_x = 0, slide_y = 0; // how far tiles have gone along their own axes, in sides
+    double slide_along = 0;          // how far tiles of lines have gone along their strokes
     bool keep_overlaps = true;       // tiles that overlap earlier ones stay; else they are left out
     // The unit cell: the part of the tile's box, in shares of its sides, that fills the place of a
     // tile; what lies outside of it reaches over the tiles beside it.

@@ -84,18 +84,17 @@ TEST_P(EveryScene, HasTheDigestThatItsFileSays)
     EXPECT_TRUE(said);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
-                         testing::Values("first_placement", "lattice_bend", "goblet_twist",
-                                         "dragon_ring", "snake_bridge", "crocodile_on_horse",
-                                         "stacked", "f1_f2", "ants", "ants_moebius", "whales",
-                                         "car", "variable_width", "cube_refined", "edges",
-                                         "crocodile_pressed", "pressing_tools", "fold_and_repair",
-                                         "ants_terrain", "cars_over_obstacle", "text_teapot",
-                                         "bulldozer_parks", "reptiles", "rider", "wreath",
-                                         "tea_cosy", "feathered_serpent", "tower",
-                                         "mail_and_bricks", "thorn_to_flower", "robots_teapot",
-                                         "face_thorns", "ruin", "camel_chains", "horse_hair"),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Of, EveryScene,
+    testing::Values("first_placement", "lattice_bend", "goblet_twist", "dragon_ring",
+                    "snake_bridge", "crocodile_on_horse", "stacked", "f1_f2", "ants",
+                    "ants_moebius", "whales", "car", "variable_width", "cube_refined", "edges",
+                    "crocodile_pressed", "pressing_tools", "fold_and_repair", "ants_terrain",
+                    "cars_over_obstacle", "text_teapot", "bulldozer_parks", "reptiles", "rider",
+                    "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
+                    "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
+                    "horse_hair", "face_hexagons", "brick_wall", "teapot_statues"),
+    [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
 {

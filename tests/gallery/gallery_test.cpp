@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Motion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Others, Motion,
                          ::testing::Values("rider", "wreath", "thorn_to_flower", "robots_teapot",
-                                           "face_thorns"),
+                                           "face_thorns", "teapot_statues"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });

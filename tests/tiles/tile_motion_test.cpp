@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/primitives.h"
 #include "core/tiles/chart.h"
+#include "core/tiles/on_surface.h"
 #include "core/tiles/tile_motion.h"
 #include "tests/tiles/bases.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gmock/gmock.h>
 
 namespace trivar {
@@ -67,6 +69,54 @@ TEST(TileMotions, AWaveGoesAlongItsDirectionAndComesBackAfterOneLength)
     EXPECT_NEAR(height({0, 0.13 + 0.2, 0}), there, 1e-12);
     look.wave = 3;
     EXPECT_GE(height({0, 0.2, 0}), 0);
+}
+
+// A conveyor round a torus: the tile after next comes to where one was, and all of them go round.
+TEST(TileMotions, TilesOfALineSlideAlongItsStroke)
+{
+    const TileBase base = base_of(torus_mesh(1, 0.4, {96, 48}));
+    const double turn = 2 * glm::pi<double>();
+    TileStroke round;
+    round.brush = TileBrush::line;
+    round.size = 0.1;
+    round.turn_variation_deg = 30;
+    for (int i = 0; i <= 200; ++i) {
+        const double a = turn * i / 200, r = 1.2, z = std::sqrt(0.16 - 0.04);
+        const glm::dvec3 p(r * std::cos(a), r * std::sin(a), z);
+        const glm::dvec3 n(0.5 * std::cos(a), 0.5 * std::sin(a), z / 0.4);
+        round.samples.push_back({{p, glm::normalize(n)}, i / 200.0});
+    }
+    TileStroke half = round;
+    half.samples.resize(101);
+    const auto laid = [&](const TileStroke& stroke) { return layout_of(base, {make_ref(stroke)}); };
+    const TileLayout all = laid(round), some = laid(half);
+    ASSERT_EQ(all.tracks.size(), 1u);
+    EXPECT_TRUE(all.tracks.front().closed);
+    EXPECT_FALSE(some.tracks.front().closed);
+    const auto slid_by = [&](const TileLayout& layout, double sides) {
+        TileLook look;
+        look.slide_along = sides;
+        return slid_layout(base, layout, look);
+    };
+    const TileLayout two = slid_by(all, 2),
+                     home = slid_by(all, all.tracks.front().lengths.back() / 0.1);
+    for (std::size_t i = 0; i < all.tiles.size(); ++i) {
+        const Tile &from = all.tiles[i], &to = two.tiles[i];
+        const glm::dvec3 p = base.position(to.at);
+        EXPECT_NEAR(glm::length(glm::dvec2(p)), 1.2, 2e-3) << "it stays on the circle";
+        if (i + 2 < all.tiles.size()) {
+            EXPECT_LT(glm::distance(p, base.position(all.tiles[i + 2].at)), 1e-6);
+        }
+        const auto own_angle = [&](const Tile& tile) {
+            const glm::dvec3 q = base.position(tile.at), n = base.normal(tile.at);
+            return angle_about(direction_on({-q.y, q.x, 0}, n), tile.x, n);
+        };
+        EXPECT_NEAR(own_angle(from), own_angle(to), 0.05);
+        EXPECT_LT(glm::distance(base.position(home.tiles[i].at), base.position(from.at)), 1e-6);
+    }
+    int gone = 0;
+    for (const Tile& tile : slid_by(some, 10).tiles) gone += !std::isfinite(tile.size);
+    EXPECT_EQ(gone, 10) << "that many leave the end of a stroke that is open";
 }
 
 TEST(TileMotions, TheMiddleOfAPatchIsAPieceOfIt)

@@ -139,6 +139,10 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     }
     fields(&TileLook::slide_x);
     fields(&TileLook::slide_y);
+    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
+            return stroke->brush == TileBrush::line;
+        }))
+        fields(&TileLook::slide_along);
     rows.take(draw_tile_cell(session, theme, id, look));
     fields(&TileLook::cell_x0);
     fields(&TileLook::cell_x1);
