@@ -21,8 +21,6 @@ constexpr std::size_t most_vertices = 16'000'000, most_corners = 6 * most_vertic
 constexpr double most_off = 2e-4;
 // Tiles that have grown to less than this share of their size are not shown.
 constexpr double least_grown = 1e-3;
-// What random_share() is asked for here; layouts and waves use other numbers.
-constexpr std::uint32_t height_purpose = 200;
 
 enum : int { patched_piece = 1, meshed_piece = 2 }; // of a PartKey; 0 are painted tiles
 
@@ -74,7 +72,8 @@ void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& ti
         tile.seed = seed_of(cover, k);
         tile.time_s = hi > lo ? (layout.middles[k].p.z - lo) / (hi - lo) : 0;
         const TileMotion motion = motion_of(look, in_time, tile, layout.middles[k].p);
-        const double varied = 1 - cover.height_variation * random_share(tile.seed, height_purpose);
+        const double varied =
+            1 - cover.height_variation * random_share(tile.seed, random_purpose::cover_height);
         double size = motion.size;
         if (!masked.empty()) size *= is_there(tile.seed, masked[k].density) ? masked[k].scale : 0;
         pose.factors.push_back(size * motion.height * varied);

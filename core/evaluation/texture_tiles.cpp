@@ -14,7 +14,6 @@ namespace {
 // Two tiles stand in one place where their middles are nearer to each other than this share of
 // their sides; in a chart that is stretched to the half they are farther apart.
 constexpr double too_near = 0.5;
-constexpr std::uint32_t height_purpose = 201; // of random_share()
 
 struct AllSpots {
     std::vector<TextureSpot> spots;
@@ -106,11 +105,13 @@ TextureLayout layout_on(const TiledPieces& pieces, const TileBase& base, bool li
         tile.x = in_tangent_plane(spot.along_u, n);
         if (tile.x == glm::dvec3(0)) continue;
         tile.size = spot.side;
+        tile.stroke = -1;
         tile.seed = static_cast<std::uint32_t>(cover.seed) * 0x9E3779B9u +
                     static_cast<std::uint32_t>(spot.cell.x) * 0x85EBCA6Bu +
                     static_cast<std::uint32_t>(spot.cell.y) * 0xC2B2AE35u +
                     static_cast<std::uint32_t>(all.piece[i]);
-        tile.height = 1 - cover.height_variation * random_share(tile.seed, height_purpose);
+        tile.height =
+            1 - cover.height_variation * random_share(tile.seed, random_purpose::texture_height);
         tile.time_s = static_cast<double>(spot.cell.y - lowest) /
                       static_cast<double>(std::max<std::int64_t>(highest - lowest, 1));
         near.add(p, static_cast<int>(out.tiles.size()));

@@ -14,8 +14,6 @@
 namespace trivar {
 namespace {
 
-constexpr std::uint32_t phase_purpose = 102; // what random_share() is asked for here
-
 glm::dmat4 turned(const Object& object)
 {
     return glm::dmat4(glm::dmat3(object.transform.matrix()));
@@ -63,8 +61,8 @@ std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painte
         object.masked
             ? static_cast<std::size_t>(
                   std::lround(std::clamp(masked_morph, 0.0, 1.0) * (phases - 1)))
-            : std::min(object.phases - 1,
-                       static_cast<std::size_t>(phases * random_share(seed, phase_purpose)));
+            : std::min(object.phases - 1, static_cast<std::size_t>(
+                                              phases * random_share(seed, random_purpose::phase)));
     std::size_t nearest = 0;
     for (std::size_t m = 1; m < object.morphs; ++m)
         if (std::abs(morphs[m] - painted_morph) < std::abs(morphs[nearest] - painted_morph))

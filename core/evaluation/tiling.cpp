@@ -69,19 +69,6 @@ std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base
     return out;
 }
 
-// The kinds of the tiles of a layout, and what masks make of each.
-struct LaidKinds {
-    std::vector<std::size_t> kinds;                    // of each tile
-    std::vector<TileCell> cells;                       // of each kind
-    const std::vector<MaskFactors>* factors = nullptr; // of each tile; null: 1
-
-    bool has(std::size_t i, const Tile& tile) const
-    {
-        return !factors ||
-               ((*factors)[i].scale >= smallest && is_there(tile.seed, (*factors)[i].density));
-    }
-};
-
 // The tiles of a layout where one member of its base stands, by their patches. `overlapping`: those
 // that are left out; null: none.
 std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout& layout,
@@ -165,8 +152,9 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
         told.lowered += guarded[i] == Guarded::lowered;
         told.folded += guarded[i] == Guarded::folded;
         if (guarded[i] == Guarded::folded) continue;
-        const auto stroke = static_cast<std::size_t>(layout.tiles[i].stroke);
-        double& limit = height_limits[std::min(stroke, height_limits.size() - 1)];
+        const std::size_t others = height_limits.size() - 1; // tiles of no stroke
+        const int stroke = layout.tiles[i].stroke;
+        double& limit = height_limits[stroke < 0 ? others : static_cast<std::size_t>(stroke)];
         limit = std::min(limit, limits[i]);
         out[of.kinds[i]].push_back(std::move(all[i]));
     }
@@ -299,15 +287,21 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
     return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};
 }
 
+bool LaidKinds::has(std::size_t i, const Tile& tile) const
+{
+    return !factors ||
+           ((*factors)[i].scale >= smallest && is_there(tile.seed, (*factors)[i].density));
+}
+
 Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKinds& kinds,
-                                            const TileLook& look, Timings& timings)
+                                            const LaidKinds& laid, const TileLook& look,
+                                            Timings& timings)
 {
     OverlapKey key{strokes.layout,      look.turn_deg,   look.scale,
                    !look.keep_overlaps, strokes.factors, {},
                    kinds.weights};
-    const LaidKinds laid{{}, {}, strokes.factors.get()};
     for (const TileKind& kind : kinds.all) {
-        const glm::dvec3 size = box_at_rest(kind.parts, kind.turned).size();
+        const glm::dvec3 size = unit_cell_in(box_at_rest(kind.parts, kind.turned), look).size();
         key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
     }
     return overlaps_(key, [&] {
@@ -321,7 +315,7 @@ Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKi
                     const glm::dvec3 n = strokes.base->normal(tile.at);
                     outlines[i] = {strokes.base->position(tile.at),
                                    turned_about(tile.x, n, glm::radians(look.turn_deg)), n,
-                                   tile.size * look.scale * key.halves[kinds.of(tile.seed)]};
+                                   tile.size * look.scale * key.halves[laid.kinds[i]]};
                 }
             });
             return make_ref(look.keep_overlaps ? overlapping(outlines)
@@ -367,8 +361,9 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                     tile.seed, strokes.factors ? (*strokes.factors)[i].morph : 1, tile.morph));
             }
             const Ref<std::vector<char>> overlapping =
-                overlaps(strokes, of_layer, look, input.timings);
-            stage.painted = strokes.layout->tiles.size();
+                overlaps(strokes, of_layer, laid, look, input.timings);
+            stage.painted = strokes.layout->tiles.size() -
+                            (strokes.by_texture ? strokes.by_texture->tiles.size() : 0);
             if (look.keep_overlaps)
                 stage.overlapping =
                     static_cast<std::size_t>(std::ranges::count(*overlapping, char(1)));

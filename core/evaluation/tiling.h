@@ -20,6 +20,14 @@ struct TileCharts {
     double cut(std::size_t i) const { return flat.empty() ? smooth[i].cut : flat[i].cut; }
 };
 
+// LaidKinds say what kind each tile of a layout is of, and what masks make of it.
+struct LaidKinds {
+    std::vector<std::size_t> kinds;                    // of each tile
+    std::vector<TileCell> cells;                       // of each kind
+    const std::vector<MaskFactors>* factors = nullptr; // of each tile; null: 1
+    bool has(std::size_t i, const Tile& tile) const;   // whether masks leave tile i there
+};
+
 // A StandingTile is a painted tile where its base stands at a frame, before it is known how high it
 // is to be.
 struct StandingTile {
@@ -101,7 +109,7 @@ private:
                     const StepInput& input);
     // Of each tile whether it overlaps another one, or where such are left out, an earlier one.
     Ref<std::vector<char>> overlaps(const Painted& strokes, const TileKinds& kinds,
-                                    const TileLook& look, Timings& timings);
+                                    const LaidKinds& laid, const TileLook& look, Timings& timings);
 
     LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;

@@ -40,7 +40,7 @@ Ref<Stage> UnwrappingStep::operator()(const Ref<Stage>& before, const StepInput&
 {
     const std::optional<Unwrapping>& unwrapping = input.object.unwrapping;
     if (!unwrapping || before->shape->meshes.empty()) return before;
-    return known_({before, *unwrapping}, [&] {
+    return known_({before, *unwrapping, input.object.surfacing.has_value()}, [&] {
         Meshes meshes; // each once, also if several nodes have it
         for (const Shape::NodeMesh& hung : before->shape->meshes)
             if (std::ranges::find(meshes, hung.rest, &Meshes::value_type::first) == meshes.end())

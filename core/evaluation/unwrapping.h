@@ -21,7 +21,8 @@ private:
         std::string trouble;
     };
     Recent<std::pair<Meshes, Unwrapping>, Ref<Unwraps>> unwraps_; // whatever pose they are in
-    Recent<std::pair<Ref<Stage>, Unwrapping>, Ref<Stage>> known_;
+    // By whether it has a surface of its own, besides.
+    Recent<std::tuple<Ref<Stage>, Unwrapping, bool>, Ref<Stage>> known_;
 };
 
 } // namespace trivar

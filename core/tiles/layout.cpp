@@ -340,7 +340,7 @@ private:
         for (const StrokeStep& each : path)
             points.push_back({{each.p, each.n}, each.time_s, each.pressure});
         add_strand(out_.strands, base_, stroke, number, std::move(points));
-        out_.too_many |= out_.strands.cells.size() >= most_tiles;
+        out_.too_many |= out_.strands.too_many;
     }
 
     void fill(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)

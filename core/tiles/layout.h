@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/tiles/random_share.h"
 #include "core/tiles/strand.h"
 #include "core/tiles/stroke_track.h"
 #include "core/tiles/tile.h"
@@ -25,8 +26,5 @@ struct TileLayout {
 // null: it is estimated then. Throws Cancelled.
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
                      const Progress& progress = {}, const Lazy<TileCurvature>* curvature = nullptr);
-
-// A number of [0, 1) for a seed and a purpose: the same for ever.
-double random_share(std::uint32_t seed, std::uint32_t purpose);
 
 } // namespace trivar

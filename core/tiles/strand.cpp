@@ -51,7 +51,13 @@ public:
         const StrandPath path = strand_path(base_, points, closed, stroke_.size / points_per_cell,
                                             path_smoothing * stroke_.size);
         if (!(path.length() > least_strand * stroke_.size)) {
-            ++layout_.too_short;
+            double chain = 0; // nothing is left of it where it would have too many points
+            for (std::size_t i = 1; i < points.size(); ++i)
+                chain += glm::distance(points[i].at.p, points[i - 1].at.p);
+            if (chain > most_tiles * stroke_.size / points_per_cell)
+                layout_.too_many = true;
+            else
+                ++layout_.too_short;
             return;
         }
         divide(path);
@@ -106,9 +112,10 @@ private:
     {
         const SurfacePoint there{base_.position(socket.at), base_.normal(socket.at)};
         StrandPoint end = points.front(), on = end;
-        while (points.size() > 1 &&
-               glm::distance(points.front().at.p, there.p) < 2 * straight_on * stroke_.size)
-            points.erase(points.begin());
+        const auto away = [&](const StrandPoint& each) {
+            return glm::distance(each.at.p, there.p) >= 2 * straight_on * stroke_.size;
+        };
+        points.erase(points.begin(), std::find_if(points.begin(), points.end() - 1, away));
         end.at = there;
         on.at = {there.p + ahead * straight_on * stroke_.size * socket.x, there.normal};
         points.insert(points.begin(), {end, on});
@@ -133,7 +140,10 @@ private:
     void divide(const StrandPath& path)
     {
         const double count = cell_count(path), length = path.length() / count;
-        if (!(count + static_cast<double>(layout_.cells.size()) <= most_tiles)) return;
+        if (!(count + static_cast<double>(layout_.cells.size()) <= most_tiles)) {
+            layout_.too_many = true;
+            return;
+        }
         constexpr std::array<double, 3> stations{0, 0.25, 0.75}; // of each cell
         std::vector<StrandPoint> points;
         std::vector<double> lengths;

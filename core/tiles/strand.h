@@ -34,7 +34,8 @@ struct StrandCell {
 struct StrandLayout {
     std::vector<StrandStation> stations;
     std::vector<StrandCell> cells;
-    int too_short = 0; // number of strokes that are too short for a tile
+    int too_short = 0;     // number of strokes that are too short for a tile
+    bool too_many = false; // there would be more than most_tiles
     bool operator==(const StrandLayout&) const = default;
 };
 

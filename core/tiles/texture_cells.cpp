@@ -58,7 +58,9 @@ std::optional<TextureSpots> texture_spots(const Mesh& mesh, const glm::dmat4& to
                                           int rows, std::size_t most)
 {
     if (mesh.uvs.empty()) return {};
-    constexpr double farthest = 1e6; // from the first square, in squares
+    constexpr double farthest = 1e6;       // from the first square, in squares
+    constexpr int most_lines = 20'000'000; // of cells that triangles meet, for all of them
+    int lines = 0;
     TextureSpots out;
     std::set<std::pair<std::int64_t, std::int64_t>> taken;
     const std::vector<glm::uvec3> all = triangles(mesh);
@@ -94,6 +96,10 @@ std::optional<TextureSpots> texture_spots(const Mesh& mesh, const glm::dmat4& to
         const auto [low, high] = std::ranges::minmax({given[0].y, given[1].y, given[2].y});
         for (auto j = std::llround(std::floor(low - 0.5)); static_cast<double>(j) + 0.5 <= high;
              ++j) {
+            if (++lines > most_lines) {
+                out.too_many = true;
+                return out;
+            }
             const double y = static_cast<double>(j) + 0.5;
             const auto [from, to] = flat.range(y);
             if (from > to) continue;

@@ -12,7 +12,7 @@ struct Tile {
     double size = 0;       // side, metres on the model
     double height = 1;     // factor
     std::uint32_t seed = 0;
-    int stroke = 0;     // number of the stroke that laid it
+    int stroke = 0;     // number of the stroke that laid it; -1: none, it belongs to a cover
     double time_s = 0;  // since the first stroke began; the strokes follow each other at once
     glm::dvec3 tint{1}; // factor of the colours of its material, linear
     double morph = 0;   // -1..1, added to that of its layer

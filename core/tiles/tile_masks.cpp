@@ -8,9 +8,6 @@
 namespace trivar {
 namespace {
 
-// What random_share() is asked for here; layouts, waves, phases and covers use other numbers.
-constexpr std::uint32_t density_purpose = 300;
-
 double eased(double t, MaskEasing easing)
 {
     switch (easing) {
@@ -129,7 +126,7 @@ MaskFactors TileMasks::at(const MaskPlace& place) const
 
 bool is_there(std::uint32_t seed, double density)
 {
-    return random_share(seed, density_purpose) < density;
+    return random_share(seed, random_purpose::density) < density;
 }
 
 } // namespace trivar

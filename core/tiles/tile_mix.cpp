@@ -8,15 +8,13 @@
 namespace trivar {
 namespace {
 
-constexpr std::uint32_t mix_purpose = 101; // what random_share() is asked for here
-
 } // namespace
 
 std::size_t kind_of(std::uint32_t seed, std::span<const double> weights)
 {
     const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
     if (!(all > 0)) return 0;
-    double left = all * random_share(seed, mix_purpose);
+    double left = all * random_share(seed, random_purpose::mix);
     std::size_t last = 0;
     for (std::size_t kind = 0; kind < weights.size(); ++kind) {
         if (!(weights[kind] > 0)) continue;

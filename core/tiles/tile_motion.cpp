@@ -13,9 +13,6 @@
 namespace trivar {
 namespace {
 
-// What random_share() is asked for here; layouts use small numbers.
-constexpr std::uint32_t wave_purpose = 100;
-
 double eased(double t)
 {
     return t * t * (3 - 2 * t);
@@ -37,7 +34,7 @@ TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile&
         const double length = glm::length(look.wave_direction);
         const double along = length > 0 ? glm::dot(p, look.wave_direction / length) : p.z;
         const double turns = look.wave_phase +
-                             look.wave_variation * random_share(tile.seed, wave_purpose) -
+                             look.wave_variation * random_share(tile.seed, random_purpose::wave) -
                              (look.wave_length > 0 ? along / look.wave_length : 0);
         motion.height = std::max(0.0, 1 + look.wave * std::sin(glm::two_pi<double>() * turns));
     }
@@ -72,9 +69,8 @@ std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook&
     const glm::dvec2 slide(look.slide_x, look.slide_y);
     const double length = glm::length(slide);
     if (!(length > 0)) return tile;
-    const glm::dvec3 n = base.normal(tile.at), across = glm::cross(n, tile.x);
-    const double angle = glm::radians(look.turn_deg);
-    const glm::dvec3 x = std::cos(angle) * tile.x + std::sin(angle) * across, y = glm::cross(n, x);
+    const glm::dvec3 n = base.normal(tile.at);
+    const glm::dvec3 x = turned_about(tile.x, n, glm::radians(look.turn_deg)), y = glm::cross(n, x);
     const glm::dvec2 to = slide / length;
     const glm::dvec3 ahead = to.x * x + to.y * y;
     const SurfaceRay ray = straightest(base, tile.at, tile.size * look.scale * length * ahead);
@@ -84,8 +80,7 @@ std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook&
     const glm::dvec3 m = base.normal(there.at), d = in_tangent_plane(ray.direction, m);
     if (d == glm::dvec3(0)) return {};
     // The x axis keeps its angle to the way.
-    const double back = -std::atan2(glm::dot(ahead, across), glm::dot(ahead, tile.x));
-    there.x = std::cos(back) * d + std::sin(back) * glm::cross(m, d);
+    there.x = turned_about(d, m, angle_about(ahead, tile.x, n));
     return there;
 }
 

@@ -28,8 +28,8 @@ double morph_of(const TileLook& look, double share);
 // nothing where a border stopped it. O(#edges crossed).
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look);
 
-// A tile that has gone along the track on which it was laid, with its x axis at the same angle to
-// it; nothing beyond the ends of a track that is not closed.
+// A tile that has gone along the track on which it was laid, by a number of the track's `sides`,
+// with its x axis at the same angle to it; nothing beyond the ends of a track that is not closed.
 std::optional<Tile> slid_along(const TileBase& base, const Tile& tile, const StrokeTrack& track,
                                double sides);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/unwrap/cut_surface.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace trivar {
@@ -12,10 +13,13 @@ CutSurface::CutSurface(const Mesh& mesh)
       vertex_(mesh.corners.size(), none),
       behind_(mesh.corners.size(), none)
 {
+    std::vector<std::uint32_t> points; // of a face
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        for (std::uint32_t a = mesh.face_begin[f]; a < mesh.face_begin[f + 1]; ++a)
-            for (std::uint32_t b = a + 1; b < mesh.face_begin[f + 1]; ++b)
-                if (adjacency_.point(a) == adjacency_.point(b)) takes_part_[f] = 0;
+        points.clear();
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
+            points.push_back(adjacency_.point(c));
+        std::ranges::sort(points);
+        takes_part_[f] = std::ranges::adjacent_find(points) == points.end();
         left_out_ += !takes_part_[f];
     }
     for (std::size_t e = 0; e < adjacency_.edge_count(); ++e) {

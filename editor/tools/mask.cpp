@@ -96,6 +96,8 @@ void MaskTool::use(Session& session, const ViewportInput& input)
 {
     if (gesture_) return go_on(session, input);
     hit_.reset();
+    if (input.pressed && !session.committing() && layer(session) == 0)
+        select_by_click(session, input.under); // a layer that is dragged over is masked at once
     const Id of = layer(session);
     const bool seen = input.hovered || input.pressed, curve = settings_.from == MaskFrom::curve;
     if (of != 0 && seen && !curve)
@@ -103,8 +105,7 @@ void MaskTool::use(Session& session, const ViewportInput& input)
                    ray_through(session.view.camera, input.pressed && !input.moves.empty()
                                                         ? input.moves.front().p_px
                                                         : input.mouse));
-    if (!input.pressed || session.committing()) return;
-    if (of == 0) return select_by_click(session, input.under);
+    if (!input.pressed || session.committing() || of == 0) return;
     if (curve) return lay_round_curve(session, input);
     if (hit_)
         begin(session, input);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id round_base = 2, brushed = 9, flat_box = 10;
+constexpr Id round_base = 2, brushed = 10, flat_box = 11;
 
 Ref<EvaluatedObject> layer_in(const Document& document)
 {
@@ -64,7 +64,7 @@ TEST(BrushedTiles, ShowHowHighTheyMayBeBeforeOneOfThemIsLowered)
     }
     stroke.radius = 0.1;
     stroke.size = 0.1;
-    document = after(document, PaintTiles{brushed, 10, stroke, {}});
+    document = after(document, PaintTiles{brushed, flat_box, stroke, {}});
     const Ref<EvaluatedObject> layer = layer_in(document);
     const double limit = layer->height_limit;
     ASSERT_TRUE(std::isfinite(limit));

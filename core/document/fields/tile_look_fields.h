@@ -50,10 +50,11 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(-1000, 1000).called("Slide X"));
         field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
               later_in_range(-1000, 1000).called("Slide Y"));
-        field("slide_along", l.slide_along,
-              "how far tiles that were laid in lines have gone along their strokes, in sides; those "
-              "that leave the end are not there, and where a stroke closes they go round",
-              later_in_range(-1000, 1000).called("Slide along"));
+        field(
+            "slide_along", l.slide_along,
+            "how far tiles that were laid in lines have gone along their strokes, in sides; those "
+            "that leave the end are not there, and where a stroke closes they go round",
+            later_in_range(-1000, 1000).called("Slide along"));
         field("cell_x0", l.cell_x0,
               "where the unit cell of the tile begins along X, as a share of its box",
               later_in_range(-10, 10).called("Cell from X").in(Unit::share).without_keys());
@@ -84,7 +85,7 @@ template <> struct FieldsOf<TileLook> {
               later_in_range(-360, 360).called("Alternate").in(Unit::degrees).without_keys());
         field("keep_overlaps", l.keep_overlaps,
               "painted tiles that overlap earlier ones by more than a tenth of their side stay",
-              later.resting_at(1).says("kept", "left out").without_keys());
+              later.resting_at(1).called("Overlaps").says("kept", "left out").without_keys());
     }
 };
 

@@ -94,7 +94,14 @@ void stroke_numbers(Editor& editor, const ui::Theme& theme, Id id, int number,
     FieldRows<TileStroke> fields(rows, changed, "");
     const TileBrush brush = stroke.brush;
     const bool lays = lays_tiles(brush);
-    if (lays) {
+    if (brush == TileBrush::strand) {
+        fields(&TileStroke::size);
+        fields(&TileStroke::width);
+        fields(&TileStroke::height);
+        fields(&TileStroke::taper);
+        fields(&TileStroke::apart);
+        fields(&TileStroke::seed);
+    } else if (lays) {
         fields(&TileStroke::size);
         fields(&TileStroke::spacing);
         if (layer_height > 0) rows.stop = just_below(stroke.height * limit / layer_height);

@@ -71,7 +71,7 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     }
     if (cover.pattern != TilePattern::none) {
         fields(&TileCover::height_variation);
-        fields(&TileCover::even_height);
+        if (cover.pattern != TilePattern::texture) fields(&TileCover::even_height);
         if (cover.height_variation > 0) fields(&TileCover::seed);
     }
     // The first time, tiles get a size that fits what they cover.
