@@ -55,9 +55,10 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                            help});
     };
     if (covers_) {
-        number("Size", "size", shown_size, length,
-               "Length of a tile along its row; 0 follows the size of what is covered.",
-               [&] { size_ = shown_size; });
+        if (cover_.pattern != TilePattern::texture)
+            number("Size", "size", shown_size, length,
+                   "Length of a tile along its row; 0 follows the size of what is covered.",
+                   [&] { size_ = shown_size; });
         cover_options(options, theme);
         return ui::option_bar(theme, options, width);
     }

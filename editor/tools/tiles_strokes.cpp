@@ -182,6 +182,9 @@ void TilesTool::finish(Session& session)
     }
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
+    if (const std::optional<Tiling>& tiles = object(session.document(), g.layer).tiles;
+        g.cover && tiles && g.others.empty() && tiles->base == g.base && tiles->cover == *g.cover)
+        return; // it is laid already
     const bool taken =
         g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
                 : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});

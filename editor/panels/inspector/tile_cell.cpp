@@ -198,6 +198,20 @@ void paint_lines(const ui::Theme& theme, const CellView& view, const TileLook& l
     }
 }
 
+// Words at the foot of a view, on ground of their own: no line strikes them through.
+void paint_words(const ui::Theme& theme, const ui::Rect& foot, ui::Color color,
+                 const std::string& words, bool right)
+{
+    const float width = ui::text_width(theme.font.small, words), air = theme.px(3);
+    ui::Rect ground = foot;
+    (right ? ground.lo.x : ground.hi.x) = right ? foot.hi.x - width : foot.lo.x + width;
+    ground.lo.x -= air;
+    ground.hi.x += air;
+    ui::paint_box(ground, theme.color.base, theme.size.rounding_small);
+    ui::paint_text(theme.font.small, foot, color, words,
+                   right ? ui::Align::right : ui::Align::left);
+}
+
 // One view with its lines under the mouse.
 ui::Edit cell_view(const ui::Theme& theme, const CellView& view, const DrawnTile& tile,
                    TileLook& look, const char* id)
@@ -230,11 +244,10 @@ ui::Edit cell_view(const ui::Theme& theme, const CellView& view, const DrawnTile
     paint_lines(theme, view, look, lit);
     const ui::Rect foot{{view.rect.lo.x + theme.px(6), view.rect.hi.y - theme.px(18)},
                         {view.rect.hi.x - theme.px(6), view.rect.hi.y - theme.px(2)}};
-    ui::paint_text(theme.font.small, foot, theme.color.text_3, view.side ? "Side" : "Top");
+    paint_words(theme, foot, theme.color.text_3, view.side ? "Side" : "Top", false);
     if (lit != CellLine::none)
-        ui::paint_text(theme.font.small, foot, theme.color.text,
-                       fmt::format("{} %", ui::short_number(100 * value_of(look, lit))),
-                       ui::Align::right);
+        paint_words(theme, foot, theme.color.text,
+                    fmt::format("{} %", ui::short_number(100 * value_of(look, lit))), true);
     ImGui::PopClipRect();
     return edit;
 }

@@ -143,6 +143,8 @@ TEST(TilesTool, CoversWhatIsClickedInOneStepAndUncoversItWithControl)
     EXPECT_GT(rig.tiles()->cover.size, 0);
     EXPECT_TRUE(rig.tiles()->strokes.empty());
     EXPECT_GE(rig.vertices(), 1000 * single);
+    click_base();
+    EXPECT_EQ(rig.steps(), before + 1) << "it is laid already";
     rig.hold(ui::key_left_control);
     click_base();
     rig.hold(ui::key_left_control, false);
