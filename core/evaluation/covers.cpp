@@ -50,11 +50,6 @@ glm::dmat4 quarter_turns(double turn_deg)
     return {x.x, x.y, 0, 0, y.x, y.y, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 }
 
-std::uint32_t seed_of(const TileCover& cover, std::size_t tile)
-{
-    return static_cast<std::uint32_t>(cover.seed) * 0x9E3779B9u + static_cast<std::uint32_t>(tile);
-}
-
 // How much of it each tile shows. Tiles grow from the lowest one up.
 void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& tiling,
                  const std::vector<MaskFactors>& masked)
@@ -69,7 +64,7 @@ void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& ti
     in_time.duration_s = 1;
     for (std::size_t k = 0; k < layout.middles.size(); ++k) {
         Tile tile;
-        tile.seed = seed_of(cover, k);
+        tile.seed = seed_of(cover.seed, 0, 0, k);
         tile.time_s = hi > lo ? (layout.middles[k].p.z - lo) / (hi - lo) : 0;
         const TileMotion motion = motion_of(look, in_time, tile, layout.middles[k].p);
         const double varied =
@@ -217,8 +212,8 @@ CoverParts Covers::operator()(const CoverInput& input)
     const Ref<CoverMasks> masked = masks(input, laid);
     std::vector<std::size_t> kind_of_tile, counts(cells.size(), 0);
     for (std::size_t k = 0; k < covering.tiles().size(); ++k) {
-        kind_of_tile.push_back(
-            input.kinds.of(seed_of(cover, k), masked->tiles.empty() ? 1 : masked->tiles[k].morph));
+        kind_of_tile.push_back(input.kinds.of(seed_of(cover.seed, 0, 0, k),
+                                              masked->tiles.empty() ? 1 : masked->tiles[k].morph));
         counts[kind_of_tile.back()] += input.members.size();
     }
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {

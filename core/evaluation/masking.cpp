@@ -27,9 +27,7 @@ std::optional<glm::dvec2> uv_at(const TileBase& base, const SurfacePlace& at)
     const TileBase::Piece& from = base.pieces()[piece];
     const Mesh& mesh = from.mesh->mesh();
     if (mesh.uvs.empty()) return {};
-    glm::uvec3 corners = from.mesh->triangles()[at.triangle - base.first_triangle(piece)];
-    // As a TileBase turns the triangles of a mirrored mesh.
-    if (glm::determinant(glm::dmat3(from.to_model)) < 0) std::swap(corners.y, corners.z);
+    const glm::uvec3 corners = base.vertices(at.triangle);
     const std::vector<glm::vec2>& uvs = mesh.uvs.front();
     return at.weights.x * glm::dvec2(uvs[corners.x]) + at.weights.y * glm::dvec2(uvs[corners.y]) +
            at.weights.z * glm::dvec2(uvs[corners.z]);

@@ -17,10 +17,6 @@ namespace trivar {
 namespace {
 
 enum : int { strand_piece = 3 }; // of a PartKey, and the next number for every other tile
-// Cells of which a border cuts off more than this share of their width are left out.
-constexpr double most_cell_cut = 0.2;
-// Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
-constexpr double below_proven = 0.98;
 
 struct PosedStrands {
     std::vector<StrandNodes> nodes; // #stations
@@ -95,8 +91,8 @@ GuardedStrands guarded_strands(const StrandLayout& layout, const PosedStrands& p
                 const double limit = fold_limit(reach > 1 ? middle_of(patch, reach) : patch);
                 if (!(limit > 0))
                     out.folded[c] = 1;
-                else if (top > below_proven * limit)
-                    factors[c] = std::max(0.5, below_proven * limit / top);
+                else if (top > proven_share * limit)
+                    factors[c] = std::max(0.5, proven_share * limit / top);
             }
         });
         bool all_stand = true;
@@ -206,7 +202,7 @@ TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<Statio
         const auto there = grown(cell, look.growth, input.layout->duration_s);
         if (cell.gone || !there) continue;
         if (std::ranges::any_of(cell.stations, [&](std::uint32_t station) {
-                return charts[station].cut > most_cell_cut;
+                return charts[station].cut > most_cut;
             })) {
             ++told.at_borders;
             continue;

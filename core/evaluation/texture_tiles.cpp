@@ -106,10 +106,7 @@ TextureLayout layout_on(const TiledPieces& pieces, const TileBase& base, bool li
         if (tile.x == glm::dvec3(0)) continue;
         tile.size = spot.side;
         tile.stroke = -1;
-        tile.seed = static_cast<std::uint32_t>(cover.seed) * 0x9E3779B9u +
-                    static_cast<std::uint32_t>(spot.cell.x) * 0x85EBCA6Bu +
-                    static_cast<std::uint32_t>(spot.cell.y) * 0xC2B2AE35u +
-                    static_cast<std::uint32_t>(all.piece[i]);
+        tile.seed = seed_of(cover.seed, spot.cell.x, spot.cell.y, all.piece[i]);
         tile.height =
             1 - cover.height_variation * random_share(tile.seed, random_purpose::texture_height);
         tile.time_s = static_cast<double>(spot.cell.y - lowest) /

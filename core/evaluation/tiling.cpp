@@ -13,10 +13,6 @@
 namespace trivar {
 namespace {
 
-// Tiles of which a border cuts off more than this share of their size are left out.
-constexpr double most_cut = 0.2;
-// Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
-constexpr double below_limit = 0.98;
 // Tiles that have grown to less than this share of their size are not shown.
 constexpr double smallest = 1e-3;
 
@@ -131,7 +127,7 @@ void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base
                 guarded[i] = Guarded::folded;
                 continue;
             }
-            const double proven = below_limit * there.limit;
+            const double proven = proven_share * there.limit;
             const double per_height = there.side * laid.height * motion.height * masked * cell.top /
                                       cell.side * (1 - look.sink);
             if (per_height > 0) limits[i] = proven / per_height;

@@ -17,6 +17,9 @@ struct TileChart {
     double cut = 0;
 };
 
+// Tiles of which a border cuts off more than this share of their size are left out.
+inline constexpr double most_cut = 0.2;
+
 // `turn_deg` and `scale` come from the layer's look. About 15 microseconds.
 TileChart chart_of(const TileBase& base, const Tile& tile, double turn_deg, double scale);
 

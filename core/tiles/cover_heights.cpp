@@ -2,14 +2,12 @@
 #include "core/tiles/cover_heights.h"
 
 #include "core/base/parallel.h"
+#include "core/tiles/fold_limit.h"
 
 #include <algorithm>
 
 namespace trivar {
 namespace {
-
-// Heights stay below what is proven by this factor, for the rounding of positions.
-constexpr double below_proven = 0.98;
 
 // The mean of the two sides of a cell along its row, by chords between their nodes.
 double row_length(const Covering& covering, std::uint32_t cell,
@@ -55,7 +53,7 @@ GuardedHeights guarded_heights(const Covering& covering, const CoveringPose& pos
     parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
             highest[c] =
-                below_proven * fold_limit_of(covering, static_cast<std::uint32_t>(c), pose) / top;
+                proven_share * fold_limit_of(covering, static_cast<std::uint32_t>(c), pose) / top;
     });
     for (std::uint32_t c = 0; c < count; ++c) {
         out.folded[c] = !(highest[c] > 0);

@@ -12,4 +12,7 @@ namespace trivar {
 // lowest limit is quartered up to `most_quartered` times. About 10 microseconds.
 double fold_limit(const TilePatch& patch, int most_quartered = 8);
 
+// The share of its limit that a tile which is lowered gets: positions are rounded.
+inline constexpr double proven_share = 0.98;
+
 } // namespace trivar

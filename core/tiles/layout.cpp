@@ -25,6 +25,14 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
 // The purpose of a random number; a new purpose does not change the numbers of the others.
 enum Purpose : std::uint32_t { across, around, size, turn, heading, triangle, side };
 
+std::vector<StrandPoint> strand_points(const std::vector<StrokeStep>& path)
+{
+    std::vector<StrandPoint> out;
+    for (const StrokeStep& each : path)
+        out.push_back({{each.p, each.n}, each.time_s, each.pressure});
+    return out;
+}
+
 // Largest number of tiles that are tried for all strokes together, so that no file blocks the
 // editor.
 constexpr int most_tries = 20 * static_cast<int>(most_tiles);
@@ -140,10 +148,7 @@ private:
             std::vector<StrokeStep> both = path;
             const std::vector<StrokeStep> image = image_of(stroke, path);
             both.insert(both.end(), image.begin(), image.end());
-            std::vector<StrandPoint> points;
-            for (const StrokeStep& each : both)
-                points.push_back({{each.p, each.n}, 0, each.pressure});
-            change_strands(out_.strands, base_, stroke, points);
+            change_strands(out_.strands, base_, stroke, strand_points(both));
             change_tiles(laid_, stroke, both);
             return;
         }
@@ -212,7 +217,7 @@ private:
         return !laid_.near.any(base_.position(at), room, [&](int other, double distance) {
             const auto o = static_cast<std::size_t>(other);
             return !laid_.gone[o] && distance < room && // on this side of the surface
-                   glm::dot(base_.normal(laid_.tiles[o].at), n) > -0.2;
+                   same_side(base_.normal(laid_.tiles[o].at), n);
         });
     }
 
@@ -336,10 +341,7 @@ private:
     void strand(const TileStroke& stroke, int number, const std::vector<StrokeStep>& path)
     {
         if (path.empty()) return;
-        std::vector<StrandPoint> points;
-        for (const StrokeStep& each : path)
-            points.push_back({{each.p, each.n}, each.time_s, each.pressure});
-        add_strand(out_.strands, base_, stroke, number, std::move(points));
+        add_strand(out_.strands, base_, stroke, number, strand_points(path));
         out_.too_many |= out_.strands.too_many;
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -15,6 +16,19 @@ inline glm::dvec3 direction_on(const glm::dvec3& v, const glm::dvec3& n)
     if (length > 1e-9 * glm::length(v)) return flat / length;
     const glm::dvec3 other = std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(other - glm::dot(other, n) * n);
+}
+
+// Whether two places with these unit normals are on the same side of a thin sheet.
+inline bool same_side(const glm::dvec3& n, const glm::dvec3& m)
+{
+    return glm::dot(n, m) > -0.2;
+}
+
+// How much a brush does at a distance from its middle: 1 there, 0 and flat at its rim.
+inline double brush_share(double distance, double radius)
+{
+    const double r = std::min(1.0, distance / radius), s = 1 - r * r;
+    return s * s;
 }
 
 // Turns a direction of the plane of a unit normal about that, radians.

@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 // Tiles whose normals differ by more than about 70 degrees stand beside an edge, not on each other.
-constexpr double same_side = 0.35;
+constexpr double least_alike = 0.35;
 // The most tiles that one is compared with, so that a heap of them takes no longer.
 constexpr int most_compared = 512;
 
@@ -37,7 +37,7 @@ double mean_reach(std::span<const TileOutline> tiles)
 
 double overlap_depth(const TileOutline& a, const TileOutline& b)
 {
-    if (!(reach(a) > 0) || !(reach(b) > 0) || glm::dot(a.n, b.n) < same_side) return 0;
+    if (!(reach(a) > 0) || !(reach(b) > 0) || glm::dot(a.n, b.n) < least_alike) return 0;
     const glm::dvec3 n = glm::normalize(a.n + b.n), way = b.p - a.p;
     // In the plane between both, along the axes of each: of two rectangles one of these parts them,
     // if they can be parted.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/strand.h"
 
-#include "core/limit/tangent.h"
+#include "core/tiles/on_surface.h"
+#include "core/tiles/random_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,6 @@ constexpr double path_smoothing = 0.3, snap_reach = 0.75, least_strand = 0.3, st
 constexpr double thinnest = 0.02;
 // A closed strand has at least as many cells, and an even number: every other one may be turned.
 constexpr double least_round = 4;
-
-glm::dvec3 direction(const glm::dvec3& way, const glm::dvec3& n)
-{
-    const glm::dvec3 t = in_tangent_plane(way, n);
-    if (t != glm::dvec3(0)) return t;
-    return in_tangent_plane(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n);
-}
 
 class StrandBuilder {
 public:
@@ -193,12 +187,7 @@ private:
         a.stations[3] = b.stations[0] = station;
     }
 
-    std::uint32_t seed_of_cell(int k) const
-    {
-        // Any number of the cell and the stroke; what is asked of it mixes its bits.
-        return static_cast<std::uint32_t>(stroke_.seed) * 0x9E3779B9u +
-               static_cast<std::uint32_t>(k) * 0x85EBCA6Bu;
-    }
+    std::uint32_t seed_of_cell(int k) const { return seed_of(stroke_.seed, k); }
 
     void add_station(const StrandPath& path, const std::optional<SurfacePlace>& place,
                      double length, double cell, const StrandPoint& point)
@@ -207,7 +196,7 @@ private:
         station.at = place ? *place : nearest_place(point);
         double lo = length - cell / 8, hi = length + cell / 8;
         if (!path.closed) lo = std::max(0.0, lo), hi = std::min(path.length(), hi);
-        station.x = direction(path.at(hi).at.p - path.at(lo).at.p, base_.normal(station.at));
+        station.x = direction_on(path.at(hi).at.p - path.at(lo).at.p, base_.normal(station.at));
         const double much = std::max(thinnest, point.pressure) *
                             std::max(thinnest, 1 - stroke_.taper * length / path.length());
         station.width = cell * stroke_.width * much;
@@ -249,9 +238,9 @@ void change_strands(StrandLayout& layout, const TileBase& base, const TileStroke
         const SurfacePoint at{base.position(station.at), base.normal(station.at)};
         double most = 0;
         for (const StrandPoint& each : points) {
-            const double r = glm::distance(each.at.p, at.p) / stroke.radius;
-            if (r >= 1 || glm::dot(each.at.normal, at.normal) < -0.2) continue;
-            most = std::max(most, (1 - r * r) * (1 - r * r) * each.pressure);
+            if (same_side(each.at.normal, at.normal))
+                most = std::max(most, each.pressure * brush_share(glm::distance(each.at.p, at.p),
+                                                                  stroke.radius));
         }
         return most;
     };

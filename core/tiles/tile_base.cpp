@@ -11,6 +11,12 @@
 namespace trivar {
 namespace {
 
+// Its triangles are turned the other way round.
+bool is_mirrored(const TileBase::Piece& piece)
+{
+    return glm::determinant(glm::dmat3(piece.to_model)) < 0;
+}
+
 RayScene scene_of(const std::vector<TileBase::Piece>& pieces)
 {
     std::vector<RayScene::Entry> entries;
@@ -79,7 +85,7 @@ TileBase::TileBase(std::vector<Piece> pieces)
             points_[before + mesh.point(v)] =
                 glm::dvec3(piece.to_model * glm::dvec4(mesh.positions[v], 1));
         // A mirrored mesh shows its other side.
-        const bool mirrored = glm::determinant(glm::dmat3(piece.to_model)) < 0;
+        const bool mirrored = is_mirrored(piece);
         for (glm::uvec3 t : piece.mesh->triangles()) {
             if (mirrored) std::swap(t.y, t.z);
             triangles_.emplace_back(before + mesh.point(t.x), before + mesh.point(t.y),
@@ -111,6 +117,14 @@ TileBase::TileBase(std::vector<Piece> pieces)
 std::uint32_t TileBase::piece_of(std::uint32_t t) const
 {
     return static_cast<std::uint32_t>(std::ranges::upper_bound(first_, t) - first_.begin() - 1);
+}
+
+glm::uvec3 TileBase::vertices(std::uint32_t t) const
+{
+    const std::uint32_t piece = piece_of(t);
+    glm::uvec3 out = pieces_[piece].mesh->triangles()[t - first_[piece]];
+    if (is_mirrored(pieces_[piece])) std::swap(out.y, out.z); // as its points are
+    return out;
 }
 
 std::array<glm::dvec3, 3> TileBase::corners(std::uint32_t t) const

@@ -43,6 +43,7 @@ public:
     std::uint32_t across(std::uint32_t t, int e) const { return across_[3 * t + e]; }
     const glm::dvec3& face_normal(std::uint32_t t) const { return face_normals_[t]; }
     std::uint32_t piece_of(std::uint32_t t) const;
+    glm::uvec3 vertices(std::uint32_t t) const; // the corners in the mesh of its piece, in order
     std::uint32_t first_triangle(std::size_t piece) const { return first_[piece]; }
     std::uint32_t face_of(std::uint32_t t) const { return faces_[t]; } // a number for each face
     std::uint32_t material_of(std::uint32_t t) const { return materials_[t]; }

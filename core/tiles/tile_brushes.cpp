@@ -10,12 +10,6 @@
 namespace trivar {
 namespace {
 
-double falloff(double distance, double radius) // 1 in the middle, 0 and flat at the rim
-{
-    const double r = std::min(1.0, distance / radius), s = 1 - r * r;
-    return s * s;
-}
-
 // The tile that is nearest to a step, within half of its size, and not taken yet.
 std::optional<std::size_t> take_nearest(const LaidTiles& laid, const StrokeStep& step,
                                         std::vector<char>& taken)
@@ -96,8 +90,7 @@ void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
     for (std::size_t i = 0; i < path.size(); ++i)
         laid.near.any(path[i].p, stroke.radius, [&](int tile, double distance) {
             const auto t = static_cast<std::size_t>(tile);
-            if (laid.gone[t] || glm::dot(base.normal(laid.tiles[t].at), path[i].n) < -0.2)
-                return false;
+            if (laid.gone[t] || !same_side(base.normal(laid.tiles[t].at), path[i].n)) return false;
             const auto [known, added] = nearest.try_emplace(tile, distance, i);
             if (!added && distance < known->second.first) known->second = {distance, i};
             return false;
@@ -105,7 +98,7 @@ void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
     for (const auto& [tile, by] : nearest) {
         const auto t = static_cast<std::size_t>(tile);
         const StrokeStep& step = path[by.second];
-        const double much = falloff(by.first, stroke.radius) * stroke.strength * step.pressure;
+        const double much = brush_share(by.first, stroke.radius) * stroke.strength * step.pressure;
         Tile& each = laid.tiles[t];
         switch (stroke.brush) {
         case TileBrush::erase: laid.gone[t] = 1; break;

@@ -9,6 +9,7 @@
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
+#include "editor/tools/mask.h"
 #include "editor/words/file_words.h"
 
 #include <algorithm>
@@ -120,12 +121,7 @@ void mask_by_curve(Editor& e)
     MaskTiles command{layer, 0, {}};
     command.mask.from = MaskFrom::curve;
     command.mask.curve = curve;
-    const auto shown =
-        e.session.evaluated().objects.find(object(e.session.document(), layer).tiles->base);
-    if (shown != e.session.evaluated().objects.end()) {
-        const glm::dvec3 size = shown->second->bounds->size();
-        command.mask.stop = rounded(0.25 * std::max({size.x, size.y, size.z, 1e-6}), 2);
-    }
+    command.mask.stop = usual_reach(e.session, layer);
     if (e.session.run(command)) e.session.selected = layer;
 }
 

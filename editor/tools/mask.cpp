@@ -16,7 +16,6 @@ namespace trivar {
 namespace {
 
 // Of the largest side of what is painted on: how far a gradient round a curve goes at first.
-constexpr double curve_reach = 0.25;
 
 glm::dvec3 rounded_point(const glm::dvec3& p)
 {
@@ -24,6 +23,16 @@ glm::dvec3 rounded_point(const glm::dvec3& p)
 }
 
 } // namespace
+
+double usual_reach(const Session& session, Id layer)
+{
+    constexpr double share = 0.25;
+    const auto shown =
+        session.evaluated().objects.find(object(session.document(), layer).tiles->base);
+    if (shown == session.evaluated().objects.end()) return TileMask{}.stop;
+    const glm::dvec3 size = shown->second->bounds->size();
+    return rounded(share * std::max({size.x, size.y, size.z, 1e-6}), 2);
+}
 
 std::vector<Id> curve_objects(const Session& session)
 {
@@ -81,13 +90,8 @@ void MaskTool::lay_round_curve(Session& session, const ViewportInput& input)
     }
     MaskTiles command = command_for(session);
     command.mask.curve = seen;
-    const Id base = object(session.document(), command.object).tiles->base;
-    const auto shown = session.evaluated().objects.find(base);
-    if (shown != session.evaluated().objects.end()) {
-        const glm::dvec3 size = shown->second->bounds->size();
-        command.mask.start = 0;
-        command.mask.stop = rounded(curve_reach * std::max({size.x, size.y, size.z, 1e-6}), 2);
-    }
+    command.mask.start = 0;
+    command.mask.stop = usual_reach(session, command.object);
     const Id of = command.object;
     if (session.run(command)) session.selected = of;
 }

@@ -11,6 +11,10 @@ namespace trivar {
 // show lines.
 std::vector<Id> curve_objects(const Session& session);
 
+// How far a gradient round a curve reaches unless somebody says so: a quarter of the longest side
+// of what a layer is painted on, metres.
+double usual_reach(const Session& session, Id layer);
+
 // Lays gradients over a layer of tiles: a drag says from where to where along a line, or how far
 // round a point; a click on an object with a curve lays one round that. Another drag replaces the
 // gradient that drives the same.

@@ -89,10 +89,7 @@ std::vector<std::optional<SurfaceHit>> PaintedSurface::seen(const Session& sessi
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i]) continue;
         const std::uint32_t piece = at_rest_->piece_of(places[i]->triangle);
-        const TileBase::Piece& of = at_rest_->pieces()[piece];
-        glm::uvec3 vertices =
-            of.mesh->triangles()[places[i]->triangle - at_rest_->first_triangle(piece)];
-        if (glm::determinant(glm::dmat3(of.to_model)) < 0) std::swap(vertices.y, vertices.z);
+        const glm::uvec3 vertices = at_rest_->vertices(places[i]->triangle);
         const Corners now = corners_of(*parts[piece].mesh(), vertices, parts[piece].to_world);
         const glm::dvec3 &w = places[i]->weights, n = area_normal(now);
         const double area = glm::length(n);

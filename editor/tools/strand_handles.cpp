@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/strand_handles.h"
 
+#include "core/tiles/on_surface.h"
+
 #include <algorithm>
 #include <imgui.h>
 
@@ -78,8 +80,7 @@ void StrandHandles::drag_to(const Session& session, const SurfaceHit& hit, Paint
         away[i] = away[i - 1] + glm::distance(before[i].at.p, before[i - 1].at.p);
     std::vector<SurfacePoint> wanted;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const double r = reach > 0 ? std::min(1.0, away[i] / reach) : 1,
-                     share = (1 - r * r) * (1 - r * r);
+        const double share = reach > 0 ? brush_share(away[i], reach) : 0;
         wanted.push_back({before[i].at.p + share * way, before[i].at.normal});
     }
     const auto seen = surface.seen(session, base, wanted, glm::length(way) + drag_->before.size);

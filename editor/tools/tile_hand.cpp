@@ -2,14 +2,13 @@
 #include "editor/tools/tile_hand.h"
 
 #include "core/limit/tangent.h"
-#include "core/patches/tile_set.h"
+#include "core/patches/tile_ray.h"
 #include "ui/paint.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 
 namespace trivar {
 namespace {
@@ -17,39 +16,16 @@ namespace {
 constexpr double turn_step_deg = 15, factor_step = 0.1; // with Ctrl
 constexpr double fine_share = 0.1;                      // with Shift
 
-// Calls with the set of every painted tile of a layer, and its number there.
-void each_tile(const Session& session, Id layer,
-               const std::function<void(const TileSet&, std::size_t)>& call)
+// The sets of the painted tiles of a layer.
+std::vector<Ref<TileSet>> painted_sets(const Session& session, Id layer)
 {
+    std::vector<Ref<TileSet>> out;
     const auto found = session.evaluated().objects.find(layer);
-    if (found == session.evaluated().objects.end()) return;
+    if (found == session.evaluated().objects.end()) return out;
     for (const Part& part : found->second->parts)
         if (part.tiles && part.key.piece == 0) // the others cover their base
-            for (std::size_t i = 0; i < part.tiles->tiles->size(); ++i) call(*part.tiles, i);
-}
-
-// The length along a ray at which it enters a box; infinite: it misses.
-double entry(const Ray& ray, const Box& box)
-{
-    double lo = 0, hi = 1e300;
-    for (int k = 0; k < 3; ++k) {
-        const double a = (box.lo[k] - ray.origin[k]) / ray.direction[k],
-                     b = (box.hi[k] - ray.origin[k]) / ray.direction[k];
-        if (std::isnan(a) || std::isnan(b)) continue;
-        lo = std::max(lo, std::min(a, b));
-        hi = std::min(hi, std::max(a, b));
-    }
-    return lo <= hi ? lo : 1e300;
-}
-
-// The length along a ray at which it meets a tile; infinite: it misses.
-double meeting(const Ray& ray, const TileSet& set, std::size_t number)
-{
-    Mesh bent = bent_tiles(*set.model->mesh, {set.tiles->data() + number, 1});
-    const RayScene scene(
-        {{std::make_shared<const RayMesh>(make_ref(std::move(bent))), glm::dmat4(1), 1}});
-    const std::optional<Hit> hit = scene.hit(ray);
-    return hit ? hit->distance : 1e300;
+            out.push_back(part.tiles);
+    return out;
 }
 
 // As the layer shows it; the place at rest is still to be found.
@@ -83,13 +59,11 @@ std::optional<SeenTile> TileHand::under(const Session& session, Id layer, const 
 {
     double nearest = 1e300;
     std::optional<SeenTile> out;
-    each_tile(session, layer, [&](const TileSet& set, std::size_t i) {
-        if (entry(ray, set.extents[i].hull) >= nearest) return;
-        const double at = meeting(ray, set, i);
-        if (at >= nearest) return;
-        nearest = at;
-        out = seen((*set.tiles)[i]);
-    });
+    for (const Ref<TileSet>& set : painted_sets(session, layer))
+        if (const auto hit = first_tile(*set, ray.origin, ray.direction, nearest)) {
+            nearest = hit->t;
+            out = seen((*set->tiles)[hit->tile]);
+        }
     if (out && !find_at_rest(*out, session, layer, surface)) out.reset();
     return out;
 }
@@ -111,25 +85,27 @@ void TileHand::take(const SeenTile& tile, bool also)
 void TileHand::take_all(const Session& session, Id layer, PaintedSurface& surface)
 {
     held_.clear();
-    each_tile(session, layer, [&](const TileSet& set, std::size_t i) {
-        SeenTile tile = seen((*set.tiles)[i]);
-        if (held_.size() < most_tile_samples - 1 && find_at_rest(tile, session, layer, surface))
-            held_.push_back(tile);
-    });
+    for (const Ref<TileSet>& set : painted_sets(session, layer))
+        for (const PlacedTile& each : *set->tiles) {
+            SeenTile tile = seen(each);
+            if (held_.size() < most_tile_samples - 1 && find_at_rest(tile, session, layer, surface))
+                held_.push_back(tile);
+        }
 }
 
 void TileHand::follow(const Session& session, Id layer, PaintedSurface& surface)
 {
     std::vector<std::pair<double, SeenTile>> nearest(held_.size(), {1e300, SeenTile{}});
     if (!held_.empty())
-        each_tile(session, layer, [&](const TileSet& set, std::size_t i) {
-            const SeenTile tile = seen((*set.tiles)[i]);
-            for (std::size_t k = 0; k < held_.size(); ++k) {
-                const double away = glm::distance(tile.p_world, held_[k].p_world);
-                if (away <= 0.25 * tile.size_world && away < nearest[k].first)
-                    nearest[k] = {away, tile};
+        for (const Ref<TileSet>& set : painted_sets(session, layer))
+            for (const PlacedTile& each : *set->tiles) {
+                const SeenTile tile = seen(each);
+                for (std::size_t k = 0; k < held_.size(); ++k) {
+                    const double away = glm::distance(tile.p_world, held_[k].p_world);
+                    if (away <= 0.25 * tile.size_world && away < nearest[k].first)
+                        nearest[k] = {away, tile};
+                }
             }
-        });
     held_.clear();
     for (auto& [away, tile] : nearest)
         if (away < 1e300 && find_at_rest(tile, session, layer, surface)) held_.push_back(tile);

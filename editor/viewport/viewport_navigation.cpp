@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The camera's share of the mouse, and what a ray of the picture meets.
-#include "core/base/box.h"
+#include "core/mesh/nearest_face.h"
+#include "core/patches/tile_ray.h"
 #include "editor/session/session_facts.h"
 #include "editor/viewport/viewport.h"
 #include "ui/camera_control.h"
@@ -12,64 +13,15 @@
 namespace trivar {
 namespace {
 
-glm::dvec3 world(const glm::dmat4& to_world, const Mesh& mesh, std::uint32_t vertex)
-{
-    return glm::dvec3(to_world * glm::dvec4(mesh.positions[vertex], 1));
-}
-
-// Distance along the ray to the triangle, or nothing (Moeller and Trumbore 1997, both sides).
-std::optional<double> meet(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c)
-{
-    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
-    const double det = glm::dot(ab, p);
-    if (std::abs(det) < 1e-300) return std::nullopt;
-    const glm::dvec3 s = ray.origin - a, q = glm::cross(s, ab);
-    const double u = glm::dot(s, p) / det, v = glm::dot(ray.direction, q) / det;
-    const double t = glm::dot(ac, q) / det;
-    if (u < 0 || v < 0 || u + v > 1 || t <= 0) return std::nullopt;
-    return t;
-}
-
-// The distance along the ray to the nearest face, or `nearest` where none is nearer.
-double nearest_face(const Mesh& mesh, const glm::dmat4& to_world, const Ray& ray, double nearest)
-{
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
-        const glm::dvec3 a = world(to_world, mesh, mesh.corners[begin]);
-        for (std::uint32_t c = begin + 1; c + 1 < end; ++c) // a fan is near enough here
-            if (const auto t = meet(ray, a, world(to_world, mesh, mesh.corners[c]),
-                                    world(to_world, mesh, mesh.corners[c + 1])))
-                nearest = std::min(nearest, *t);
-    }
-    return nearest;
-}
-
-// Whether the ray meets the box nearer than that.
-bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& along, double nearer_than)
-{
-    double from = 0, to = nearer_than;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double a = (box.lo[axis] - origin[axis]) / along[axis],
-                     b = (box.hi[axis] - origin[axis]) / along[axis];
-        from = std::max(from, std::min(a, b)); // not a number, in a side's plane: no bound
-        to = std::min(to, std::max(a, b));
-    }
-    return from <= to;
-}
-
-// The same for tiles, of which only those are bent whose hull the ray meets.
+// The length along a ray at which it meets tiles, or `nearest` where none is nearer.
 double nearest_tile(const TileSet& tiles, const glm::dmat4& to_world, const Ray& ray,
                     double nearest)
 {
     const glm::dmat4 back = glm::inverse(to_world);
     const glm::dvec3 origin(back * glm::dvec4(ray.origin, 1)),
         along(back * glm::dvec4(ray.direction, 0));
-    for (std::size_t i = 0; i < tiles.extents.size(); ++i)
-        if (meets(tiles.extents[i].hull, origin, along, nearest))
-            nearest = nearest_face(bent_tiles(*tiles.model->mesh, {&(*tiles.tiles)[i], 1}),
-                                   to_world, ray, nearest);
-    return nearest;
+    const std::optional<TileHit> hit = first_tile(tiles, origin, along, nearest);
+    return hit ? hit->t : nearest;
 }
 
 } // namespace
@@ -84,7 +36,8 @@ std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ra
     double nearest = 1e300;
     for (const Part& part : object.parts)
         nearest = part.drawn_from_tiles() ? nearest_tile(*part.tiles, part.to_world, ray, nearest)
-                                          : nearest_face(*part.mesh(), part.to_world, ray, nearest);
+                                          : nearest_face(*part.mesh(), part.to_world, ray.origin,
+                                                         ray.direction, nearest);
     if (nearest > 1e299) return std::nullopt;
     return ray.origin + ray.direction * nearest;
 }
