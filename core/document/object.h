@@ -116,7 +116,7 @@ struct Tiling {
     std::vector<MixedTile> others = {};   // what it is mixed with
     Id into = 0;                          // what its own tiles become by the morph; 0: nothing
     TileCover cover = {};                 // besides the strokes
-    std::vector<TileMask> masks = {};     // of strokes and cover alike, but not of strands
+    std::vector<TileMask> masks = {};     // of strokes, strands and cover alike
     bool operator==(const Tiling&) const = default;
 };
 

@@ -2,6 +2,7 @@
 #include "core/evaluation/masking.h"
 
 #include "core/base/parallel.h"
+#include "core/tiles/strand_masks.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -156,10 +157,14 @@ MasksOf::MaskedLayout MasksOf::masked(const Ref<TileBase>& base, const Ref<TileL
         for (const Tile& tile : layout->tiles)
             places.push_back({base->position(tile.at), base->normal(tile.at)});
         MaskedLayout out{layout, make_ref(masks.at(places))};
-        if (!masks.drive(MaskDrives::scale)) return out;
+        if (layout->strands.cells.empty() && !masks.drive(MaskDrives::scale)) return out;
         TileLayout sized = *layout;
         for (std::size_t i = 0; i < sized.tiles.size(); ++i)
             sized.tiles[i].size *= std::max((*out.factors)[i].scale, least_scale);
+        places.clear();
+        for (const StrandStation& each : layout->strands.stations)
+            places.push_back({base->position(each.at), base->normal(each.at)});
+        mask_strands(sized.strands, masks.at(places));
         out.layout = make_ref(std::move(sized));
         return out;
     });

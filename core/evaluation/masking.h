@@ -28,7 +28,8 @@ struct FoundMasks {
 class MasksOf {
 public:
     FoundMasks operator()(const TiledPieces& pieces, const StepInput& input);
-    // The factors of the tiles of a layout, and the layout with their sizes.
+    // The factors of the tiles of a layout, and the layout with their sizes; its strands have
+    // what masks make of them in themselves.
     struct MaskedLayout {
         Ref<TileLayout> layout;
         Ref<std::vector<MaskFactors>> factors; // #tiles; null: all are 1

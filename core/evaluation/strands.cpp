@@ -5,6 +5,7 @@
 #include "core/evaluation/covers.h"
 #include "core/mesh/mesh_materials.h"
 #include "core/tiles/fold_limit.h"
+#include "core/tiles/strand_slide.h"
 #include "core/tiles/strand_tile.h"
 #include "core/tiles/tile_motion.h"
 
@@ -72,26 +73,31 @@ std::vector<double> station_heights(const StrandLayout& layout,
 struct GuardedStrands {
     std::vector<double> heights;       // #stations
     std::vector<char> folded, lowered; // #cells
+    // The heights that were asked for, as shares of those that are proven; 0: it was not asked.
+    std::vector<double> of_limit; // #cells
 };
-GuardedStrands guarded_strands(const StrandLayout& layout, const PosedStrands& posed,
+GuardedStrands guarded_strands(const StrandLayout& layout, std::span<const StrandNodes> nodes,
                                std::vector<double> heights, const std::vector<char>& mirrored,
                                double top, double reach)
 {
     constexpr int most_rounds = 6;
     const std::size_t count = layout.cells.size();
     GuardedStrands out{std::move(heights), std::vector<char>(count, 0),
-                       std::vector<char>(count, 0)};
+                       std::vector<char>(count, 0), std::vector<double>(count, 0)};
     for (int round = 0; round < most_rounds; ++round) {
         std::vector<double> factors(count, 1);
         parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c) {
                 if (layout.cells[c].gone || out.folded[c]) continue;
                 const TilePatch patch =
-                    strand_patch(layout, c, posed.nodes, out.heights, mirrored[c] != 0);
+                    strand_patch(layout, c, nodes, out.heights, mirrored[c] != 0);
                 const double limit = fold_limit(reach > 1 ? middle_of(patch, reach) : patch);
-                if (!(limit > 0))
+                if (!(limit > 0)) {
                     out.folded[c] = 1;
-                else if (top > proven_share * limit)
+                    continue;
+                }
+                if (round == 0) out.of_limit[c] = std::max(0.0, top / (proven_share * limit));
+                if (top > proven_share * limit)
                     factors[c] = std::max(0.5, proven_share * limit / top);
             }
         });
@@ -161,17 +167,38 @@ KindPlaces places_of(const TileKinds& kinds, const TileLook& look)
     return out;
 }
 
+// By how much of the variation of the wave each station is ahead: the tiles' own shares of chance,
+// the mean of both where two tiles meet, and linear between.
+std::vector<double> random_shares(const StrandLayout& layout)
+{
+    const auto own = [&](const StrandCell& cell) {
+        return random_share(cell.seed, random_purpose::wave);
+    };
+    std::vector<double> out(layout.stations.size(), 0);
+    for (const StrandCell& cell : layout.cells) {
+        const auto with = [&](int other) {
+            return other < 0
+                       ? own(cell)
+                       : (own(cell) + own(layout.cells[static_cast<std::size_t>(other)])) / 2;
+        };
+        const double a = with(cell.before), b = with(cell.behind);
+        for (std::size_t k = 0; k < 4; ++k) out[cell.stations[k]] = glm::mix(a, b, patch_nodes[k]);
+    }
+    return out;
+}
+
 std::vector<double> heights_now(const StrandInput& input, const std::vector<StrandNodes>& nodes)
 {
     const TileLook& look = input.tiling.look;
     const StrandLayout& layout = input.layout->strands;
-    const TileLook wave{.wave = look.wave,
-                        .wave_phase = look.wave_phase,
-                        .wave_length = look.wave_length,
-                        .wave_direction = look.wave_direction};
+    TileLook wave{.wave = look.wave,
+                  .wave_length = look.wave_length,
+                  .wave_direction = look.wave_direction};
+    const std::vector<double> shares = random_shares(layout);
     std::vector<double> out = station_heights(layout, nodes);
     for (std::size_t s = 0; s < out.size(); ++s) {
         const StrandStation& station = layout.stations[s];
+        wave.wave_phase = look.wave_phase + look.wave_variation * shares[s];
         const TileMotion motion =
             motion_of(wave, *input.layout, Tile{}, input.base->position(station.at));
         out[s] *= look.scale * look.height * station.height * motion.height;
@@ -182,42 +209,63 @@ std::vector<double> heights_now(const StrandInput& input, const std::vector<Stra
 // The tiles of each kind, in each of its places.
 using TilesOfKinds = std::vector<std::array<std::vector<PlacedTile>, 2>>;
 
+// The strands with their tiles where these have gone.
+SlidStrands strands_now(const StrandInput& input, const std::vector<StrandNodes>& nodes)
+{
+    const StrandLayout& layout = input.layout->strands;
+    std::vector<double> heights = heights_now(input, nodes);
+    if (const double cells = input.tiling.look.slide_along; cells != 0)
+        return slid_strands(layout, nodes, heights, cells);
+    SlidStrands out{layout, nodes, std::move(heights), {}};
+    for (std::uint32_t c = 0; c < layout.cells.size(); ++c) out.lies_on.push_back({c, c});
+    return out;
+}
+
 TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<StationChart>& charts,
-                              const PosedStrands& posed, const KindPlaces& places,
-                              const std::vector<std::size_t>& kinds, TileCounts& told)
+                              const PosedStrands& posed, const KindPlaces& places, StrandParts& to)
 {
     const TileLook& look = input.tiling.look;
-    const StrandLayout& layout = input.layout->strands;
+    const std::vector<StrandCell>& laid = input.layout->strands.cells;
+    const SlidStrands now = strands_now(input, posed.nodes);
+    const StrandLayout& layout = now.layout;
     std::vector<char> mirrored;
-    for (const StrandCell& cell : layout.cells)
-        mirrored.push_back(posed.mirrored[charts[cell.stations[0]].piece]);
+    for (const auto& lies_on : now.lies_on)
+        mirrored.push_back(posed.mirrored[charts[laid[lies_on[0]].stations[0]].piece]);
     const std::vector<char> none(layout.cells.size(), 0);
-    GuardedStrands guarded{heights_now(input, posed.nodes), none, none};
+    GuardedStrands guarded{now.heights, none, none, std::vector<double>(none.size(), 0)};
     if (look.guard)
-        guarded = guarded_strands(layout, posed, std::move(guarded.heights), mirrored, places.top,
+        guarded = guarded_strands(layout, now.nodes, now.heights, mirrored, places.top,
                                   places.reach);
+    const auto cut = [&](std::uint32_t cell) {
+        return std::ranges::any_of(laid[cell].stations, [&](std::uint32_t station) {
+            return charts[station].cut > most_cut;
+        });
+    };
     TilesOfKinds out(places.of.size());
     for (std::size_t c = 0; c < layout.cells.size(); ++c) {
         const StrandCell& cell = layout.cells[c];
         const auto there = grown(cell, look.growth, input.layout->duration_s);
         if (cell.gone || !there) continue;
-        if (std::ranges::any_of(cell.stations, [&](std::uint32_t station) {
-                return charts[station].cut > most_cut;
-            })) {
-            ++told.at_borders;
+        if (std::ranges::any_of(now.lies_on[c], cut)) {
+            ++to.counts.at_borders;
             continue;
         }
         if (guarded.folded[c]) {
-            ++told.folded;
+            ++to.counts.folded;
             continue;
         }
-        told.lowered += guarded.lowered[c];
-        const std::vector<StrandPlace>& of_kind = places.of[kinds[c]];
+        to.counts.lowered += guarded.lowered[c];
+        double& of_limit = to.of_limit[static_cast<std::size_t>(cell.stroke)];
+        of_limit = std::max(of_limit, guarded.of_limit[c]);
+        const std::size_t kind = input.kinds.of(cell.seed, cell.morph_factor, cell.morph);
+        const std::vector<StrandPlace>& of_kind = places.of[kind];
         const std::size_t which = static_cast<std::size_t>(cell.number & 1) % of_kind.size();
-        PlacedTile tile{strand_patch(layout, c, posed.nodes, guarded.heights, mirrored[c] != 0)};
+        PlacedTile tile{strand_patch(layout, c, now.nodes, guarded.heights, mirrored[c] != 0)};
         if (*there != glm::dvec2(0, 1)) tile.patch = part_along_x(tile.patch, there->x, there->y);
         tile.base = -look.sink * of_kind[which].top;
-        out[kinds[c]][which].push_back(tile);
+        tile.tint = glm::vec3(cell.tint);
+        tile.of_limit = static_cast<float>(guarded.of_limit[c]);
+        out[kind][which].push_back(tile);
     }
     return out;
 }
@@ -301,11 +349,12 @@ StrandParts Strands::operator()(const StrandInput& input)
                               layout.too_short));
     if (layout.cells.empty()) return out;
     const KindPlaces places = places_of(input.kinds, input.tiling.look);
-    std::vector<std::size_t> kinds, counts(places.of.size(), 0);
-    for (const StrandCell& cell : layout.cells) {
-        kinds.push_back(input.kinds.of(cell.seed));
-        counts[kinds.back()] += input.members.size();
-    }
+    std::vector<std::size_t> counts(places.of.size(), 0);
+    for (const StrandCell& cell : layout.cells)
+        if (!cell.gone)
+            counts[input.kinds.of(cell.seed, cell.morph_factor, cell.morph)] +=
+                input.members.size();
+    out.of_limit.assign(input.tiling.strokes.size(), 0);
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {
         out.notices.push_back(std::move(words));
         return out;
@@ -316,7 +365,7 @@ StrandParts Strands::operator()(const StrandInput& input)
         timed(input.timings, "tiles", [&] {
             const Ref<Charts> at_rest = charts(input, places.aspect * input.tiling.look.scale);
             TilesOfKinds tiles = tiles_of_strands(
-                input, *at_rest, posed_strands(input, *at_rest, parts), places, kinds, out.counts);
+                input, *at_rest, posed_strands(input, *at_rest, parts), places, out);
             for (std::size_t k = 0; k < tiles.size(); ++k)
                 for (std::size_t which = 0; which < places.of[k].size(); ++which) {
                     if (tiles[k][which].empty()) continue;

@@ -14,7 +14,7 @@ struct StrandInput {
     const Tiling& tiling;
     const TileKinds& kinds; // of its tiles
     const Ref<TileBase>& base;
-    const Ref<TileLayout>& layout;
+    const Ref<TileLayout>& layout; // before tiles have slid
     const TiledPieces& pieces;
     const FoundLimit& limit;
     const std::map<int, std::vector<Part>>& members; // of the base
@@ -24,6 +24,8 @@ struct StrandParts {
     std::vector<Part> parts; // in the world
     TileCounts counts;
     std::vector<std::string> notices;
+    // By stroke, the greatest height of its tiles as a share of that which is proven; 0: not asked.
+    std::vector<double> of_limit;
 };
 
 // Strands lays tiles end to end along the strands of a layout. Where their nodes are on the base at

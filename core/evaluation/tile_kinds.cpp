@@ -70,13 +70,16 @@ std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painte
     return object.first + object.morphs * phase + nearest;
 }
 
-std::vector<double> painted_morphs(const std::vector<Tile>& tiles, int phases)
+std::vector<double> painted_morphs(const TileLayout& layout, int phases)
 {
     // A step of a sixteenth is not seen as one; with many phases there are fewer of them.
     const double steps = std::clamp(128 / std::max(phases, 1), 2, 16);
     std::set<double> out{0};
-    for (const Tile& tile : tiles)
-        if (tile.morph != 0) out.insert(std::round(tile.morph * steps) / steps);
+    const auto add = [&](double morph) {
+        if (morph != 0) out.insert(std::round(morph * steps) / steps);
+    };
+    for (const Tile& tile : layout.tiles) add(tile.morph);
+    for (const StrandCell& cell : layout.strands.cells) add(cell.morph);
     return {out.begin(), out.end()};
 }
 

@@ -40,9 +40,9 @@ struct TileKinds {
     std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };
 
-// The morphs that brushes have given to the tiles of a layout, in few steps, ascending; 0 is among
-// them. `phases` is the number of phases that each of them is multiplied with.
-std::vector<double> painted_morphs(const std::vector<Tile>& tiles, int phases);
+// The morphs that brushes have given to the tiles of a layout and of its strands, in few steps,
+// ascending; 0 is among them. `phases` is the number of phases that each is multiplied with.
+std::vector<double> painted_morphs(const TileLayout& layout, int phases);
 
 // Bounds an object's parts at rest, turned. O(#V).
 Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);

@@ -161,6 +161,14 @@ bool stands_alike(const Tile& a, const Tile& b)
     return a.at == b.at && a.x == b.x && a.size == b.size;
 }
 
+// Notes the height of the look at which the tiles of a stroke reach their limit.
+void lower_limit(Stage& stage, std::size_t stroke, double height, double of_limit)
+{
+    if (!(of_limit > 0) || !(height > 0)) return;
+    stage.stroke_limits[stroke] = std::min(stage.stroke_limits[stroke], height / of_limit);
+    stage.height_limit = std::min(stage.height_limit, height / of_limit);
+}
+
 std::string tiles(int count)
 {
     return count == 1 ? "1 tile is" : fmt::format("{} tiles are", count);
@@ -280,7 +288,7 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
         look.slide_x == 0 && look.slide_y == 0 && look.slide_along == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    return {base, slid, charts(limit, base, slid, look, input.timings), others, factors};
+    return {base, slid, layout, charts(limit, base, slid, look, input.timings), others, factors};
 }
 
 bool LaidKinds::has(std::size_t i, const Tile& tile) const
@@ -339,7 +347,7 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const TileLook& look = tiling.look;
     const TileKinds of_layer = kinds_of_(
         *before, input,
-        painted_morphs(strokes.layout ? strokes.layout->tiles : std::vector<Tile>(), look.phases));
+        painted_morphs(strokes.layout ? *strokes.layout : TileLayout{}, look.phases));
     return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
@@ -409,8 +417,10 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         }
         StrandParts strands;
         if (strokes.layout)
-            strands = strands_({tiling, of_layer, strokes.base, strokes.layout, pieces, limit,
+            strands = strands_({tiling, of_layer, strokes.base, strokes.unslid, pieces, limit,
                                 members, input.timings});
+        for (std::size_t k = 0; k < strands.of_limit.size(); ++k)
+            lower_limit(stage, k, look.height, strands.of_limit[k]);
         stage.parts.insert(stage.parts.end(), strands.parts.begin(), strands.parts.end());
         told += strands.counts;
         if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);

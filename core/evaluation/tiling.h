@@ -93,6 +93,7 @@ private:
     struct Painted { // all null where there are neither strokes nor tiles by texture
         Ref<TileBase> base;
         Ref<TileLayout> layout;
+        Ref<TileLayout> unslid; // before its tiles slid
         Ref<TileCharts> charts;
         Ref<TextureLayout> by_texture;         // null: none
         Ref<std::vector<MaskFactors>> factors; // of the masks; null: 1

@@ -94,7 +94,7 @@ Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
 {
     const std::size_t count = unit.vertex_count(), copies = tiles.size();
     Mesh out = copies_of(unit, copies, false);
-    if (std::ranges::any_of(tiles, is_tinted)) out.colors.resize(count * copies, glm::vec4(1));
+    tint_copies(out, tiles);
     const TileVertices vertices(unit);
     parallel_blocks(copies, 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -104,16 +104,25 @@ Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
                           {out.positions.data() + to,
                            out.normals.empty() ? nullptr : out.normals.data() + to,
                            out.tangents.empty() ? nullptr : out.tangents.data() + to});
-            if (is_tinted(tiles[i]))
-                for (std::size_t v = 0; v < count; ++v) {
-                    glm::vec4& color = out.colors[to + v];
-                    color = {tiles[i].tint *
-                                 glm::mix(glm::vec3(color), glm::vec3(1), tiles[i].tint_over),
-                             color.a};
-                }
         }
     });
     return out;
+}
+
+void tint_copies(Mesh& copies, std::span<const PlacedTile> tiles)
+{
+    if (std::ranges::none_of(tiles, is_tinted)) return;
+    const std::size_t count = copies.vertex_count() / tiles.size();
+    copies.colors.resize(copies.vertex_count(), glm::vec4(1));
+    parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t v = i * count; is_tinted(tiles[i]) && v < (i + 1) * count; ++v) {
+                glm::vec4& color = copies.colors[v];
+                color = {tiles[i].tint *
+                             glm::mix(glm::vec3(color), glm::vec3(1), tiles[i].tint_over),
+                         color.a};
+            }
+    });
 }
 
 std::vector<glm::dvec3> outer_points(const TileModel& model, std::span<const PlacedTile> tiles)

@@ -61,6 +61,10 @@ Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedT
 // Makes one mesh of all tiles. In parallel; the same bits for any number of threads. O(#tiles #V).
 Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles);
 
+// Multiplies the colours of copies of a tile, one behind another, by the tints of their places;
+// copies without colours get them where a place is tinted.
+void tint_copies(Mesh& copies, std::span<const PlacedTile> tiles);
+
 // Finds the vertices of every tile that are furthest out along 26 directions of its cell, by which
 // a view frames them. In the world, metres, double precision; at most 26 per tile.
 std::vector<glm::dvec3> outer_points(const TileModel& model, std::span<const PlacedTile> tiles);

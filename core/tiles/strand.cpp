@@ -3,6 +3,7 @@
 
 #include "core/tiles/on_surface.h"
 #include "core/tiles/random_share.h"
+#include "core/tiles/tile_brushes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -250,11 +251,17 @@ void change_strands(StrandLayout& layout, const TileBase& base, const TileStroke
             if (stroke.brush == TileBrush::resize) each.width *= factor;
             each.height *= factor;
         }
-    if (stroke.brush != TileBrush::erase) return;
+    const bool erases = stroke.brush == TileBrush::erase;
+    if (!erases && stroke.brush != TileBrush::color && stroke.brush != TileBrush::morph) return;
     for (StrandCell& cell : layout.cells) {
-        if (cell.gone || !(std::max(much_at(layout.stations[cell.stations[1]]),
-                                    much_at(layout.stations[cell.stations[2]])) > 0))
+        if (cell.gone) continue;
+        const double most = std::max(much_at(layout.stations[cell.stations[1]]),
+                                     much_at(layout.stations[cell.stations[2]]));
+        if (!(most > 0)) continue;
+        if (!erases) {
+            change_look(cell.tint, cell.morph, stroke, most * stroke.strength);
             continue;
+        }
         cell.gone = true;
         if (cell.before >= 0) layout.cells[static_cast<std::size_t>(cell.before)].behind = -1;
         if (cell.behind >= 0) layout.cells[static_cast<std::size_t>(cell.behind)].before = -1;

@@ -27,7 +27,10 @@ struct StrandCell {
     int number = 0;                // along the strand, by which tiles alternate
     int stroke = 0;                // number of the stroke that laid it
     double begin_s = 0, end_s = 0; // when the stroke came to its two ends
-    bool gone = false;             // erased
+    bool gone = false;             // erased, or a mask leaves it out
+    glm::dvec3 tint{1};            // factor of the colours of its material, linear
+    double morph = 0;              // -1..1, added to that of its layer
+    double morph_factor = 1;       // of the morph of its layer, by masks
     bool operator==(const StrandCell&) const = default;
 };
 
@@ -47,7 +50,7 @@ struct StrandLayout {
 void add_strand(StrandLayout& layout, const TileBase& base, const TileStroke& stroke, int number,
                 std::vector<StrandPoint> points);
 
-// Lets a stroke of erase, resize or raise change the strands under its brush.
+// Lets a stroke of erase, resize, raise, color or morph change the strands under its brush.
 void change_strands(StrandLayout& layout, const TileBase& base, const TileStroke& stroke,
                     const std::vector<StrandPoint>& points);
 

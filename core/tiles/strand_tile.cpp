@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/mesh_copies.h"
+#include "core/patches/tile_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,7 @@ Mesh strand_mesh(const Mesh& unit, std::span<const PlacedTile> tiles)
 {
     const std::size_t count = unit.vertex_count();
     Mesh out = copies_of(unit, tiles.size(), false);
+    tint_copies(out, tiles);
     parallel_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             for (std::size_t v = 0; v < count; ++v) {

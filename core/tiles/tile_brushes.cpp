@@ -82,6 +82,15 @@ void move_along(LaidTiles& laid, const Grip& grip)
 
 } // namespace
 
+void change_look(glm::dvec3& tint, double& morph, const TileStroke& stroke, double much)
+{
+    if (stroke.brush == TileBrush::color) // back to none where the strength is negative
+        tint = glm::mix(tint, much < 0 ? glm::dvec3(1) : stroke.color,
+                        std::min(1.0, 2 * std::abs(much)));
+    else if (stroke.brush == TileBrush::morph)
+        morph = std::clamp(morph + much, -1.0, 1.0);
+}
+
 void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<StrokeStep>& path)
 {
     const TileBase& base = laid.base;
@@ -110,12 +119,7 @@ void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
         }
         case TileBrush::resize: each.size *= std::exp2(much); break;
         case TileBrush::raise: each.height *= std::exp2(much); break;
-        case TileBrush::color: // back to none where the strength is negative
-            each.tint = glm::mix(each.tint, much < 0 ? glm::dvec3(1) : stroke.color,
-                                 std::min(1.0, 2 * std::abs(much)));
-            break;
-        case TileBrush::morph: each.morph = std::clamp(each.morph + much, -1.0, 1.0); break;
-        default: break;
+        default: change_look(each.tint, each.morph, stroke, much);
         }
     }
 }

@@ -11,6 +11,9 @@ namespace trivar {
 // each).
 void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<StrokeStep>& path);
 
+// What the brushes color and morph do to a tile, as much as that.
+void change_look(glm::dvec3& tint, double& morph, const TileStroke& stroke, double much);
+
 // A hand takes single tiles: for each step the one that is nearest, within half of its size. The
 // second path is the mirror image of the first, or empty; no tile is taken for both.
 

@@ -53,7 +53,8 @@ template <> struct FieldsOf<TileLook> {
         field(
             "slide_along", l.slide_along,
             "how far tiles that were laid in lines have gone along their strokes, in sides; those "
-            "that leave the end are not there, and where a stroke closes they go round",
+            "that leave the end are not there, and where a stroke closes they go round; tiles of "
+            "strands that leave an end come in again at the other one",
             later_in_range(-1000, 1000).called("Slide along"));
         field("cell_x0", l.cell_x0,
               "where the unit cell of the tile begins along X, as a share of its box",

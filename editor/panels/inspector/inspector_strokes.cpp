@@ -97,6 +97,7 @@ void stroke_numbers(Editor& editor, const ui::Theme& theme, Id id, int number,
     if (brush == TileBrush::strand) {
         fields(&TileStroke::size);
         fields(&TileStroke::width);
+        if (layer_height > 0) rows.stop = just_below(stroke.height * limit / layer_height);
         fields(&TileStroke::height);
         fields(&TileStroke::taper);
         fields(&TileStroke::apart);

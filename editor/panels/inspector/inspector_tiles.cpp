@@ -81,6 +81,12 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     propose_edit(editor, rows.edit, [&] { return CoverWithTiles{id, tiling.base, cover}; });
 }
 
+bool has_stroke_of(const Tiling& tiling, TileBrush brush)
+{
+    return std::ranges::any_of(
+        tiling.strokes, [&](const Ref<TileStroke>& stroke) { return stroke->brush == brush; });
+}
+
 void limit_row(const ui::Theme& theme, double limit)
 {
     if (!std::isfinite(limit)) return;
@@ -118,9 +124,18 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     fields(&TileLook::height);
     limit_row(theme, limit);
     fields(&TileLook::sink);
-    fields(&TileLook::turn_deg);
+    const bool strands = has_stroke_of(tiling, TileBrush::strand),
+               lines = has_stroke_of(tiling, TileBrush::line),
+               single = lines || has_stroke_of(tiling, TileBrush::scatter) ||
+                        has_stroke_of(tiling, TileBrush::fill),
+               apart = single || tiling.cover.pattern != TilePattern::none || !strands;
+    if (apart)
+        fields(&TileLook::turn_deg);
+    else
+        ui::fact_row(theme, "Turn", "by Roll", theme.color.text_3,
+                     "the tiles of a strand hang together, so they turn about its path alone");
     fields(&TileLook::guard);
-    if (!tiling.strokes.empty()) fields(&TileLook::keep_overlaps);
+    if (!tiling.strokes.empty() && apart) fields(&TileLook::keep_overlaps);
     fields(&TileLook::growth);
     fields(&TileLook::growth_softness);
     fields(&TileLook::wave);
@@ -130,19 +145,18 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
     }
-    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
-            return stroke->brush == TileBrush::strand;
-        })) {
+    if (strands) {
         fields(&TileLook::overlap);
         fields(&TileLook::roll_deg);
         fields(&TileLook::alternate_deg);
     }
-    fields(&TileLook::slide_x);
-    fields(&TileLook::slide_y);
-    if (std::ranges::any_of(tiling.strokes, [](const Ref<TileStroke>& stroke) {
-            return stroke->brush == TileBrush::line;
-        }))
-        fields(&TileLook::slide_along);
+    if (apart) {
+        fields(&TileLook::slide_x);
+        fields(&TileLook::slide_y);
+    } else
+        ui::fact_row(theme, "Slide", "by Slide along", theme.color.text_3,
+                     "the tiles of a strand hang together, so they slide along its path alone");
+    if (lines || strands) fields(&TileLook::slide_along);
     rows.take(draw_tile_cell(session, theme, id, look));
     fields(&TileLook::cell_x0);
     fields(&TileLook::cell_x1);
