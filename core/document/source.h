@@ -64,6 +64,7 @@ struct LatticeShape {
 };
 // A HeightShape is a square sheet whose points stand as high as a picture is bright
 // (core/mesh/height_sheet.h): a tile that displaces what it covers.
+enum class HeightsLie { face, uv };
 struct HeightShape {
     std::string image = {}, image_hash = {}; // named as an ImportedFile is
     double size = 1;                         // metres
@@ -71,6 +72,7 @@ struct HeightShape {
     double level = 0;                        // the brightness that stays on the ground
     int segments = 64;                       // along each side
     bool repeats = true; // the picture goes on over its border, so that copies fit
+    HeightsLie lies = {}; // what the picture lies over where it covers: each tile, or all UVs
     bool operator==(const HeightShape&) const = default;
 };
 struct GroupShape {

@@ -12,21 +12,39 @@ namespace {
 
 // The faces of a mesh with all its points; corners that repeat the one before are left out, and
 // faces with less than three.
-Cage facet_cage(const Mesh& mesh, const glm::dmat4& to_model)
+struct FacetCage {
+    Cage cage;
+    std::vector<std::size_t> from; // #corners: of all corners of the mesh's cage
+};
+FacetCage facet_cage(const Mesh& mesh, const glm::dmat4& to_model)
 {
-    Cage all = cage_of(mesh, to_model), out;
-    out.points = std::move(all.points);
+    Cage all = cage_of(mesh, to_model);
+    FacetCage out;
+    out.cage.points = std::move(all.points);
     std::size_t first = 0;
     for (const int size : all.face_sizes) {
-        std::vector<int> face;
+        std::vector<std::size_t> face;
+        const auto at = [&](std::size_t k) { return all.corners[k]; };
         for (std::size_t k = first; k < first + static_cast<std::size_t>(size); ++k)
-            if (face.empty() || face.back() != all.corners[k]) face.push_back(all.corners[k]);
-        while (face.size() > 1 && face.back() == face.front()) face.pop_back();
+            if (face.empty() || at(face.back()) != at(k)) face.push_back(k);
+        while (face.size() > 1 && at(face.back()) == at(face.front())) face.pop_back();
         first += static_cast<std::size_t>(size);
         if (face.size() < 3) continue;
-        out.face_sizes.push_back(static_cast<int>(face.size()));
-        out.corners.insert(out.corners.end(), face.begin(), face.end());
+        out.cage.face_sizes.push_back(static_cast<int>(face.size()));
+        for (const std::size_t k : face) out.cage.corners.push_back(at(k));
+        out.from.insert(out.from.end(), face.begin(), face.end());
     }
+    return out;
+}
+
+// The texture coordinates of all corners of a mesh's cage.
+std::vector<glm::dvec2> corner_uvs(const Mesh& mesh, const glm::dmat4& to_model)
+{
+    std::vector<glm::dvec2> out;
+    for (const std::uint32_t v : mesh.corners) out.emplace_back(mesh.uvs.front()[v]);
+    if (glm::determinant(glm::dmat3(to_model)) < 0) // as cage_of() turns faces round
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            std::reverse(out.begin() + mesh.face_begin[f], out.begin() + mesh.face_begin[f + 1]);
     return out;
 }
 
@@ -35,7 +53,7 @@ Ref<FacetSurface> facets_on(const TiledPieces& pieces, CoverLayout& out)
     std::vector<Cage> cages;
     for (const TiledPiece& piece : pieces) {
         out.first_point.push_back(static_cast<std::uint32_t>(out.point_count));
-        cages.push_back(facet_cage(*piece.mesh, piece.to_model));
+        cages.push_back(facet_cage(*piece.mesh, piece.to_model).cage);
         out.point_count += cages.back().points.size();
     }
     const JoinedCages all = joined(cages, 3, 4);
@@ -72,6 +90,19 @@ std::vector<SurfacePoint> middles_of(const Covering& covering, std::span<const S
     return out;
 }
 
+// The facets with the points of parts in the world.
+FacetSurface moved_facets(const CoverLayout& layout, const std::vector<Part>& parts)
+{
+    std::vector<glm::dvec3> points(layout.point_count, glm::dvec3(0));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Mesh& mesh = *parts[k].mesh();
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+            points[layout.first_point[k] + mesh.point(v)] =
+                glm::dvec3(parts[k].to_world * glm::dvec4(mesh.positions[v], 1));
+    }
+    return layout.facets->moved(points);
+}
+
 } // namespace
 
 CoverLayout cover_layout(const TiledPieces& pieces, const Ref<LimitBase>& limit,
@@ -105,6 +136,45 @@ CoverLayout cover_layout(const TiledPieces& pieces, const Ref<LimitBase>& limit,
     return out;
 }
 
+std::optional<ChartUvs> chart_uvs_of(const TiledPieces& pieces, const CoverLayout& layout)
+{
+    std::vector<Cage> cages;
+    std::vector<glm::dvec2> uvs;
+    for (const TiledPiece& piece : pieces) {
+        if (layout.limit) {
+            const Mesh ready = ready_to_subdivide(*piece.cage.cage);
+            if (ready.uvs.empty()) return {};
+            cages.push_back(cage_of(ready, piece.cage.to_model));
+            const std::vector<glm::dvec2> own = corner_uvs(ready, piece.cage.to_model);
+            uvs.insert(uvs.end(), own.begin(), own.end());
+            continue;
+        }
+        if (piece.mesh->uvs.empty()) return {};
+        FacetCage facets = facet_cage(*piece.mesh, piece.to_model);
+        const std::vector<glm::dvec2> own = corner_uvs(*piece.mesh, piece.to_model);
+        for (const std::size_t k : facets.from) uvs.push_back(own[k]);
+        cages.push_back(std::move(facets.cage));
+    }
+    const ChartNet& net = layout.limit ? layout.limit->surface().net() : layout.facets->net();
+    return chart_uvs(net, joined(cages).cage, uvs);
+}
+
+std::function<SurfacePoint(const ChartPlace&)>
+surface_of(const CoverLayout& layout, const TiledPieces& pieces, const std::vector<Part>& parts)
+{
+    if (layout.limit)
+        return [&layout, ways = ways_to_world(pieces, parts)](const ChartPlace& at) {
+            const LimitSurface& surface = layout.limit->surface();
+            return ways[layout.piece_of_chart[at.chart]](
+                {surface.position(at), surface.normal(at)});
+        };
+    return [&layout, mirrored = mirrored_parts(pieces, parts),
+            facets = moved_facets(layout, parts)](const ChartPlace& at) -> SurfacePoint {
+        const glm::dvec3 normal = facets.normal(at);
+        return {facets.position(at), mirrored[layout.piece_of_chart[at.chart]] ? -normal : normal};
+    };
+}
+
 CoveringPose pose_of(const CoverLayout& layout, const TiledPieces& pieces,
                      const std::vector<Part>& parts)
 {
@@ -120,14 +190,7 @@ CoveringPose pose_of(const CoverLayout& layout, const TiledPieces& pieces,
         });
         return out;
     }
-    std::vector<glm::dvec3> points(layout.point_count, glm::dvec3(0));
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const Mesh& mesh = *parts[k].mesh();
-        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-            points[layout.first_point[k] + mesh.point(v)] =
-                glm::dvec3(parts[k].to_world * glm::dvec4(mesh.positions[v], 1));
-    }
-    out.points = layout.covering->points(layout.facets->moved(points));
+    out.points = layout.covering->points(moved_facets(layout, parts));
     for (std::size_t n = 0; n < out.points.size(); ++n)
         if (mirrored[layout.piece_of_node[n]]) out.points[n].normal = -out.points[n].normal;
     return out;

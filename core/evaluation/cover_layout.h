@@ -5,6 +5,8 @@
 #include "core/limit/facet_surface.h"
 #include "core/tiles/covered_tiles.h"
 
+#include <functional>
+
 namespace trivar {
 
 // A CoverLayout is a covering of a base at rest, in the space of its model.
@@ -25,6 +27,13 @@ struct CoverLayout {
 // `tile_size` is as for a Covering. Trouble is written into the layout.
 CoverLayout cover_layout(const TiledPieces& pieces, const Ref<LimitBase>& limit,
                          const TileCover& cover, const glm::dvec2& tile_size);
+
+// The texture coordinates of the charts; nothing where some piece has none. O(#C).
+std::optional<ChartUvs> chart_uvs_of(const TiledPieces& pieces, const CoverLayout& layout);
+
+// The surface over the charts as one member of the base stands. `layout` must outlive it.
+std::function<SurfacePoint(const ChartPlace&)>
+surface_of(const CoverLayout& layout, const TiledPieces& pieces, const std::vector<Part>& parts);
 
 // Where the covering is as one member of its base stands; without heights. In parallel. O(#nodes).
 CoveringPose pose_of(const CoverLayout& layout, const TiledPieces& pieces,

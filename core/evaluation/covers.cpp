@@ -50,6 +50,20 @@ glm::dmat4 quarter_turns(double turn_deg)
     return {x.x, x.y, 0, 0, y.x, y.y, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 }
 
+const ChartNet& net_of(const CoverLayout& layout)
+{
+    return layout.limit ? layout.limit->surface().net() : layout.facets->net();
+}
+
+// How high in the cell's model a metre of a kind is.
+double z_scale(const TileKind& kind, const glm::dmat4& turned)
+{
+    double out = 0;
+    for (const Part& part : kind.parts)
+        out = std::max(out, std::abs((turned * kind.turned * part.to_world)[2].z));
+    return out;
+}
+
 // How much of it each tile shows. Tiles grow from the lowest one up.
 void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& tiling,
                  const std::vector<MaskFactors>& masked)
@@ -91,10 +105,12 @@ struct ChosenTiles {
     std::vector<PlacedTile> patches;            // #patched
 };
 
-// `kinds` and `cells` hold the kind of each tile and the cell of each kind.
+// `kinds` and `cells` hold the kind of each tile and the cell of each kind; no two tiles of a kind
+// that is `displaced` are alike.
 std::vector<ChosenTiles> chosen_tiles(const Covering& covering, const CoveringPose& pose,
                                       const std::vector<std::size_t>& kinds,
                                       const std::vector<CoverCell>& cells,
+                                      const std::vector<char>& displaced,
                                       const GuardedHeights& guarded, TileCounts& told)
 {
     const std::size_t count = covering.tiles().size();
@@ -122,7 +138,7 @@ std::vector<ChosenTiles> chosen_tiles(const Covering& covering, const CoveringPo
                 all[k].tile.of_limit =
                     std::max(all[k].tile.of_limit, static_cast<float>(guarded.of_limit[c]));
         ChosenTiles& of_kind = out[kinds[k]];
-        if (all[k].off <= most_off) {
+        if (all[k].off <= most_off && !displaced[kinds[k]]) {
             of_kind.patched.push_back(k);
             of_kind.patches.push_back(all[k].tile);
         } else
@@ -194,8 +210,9 @@ CoverParts Covers::operator()(const CoverInput& input)
     for (const TileKind& kind : input.kinds.all) {
         const Box box = box_of_kind(kind, turned);
         const CoverCell& cell = cells.emplace_back(cover_cell(box, look));
-        const double reach = reach_over(box, kind.parts, turned * kind.turned) -
-                             (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
+        const double top = kind.over_uvs ? kind.over_uvs->highest * z_scale(kind, turned)
+                                         : reach_over(box, kind.parts, turned * kind.turned);
+        const double reach = top - (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
         highest = std::max(highest, (reach - look.sink * cell.size.z) / cell.size.x);
     }
     const glm::dvec3& first = cells.front().size;
@@ -209,6 +226,17 @@ CoverParts Covers::operator()(const CoverInput& input)
     if (laid->crowded)
         out.notices.push_back("its tiles are smaller than their size says: each face of what they "
                               "cover carries one at least");
+    const auto is_displaced = [](const TileKind& kind) { return kind.over_uvs.has_value(); };
+    Ref<Uvs> uvs;
+    if (std::ranges::any_of(input.kinds.all, is_displaced)) {
+        uvs = uvs_(laid, [&] { return make_ref(chart_uvs_of(input.pieces, *laid)); });
+        if (!*uvs)
+            out.notices.push_back("what it displaces has no UVs, so the picture lies over each "
+                                  "tile; unwrap it first");
+    }
+    std::vector<char> displaced;
+    for (const TileKind& kind : input.kinds.all)
+        displaced.push_back(uvs && *uvs && is_displaced(kind));
     const Ref<CoverMasks> masked = masks(input, laid);
     std::vector<std::size_t> kind_of_tile, counts(cells.size(), 0);
     for (std::size_t k = 0; k < covering.tiles().size(); ++k) {
@@ -241,7 +269,7 @@ CoverParts Covers::operator()(const CoverInput& input)
                     out.of_limit = std::max(out.of_limit, each);
             }
             std::vector<ChosenTiles> chosen =
-                chosen_tiles(covering, pose, kind_of_tile, cells, guarded, out.counts);
+                chosen_tiles(covering, pose, kind_of_tile, cells, displaced, guarded, out.counts);
             const auto posed = make_ref(std::move(pose));
             for (std::size_t k = 0; k < cells.size(); ++k) {
                 const TileKind& kind = input.kinds.all[k];
@@ -269,7 +297,13 @@ CoverParts Covers::operator()(const CoverInput& input)
                                      Lazy<Ref<Mesh>>([bent, patched] { return bent(*patched); })),
                             key));
                     if (chosen[k].meshed.empty()) continue;
-                    const Ref<Mesh> rest = bent(chosen[k].meshed);
+                    const Ref<Mesh> rest =
+                        displaced[k] ? make_ref(displaced_tiles(
+                                           *model.mesh, to_model, cells[k], covering, *posed,
+                                           chosen[k].meshed,
+                                           {*kind.over_uvs->image, kind.over_uvs->sheet, **uvs,
+                                            net_of(*laid), surface_of(*laid, input.pieces, parts)}))
+                                     : bent(chosen[k].meshed);
                     key.piece = meshed_piece;
                     out.parts.push_back({.rest = rest, .key = key, .bounds = bounding_box(*rest)});
                 }

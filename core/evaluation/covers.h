@@ -4,6 +4,7 @@
 #include "core/evaluation/masking.h"
 #include "core/evaluation/tile_kinds.h"
 #include "core/evaluation/tiled_base.h"
+#include "core/limit/chart_uvs.h"
 #include "core/tiles/tile_counts.h"
 
 namespace trivar {
@@ -68,7 +69,9 @@ private:
     Ref<CoverLayout> layout(const CoverInput& input, const glm::dvec2& size);
     Ref<CoverMasks> masks(const CoverInput& input, const Ref<CoverLayout>& layout);
 
+    using Uvs = std::optional<ChartUvs>;
     Recent<LayoutKey, Ref<CoverLayout>> layouts_;
+    Recent<Ref<CoverLayout>, Ref<Uvs>> uvs_;
     Recent<MaskKey, Ref<CoverMasks>> masks_;
     Recent<ModelKey, CoverModel> models_{64};
 };

@@ -68,11 +68,6 @@ Model primitive(const HeightShape&)
     return {};
 }
 
-HeightSheet sheet_of(const HeightShape& s)
-{
-    return {s.size, s.height, s.level, s.segments, s.repeats ? ImageEdge::repeat : ImageEdge::stay};
-}
-
 struct Letters {
     Model model; // with its notices
     std::vector<std::string> lacks;
@@ -93,6 +88,11 @@ Letters letters(const TextShape& text, const AssetStore& assets)
 }
 
 } // namespace
+
+HeightSheet sheet_of(const HeightShape& s)
+{
+    return {s.size, s.height, s.level, s.segments, s.repeats ? ImageEdge::repeat : ImageEdge::stay};
+}
 
 FoundFont font_of(const TextShape& text, const AssetStore& assets)
 {

@@ -4,6 +4,7 @@
 #include "core/base/timing.h"
 #include "core/document/asset_store.h"
 #include "core/evaluation/shape.h"
+#include "core/mesh/height_sheet.h"
 #include "core/placement/round.h"
 #include "core/text/installed_fonts.h"
 
@@ -12,6 +13,9 @@ namespace trivar {
 // The font of a text; the name of its file may be relative to the scene's folder. Throws Rejected
 // where no font is found at all.
 FoundFont font_of(const TextShape& text, const AssetStore& assets);
+
+// The sheet of a shape, without its picture.
+HeightSheet sheet_of(const HeightShape& shape);
 
 // Shapes keeps shapes by their source: two objects with equal sources share one shape.
 class Shapes {

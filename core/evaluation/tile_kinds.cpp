@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/tile_kinds.h"
 
+#include "core/evaluation/shapes.h"
 #include "core/evaluation/standing.h"
 #include "core/mesh/mesh_materials.h"
 #include "core/mesh/morphed.h"
@@ -49,6 +50,20 @@ std::size_t vertex_count(const std::vector<Part>& parts)
     std::size_t count = 0;
     for (const Part& part : parts) count += part.rest->vertex_count();
     return count;
+}
+
+// Nothing where the picture lies over each tile, or is missing.
+std::optional<TileKind::OverUvs> over_uvs(const HeightShape& shape, const StepInput& input)
+{
+    if (shape.lies != HeightsLie::uv) return {};
+    const Ref<GreyImage> image = input.assets.load_image(shape.image, shape.image_hash).image;
+    if (!image || image->values.empty()) return {};
+    TileKind::OverUvs out{image, sheet_of(shape)};
+    const auto [low, high] = std::ranges::minmax(image->values);
+    for (const float each : {low, high})
+        out.highest =
+            std::max(out.highest, shape.height * (static_cast<double>(each) - shape.level));
+    return out;
 }
 
 } // namespace
@@ -200,7 +215,10 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
         TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
-        kind.from_zero = std::holds_alternative<HeightShape>(object.source);
+        if (const auto* heights = std::get_if<HeightShape>(&object.source)) {
+            kind.from_zero = true;
+            kind.over_uvs = over_uvs(*heights, input);
+        }
         if (plays_apart && k > 0) {
             Playing playing = object.playing;
             playing.offset += look.clip_variation * k / phases * (clip->end_s - clip->begin_s);

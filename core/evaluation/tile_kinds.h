@@ -3,6 +3,7 @@
 
 #include "core/evaluation/posing.h"
 #include "core/evaluation/step.h"
+#include "core/mesh/height_sheet.h"
 #include "core/patches/tile_set.h"
 #include "core/tiles/layout.h"
 
@@ -17,6 +18,13 @@ struct TileKind {
     std::uint32_t first_material = 0;               // of its materials among those of the layer
     int first_mesh = 0;                             // of its meshes among those of the layer
     bool from_zero = false; // it stands in z = 0, as heights do, and not on its lowest point
+    struct OverUvs {        // heights by a picture over the UVs of what is covered
+        Ref<GreyImage> image;
+        HeightSheet sheet;
+        double highest = 0; // metres
+        bool operator==(const OverUvs&) const = default;
+    };
+    std::optional<OverUvs> over_uvs = {};
     bool operator==(const TileKind&) const = default;
 };
 

@@ -12,7 +12,7 @@ Mesh height_sheet(const GreyImage& image, const HeightSheet& sheet)
     const int n = sheet.segments;
     const double step = 1.0 / n;
     const auto height = [&](double i, double j) {
-        return sheet.height * (grey_at(image, {i * step, j * step}, sheet.edge) - sheet.level);
+        return sheet.at(image, {i * step, j * step});
     };
     const auto vertex_at = [&](int i, int j) {
         const double x = sheet.size * (2 * i - n) / (2.0 * n),

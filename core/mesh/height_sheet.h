@@ -14,6 +14,12 @@ struct HeightSheet {
     double level = 0;                   // the value that stays in z = 0
     int segments = 64;                  // along each side
     ImageEdge edge = ImageEdge::repeat; // opposite borders are then equally high
+    bool operator==(const HeightSheet&) const = default;
+
+    double at(const GreyImage& image, const glm::dvec2& uv) const // metres
+    {
+        return height * (grey_at(image, uv, edge) - level);
+    }
 };
 
 // The sheet, with the picture's lower left corner at -x -y, texture coordinates and normals of the

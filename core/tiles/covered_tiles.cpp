@@ -92,6 +92,7 @@ public:
         heights_ = {pose.heights[corners[0]], pose.heights[corners[1]], pose.heights[corners[2]],
                     pose.heights[corners[3]]};
     }
+    double height(const glm::dvec2& uv) const { return heights_.at(uv).x; }
     // With z in lengths of the tile.
     TilePoint at(const glm::dvec2& uv, double z) const
     {
@@ -121,22 +122,31 @@ public:
     {
     }
     // x and y fill the unit square; z is in lengths of the tile, before its own factor.
-    TilePoint at(const glm::dvec3& p)
+    TilePoint at(const glm::dvec3& p) { return at(spot(p), p.z); }
+    TilePoint at(const Covering::Spot& spot, double z)
     {
-        glm::dvec2 at(p);
+        const TilePoint t = shape_of(spot.cell).at(spot.uv, factor_ * z);
+        const auto [x, y] = own_directions(spot);
+        return {t.p, x.x * t.x + x.y * t.y, y.x * t.x + y.y * t.y, factor_ * t.z};
+    }
+    Covering::Spot spot(glm::dvec2 at) const
+    {
         if (scale_ != 1) at = 0.5 + scale_ * (at - 0.5);
         if (turned_over_) at.x = 1 - at.x;
-        const bool hexagon = covering_.pattern() == TilePattern::hexagon;
-        if (hexagon) at.y = snapped(hexagon_width * at.y - hexagon_reach);
-        const Covering::Spot spot = covering_.spot(tile_, at);
-        const TilePoint t = shape_of(spot.cell).at(spot.uv, factor_ * p.z);
-        // The derivatives along the tile's own directions.
-        const glm::dvec2 ex = quarter_turned({1, 0}, spot.turns),
-                         ey = quarter_turned({0, 1}, spot.turns);
+        if (hexagon()) at.y = snapped(hexagon_width * at.y - hexagon_reach);
+        return covering_.spot(tile_, at);
+    }
+    double height(const Covering::Spot& spot) // metres in the world per length
+    {
+        return factor_ * shape_of(spot.cell).height(spot.uv);
+    }
+    // How far a place goes in its cell along the tile's own x and y.
+    std::pair<glm::dvec2, glm::dvec2> own_directions(const Covering::Spot& spot) const
+    {
         const double along = (turned_over_ ? -1 : 1) * spot.along,
-                     across = hexagon ? hexagon_width : 1;
-        return {t.p, scale_ * along * (ex.x * t.x + ex.y * t.y),
-                scale_ * across * (ey.x * t.x + ey.y * t.y), factor_ * t.z};
+                     across = hexagon() ? hexagon_width : 1;
+        return {scale_ * along * quarter_turned({1, 0}, spot.turns),
+                scale_ * across * quarter_turned({0, 1}, spot.turns)};
     }
     std::vector<std::uint32_t> cells() const
     {
@@ -146,6 +156,7 @@ public:
     }
 
 private:
+    bool hexagon() const { return covering_.pattern() == TilePattern::hexagon; }
     const CellShape& shape_of(std::uint32_t id)
     {
         for (const auto& [known, shape] : shapes_)
@@ -160,6 +171,24 @@ private:
     double scale_, factor_;
     std::vector<std::pair<std::uint32_t, CellShape>> shapes_;
 };
+
+// A place of the surface, by the same numbers from all cells that have it: corners are nodes, and
+// what lies on a side that two charts share belongs to the first of them.
+SurfacePoint shared_place(const Covering& covering, const CoveringPose& pose,
+                          const HeightsOverUvs& heights, const Covering::Spot& spot)
+{
+    const auto ends = [](double t) { return t == 0 || t == 1; };
+    if (ends(spot.uv.x) && ends(spot.uv.y)) {
+        const std::size_t corner =
+            spot.uv.y == 0 ? (spot.uv.x == 0 ? 0 : 1) : (spot.uv.x == 0 ? 3 : 2);
+        return pose.points[covering.corners(spot.cell)[corner]];
+    }
+    ChartPlace at{covering.cell(spot.cell).chart, covering.in_chart(spot.cell, spot.uv)};
+    const int edge = at.uv.y == 0 ? 0 : at.uv.x == 1 ? 1 : at.uv.y == 1 ? 2 : at.uv.x == 0 ? 3 : -1;
+    if (edge >= 0 && heights.net.across(at.chart, edge).chart < at.chart)
+        at = heights.net.beyond(at, edge);
+    return heights.surface(at);
+}
 
 } // namespace
 
@@ -196,6 +225,54 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
                     out.tangents[to] = glm::vec4(unit_or_zenith(a.x * x + a.y * y + a.z * z),
                                                  mesh.tangents[v].w * (mirrored ? -1.0f : 1.0f));
                 }
+            }
+        }
+    });
+    return out;
+}
+
+Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
+                     const Covering& covering, const CoveringPose& pose,
+                     std::span<const std::uint32_t> tiles, const HeightsOverUvs& heights)
+{
+    const std::size_t count = mesh.vertex_count();
+    Mesh flat = mesh;
+    for (glm::vec3& p : flat.positions) p.z = 0;
+    flat.tangents.clear();
+    if (flat.uvs.empty()) flat.uvs.resize(1);
+    flat.uvs.resize(1);
+    flat.uvs.front().resize(count);
+    Mesh out = copies_of(flat, tiles.size(), glm::determinant(glm::dmat3(to_model)) < 0);
+    const InCell from = in_cell(flat, to_model, cell);
+    const double length = std::max(cell.turns % 2 == 0 ? cell.size.x : cell.size.y, 1e-9),
+                 per_metre = to_model[2].z / length, step = 1.0 / heights.sheet.segments;
+    parallel_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            TileOnCells tile(covering, pose, tiles[k]);
+            for (std::size_t v = 0; v < count; ++v) {
+                const Covering::Spot spot = tile.spot(from.at[v]);
+                const auto& uvs = heights.uvs[covering.cell(spot.cell).chart];
+                const auto uv_at = [&](const glm::dvec2& in_cell) {
+                    return uv_in_chart(uvs, covering.in_chart(spot.cell, in_cell));
+                };
+                const auto height = [&](double du, double dv) {
+                    return per_metre *
+                           heights.sheet.at(heights.image, uv_at(spot.uv + glm::dvec2(du, dv)));
+                };
+                const glm::dvec2 slope = glm::dvec2(height(step, 0) - height(-step, 0),
+                                                    height(0, step) - height(0, -step)) /
+                                         (2 * step);
+                const double high = from.at[v].z + height(0, 0);
+                const TilePoint t = tile.at(spot, high);
+                const SurfacePoint foot = shared_place(covering, pose, heights, spot);
+                const glm::dvec3 p = foot.p + tile.height(spot) * high * foot.normal;
+                const auto [along, across] = tile.own_directions(spot);
+                const std::size_t to = k * count + v;
+                out.positions[to] = glm::vec3(p) + 0.0f; // no negative zeros
+                out.uvs.front()[to] = glm::vec2(uv_at(spot.uv));
+                if (!out.normals.empty())
+                    out.normals[to] = unit_or_zenith(glm::cross(
+                        t.x + glm::dot(slope, along) * t.z, t.y + glm::dot(slope, across) * t.z));
             }
         }
     });

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "core/base/ref.h"
+#include "core/limit/chart_uvs.h"
+#include "core/mesh/height_sheet.h"
 #include "core/mesh/mesh.h"
 #include "core/patches/placed_tile.h"
 #include "core/tiles/covering.h"
+
+#include <functional>
 
 namespace trivar {
 
@@ -41,6 +45,23 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
                    std::span<const std::uint32_t> tiles);
 Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                    const Covering& covering, const CoveringPose& pose); // of all
+
+// Heights by a picture that lies over the texture coordinates of what is covered.
+struct HeightsOverUvs {
+    const GreyImage& image;
+    const HeightSheet& sheet;
+    const ChartUvs& uvs; // of the covering's charts
+    const ChartNet& net;
+    // The surface itself over the charts, in the world; of any thread.
+    std::function<SurfacePoint(const ChartPlace&)> surface;
+};
+// The same for a sheet of heights whose points stand as high as the picture is bright where they
+// lie on what is covered, and which has the texture coordinates of that: conventional displacement,
+// P + h(u, v) N with P and N of the surface itself. Where coordinates have a seam the heights have
+// one, too. Without tangents.
+Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
+                     const Covering& covering, const CoveringPose& pose,
+                     std::span<const std::uint32_t> tiles, const HeightsOverUvs& heights);
 
 // The matrix from a cell to the unit cell of core/patches/tile_set.h, for patched_tile().
 glm::dmat4 to_unit_cell(const CoverCell& cell);

@@ -194,6 +194,13 @@ void Covering::lay()
     }
 }
 
+glm::dvec2 Covering::in_chart(std::uint32_t cell, const glm::dvec2& uv) const
+{
+    const Cell& at = cells_[cell];
+    const glm::dvec2 whole = (glm::dvec2(at.i, at.j) + uv) / glm::dvec2(counts_[at.chart]);
+    return {snapped(whole.x), snapped(whole.y)};
+}
+
 Covering::Spot Covering::spot(const Laid& tile, const glm::dvec2& at) const
 {
     Spot out{tile.cell, at};

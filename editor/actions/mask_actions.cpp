@@ -73,8 +73,9 @@ double face_count(const EvaluatedObject& shown)
     return std::max(1.0, faces);
 }
 
-// The heights of a displacement at first, for what an object shows: metres on its model, lower
-// where faces are small, and sheets that are as fine as the faces are few.
+// The heights of a displacement at first, for what an object shows: over its UVs where it has some.
+// Metres on its model, lower where a picture lies over faces that are small; sheets are as fine as
+// the faces are few.
 HeightShape usual_heights(const Session& session, Id base)
 {
     constexpr double share = 0.03, share_of_face = 0.25; // of the largest side, of that of a face
@@ -91,7 +92,10 @@ HeightShape usual_heights(const Session& session, Id base)
     const double scale =
         RestToWorld(part, mesh_to_model(shown, object(session.document(), base), part))
             .scale({0, 0, 0});
-    const double height = std::min(share * side, share_of_face * side / std::sqrt(faces));
+    if (shows_uvs(session, base)) out.lies = HeightsLie::uv;
+    const double height = out.lies == HeightsLie::uv
+                              ? share * side
+                              : std::min(share * side, share_of_face * side / std::sqrt(faces));
     out.height = rounded(scale > 0 ? height / scale : height, 2);
     return out;
 }

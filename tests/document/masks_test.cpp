@@ -316,6 +316,69 @@ TEST(Displace, PutsEachPointAtItsHeightOverThePlane)
     EXPECT_GT(highest, 3 * 0.5 * 0.6);
 }
 
+TEST(Displace, LiesOverTheUvsOfAnyMesh)
+{
+    const TemporaryFolder folder;
+    DeepImage hills{{16, 16}, {}}, black{{1, 1}, {0, 0, 0, 65535}};
+    for (int i = 0; i < 256; ++i)
+        for (const int channel : {i * 255, i * 255, i * 255, 65535})
+            hills.rgba.push_back(static_cast<std::uint16_t>(channel));
+    write_file(folder.path() / "hills.png", encoded_image(hills, ".png"));
+    write_file(folder.path() / "black.png", encoded_image(black, ".png"));
+    const GreyImage image = read_grey_image(folder.file("hills.png"));
+    AddTorus torus;
+    torus.shape = {.radius = 1, .tube = 0.4, .segments = {24, 12}};
+    Document ring = after(Document{}, torus);
+    ring = after(ring, Unwrap{.objects = {1}, .unwrapping = Unwrapping{}});
+    const auto shown = [&](const std::string& name, double height, double level) {
+        const Document displaced = after(ring, Displace{.base = 1,
+                                                        .shape = {.image = folder.file(name),
+                                                                  .height = height,
+                                                                  .level = level,
+                                                                  .segments = 5,
+                                                                  .lies = HeightsLie::uv}});
+        const Ref<EvaluatedObject> layer = layer_shown(displaced, 2);
+        EXPECT_THAT(layer->notices, IsEmpty());
+        EXPECT_EQ(layer->parts.size(), 1u);
+        return layer->parts.front().mesh();
+    };
+    // P, and P + N, by sheets that are even.
+    const Ref<Mesh> p = shown("black.png", 0, 0), with_n = shown("black.png", 0.01, -1),
+                    all = shown("hills.png", 0.05, 0.25);
+    ASSERT_EQ(all->vertex_count(), 24u * 12u * 36u);
+    ASSERT_EQ(p->vertex_count(), all->vertex_count());
+    double most = 0;
+    for (std::size_t v = 0; v < all->vertex_count(); ++v) {
+        const double h =
+            0.05 * (grey_at(image, glm::dvec2(all->uvs.front()[v]), ImageEdge::repeat) - 0.25);
+        const glm::dvec3 at(p->positions[v]), n = (glm::dvec3(with_n->positions[v]) - at) / 0.01;
+        EXPECT_NEAR(glm::length(n), 1, 1e-4); // of single precision
+        most = std::max(most, glm::distance(at + h * n, glm::dvec3(all->positions[v])));
+    }
+    EXPECT_LT(most, 2e-6); // of single precision
+}
+
+TEST(Displace, LiesOverEachFaceOfWhatHasNoUvs)
+{
+    const TemporaryFolder folder;
+    const DeepImage grey{{1, 1}, {32768, 32768, 32768, 65535}};
+    write_file(folder.path() / "grey.png", encoded_image(grey, ".png"));
+    write_file(folder.path() / "sheet.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+    ImportModel import;
+    import.file.path = folder.file("sheet.off");
+    const Document sheet = after(Document{}, import);
+    const Ref<EvaluatedObject> layer =
+        layer_shown(after(sheet, Displace{.base = 1,
+                                          .shape = {.image = folder.file("grey.png"),
+                                                    .height = 0.1,
+                                                    .segments = 4,
+                                                    .lies = HeightsLie::uv}}),
+                    2);
+    EXPECT_THAT(layer->notices, ::testing::Contains(HasSubstr("has no UVs")));
+    ASSERT_EQ(layer->parts.size(), 1u);
+    for (const glm::vec3& p : layer->parts[0].mesh()->positions) EXPECT_NEAR(p.z, 0.05, 1e-4);
+}
+
 TEST(TileMasks, FindTheirPictureWhereTheSceneHasMoved)
 {
     History history;

@@ -249,8 +249,7 @@ TEST(StrandLayers, SlideWithTheirColours)
     red.strength = 1;
     red.radius = 0.15;
     red.samples.resize(1);
-    const Document document =
-        after(with_strand(), PaintTiles{strand_tile_id, strand_base, red});
+    const Document document = after(with_strand(), PaintTiles{strand_tile_id, strand_base, red});
     const std::vector<glm::vec3> still = tints(document), there = tints(slid(document, 3));
     ASSERT_EQ(still.size(), there.size());
     EXPECT_LT(still[0].g, 0.9f);
@@ -316,8 +315,8 @@ Document with_upright_ribbon(double height)
 TEST(StrandLayers, AreAsHighAsAMaskSays)
 {
     const Document document = with_upright_ribbon(1);
-    const Document masked = after(
-        document, MaskTiles{strand_tile_id, 0, across_the_ball(MaskDrives::height, 0, 2)});
+    const Document masked =
+        after(document, MaskTiles{strand_tile_id, 0, across_the_ball(MaskDrives::height, 0, 2)});
     EXPECT_EQ(counted(masked).points, points_of_open(counted(document).tiles));
     const auto highest = [](const Document& d) {
         double most = 0;
@@ -337,20 +336,21 @@ TEST(StrandLayers, MorphByAMask)
     Document document = after(with_strand(), narrow);
     document = after(document, MorphTiles{strand_tile_id, 3});
     document = after(document, SetTiles{{strand_tile_id}, {.morph = 1}});
-    document = after(document,
-                     MaskTiles{strand_tile_id, 0, across_the_ball(MaskDrives::morph, 0, 1)});
+    document =
+        after(document, MaskTiles{strand_tile_id, 0, across_the_ball(MaskDrives::morph, 0, 1)});
     const Evaluation all = new_evaluator()(document, 1);
     const std::vector<Part>& parts = all.objects.at(strand_tile_id)->parts;
     ASSERT_GT(parts.size(), 3u); // one for each phase
-    EXPECT_GT(parts.front().tiles->model->box.size().y, 2 * parts.back().tiles->model->box.size().y);
+    EXPECT_GT(parts.front().tiles->model->box.size().y,
+              2 * parts.back().tiles->model->box.size().y);
 }
 
 TEST(StrandLayers, WavesDifferFromTileToTileAndStayOne)
 {
     const Document document = with_upright_ribbon(1);
     const auto wave = [&](double variation) {
-        return after(document, SetTiles{{strand_tile_id},
-                                        {.wave = 0.5, .wave_variation = variation}});
+        return after(document,
+                     SetTiles{{strand_tile_id}, {.wave = 0.5, .wave_variation = variation}});
     };
     EXPECT_NE(points_of(wave(0.5)), points_of(wave(0)));
     EXPECT_EQ(counted(wave(0.5)).points, points_of_open(counted(document).tiles));
@@ -382,11 +382,11 @@ TEST(StrandLayers, DoNotFoldWhereTheySlideOrAreMasked)
         inside.samples[i].at = {0.6 * out, -out};
     }
     document = after(document, EditTileStroke{strand_tile_id, 1, inside});
-    document = after(document, MaskTiles{strand_tile_id, 0,
-                                         across_the_ball(MaskDrives::height, 0.1, 3)});
+    document =
+        after(document, MaskTiles{strand_tile_id, 0, across_the_ball(MaskDrives::height, 0.1, 3)});
     for (const double sides : {0.0, 0.3, 5.75}) {
-        const Document tall = after(
-            document, SetTiles{{strand_tile_id}, {.height = 12, .slide_along = sides}});
+        const Document tall =
+            after(document, SetTiles{{strand_tile_id}, {.height = 12, .slide_along = sides}});
         EXPECT_THAT(notices_of(tall), ::testing::Contains(::testing::HasSubstr("lowered")));
         EXPECT_GT(least_room(tall), 0);
     }

@@ -79,6 +79,11 @@ template <> struct FieldsOf<TeapotShape> {
     }
 };
 
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<HeightsLie>{"face", "uv"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_words<HeightsLie>{"each tile", "all UVs"};
+
 template <> struct FieldsOf<HeightShape> {
     static constexpr std::string_view verb = "add_heights",
                                       summary = "Add a square sheet in z = 0 that stands as high "
@@ -98,6 +103,10 @@ template <> struct FieldsOf<HeightShape> {
         field("segments", s.segments, "along each side", in_range(1, 512));
         field("repeats", s.repeats, "the picture goes on over its border, so that copies fit",
               any_value.without_keys());
+        field("lies", s.lies,
+              "over what the picture lies where the sheet covers an object: once over each tile, "
+              "or over the UVs of the object, each point P of it at P + h(u, v) N",
+              later.called("Picture over").without_keys());
     }
 };
 

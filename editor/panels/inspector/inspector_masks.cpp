@@ -188,6 +188,7 @@ void draw_heights(Editor& editor, const ui::Theme& theme, Id id)
             "Choose a picture of heights",
             [&editor, id](const std::string& path) { change_heights_image(editor, id, path); });
     });
+    fields(&HeightShape::lies);
     fields(&HeightShape::height);
     fields(&HeightShape::level);
     fields(&HeightShape::segments);
