@@ -2,6 +2,7 @@
 #include "core/commands/collect.h"
 
 #include "core/base/rejected.h"
+#include "core/document/named_files.h"
 #include "core/files/companions.h"
 #include "core/files/copies.h"
 
@@ -15,15 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A Bundle is the file of a model and the files that it names, relative to one folder.
+// A Bundle is the file of a model and the files that it names, or a picture alone, relative to one
+// folder.
 struct Bundle {
     fs::path from;
     std::vector<fs::path> files; // the model first
 };
 
-Bundle bundle_of(const fs::path& path)
+Bundle bundle_of(const fs::path& path, bool of_model)
 {
     Bundle bundle{path.parent_path(), {path.filename()}};
+    if (!of_model) return bundle;
     for (const std::string& each : companions_of(path.string())) bundle.files.emplace_back(each);
     return bundle;
 }
@@ -60,34 +63,43 @@ bool lies_in(const fs::path& file, const fs::path& folder)
     return !relative.empty() && *relative.begin() != "..";
 }
 
+// What takes a file.
+struct Users {
+    std::vector<Id> models;
+    std::vector<RelinkedPicture> pictures;
+};
+
 } // namespace
 
 Collection collect_files(const Document& document, const AssetStore& assets,
                          const std::string& folder, const Progress& progress)
 {
-    std::map<std::string, std::vector<Id>> users; // of each file
-    std::size_t files = 0;
-    for (const auto& [id, each] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&each->source)) {
-            const std::string path = fs::absolute(assets.resolve(file->path)).string();
-            if (lies_in(path, folder)) continue;
-            std::error_code ignored;
-            if (!fs::is_regular_file(path, ignored))
-                throw Rejected(
-                    fmt::format("{}: is missing; find it first, then collect again", file->path));
-            users[path].push_back(id);
-            ++files;
-        }
+    std::map<std::string, Users> users; // of each file
+    const auto users_of = [&](const std::string& name) -> Users* {
+        const std::string path = fs::absolute(assets.resolve(name)).string();
+        if (lies_in(path, folder)) return nullptr;
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored))
+            throw Rejected(fmt::format("{}: is missing; find it first, then collect again", name));
+        return &users[path];
+    };
+    for (const auto& [id, each] : document.objects) {
+        if (const auto* file = std::get_if<ImportedFile>(&each->source))
+            if (Users* of_file = users_of(file->path)) of_file->models.push_back(id);
+        for (const UsedPicture& picture : pictures_of(*each))
+            if (Users* of_file = users_of(picture.path))
+                of_file->pictures.push_back({id, picture.mask, {}, picture.hash});
+    }
     Collection result;
     if (users.empty()) return result;
     Copies copies;
     Relink command;
-    for (const auto& [path, ids] : users) {
-        const Bundle bundle = bundle_of(path);
+    std::size_t done = 0;
+    for (const auto& [path, uses] : users) {
+        const Bundle bundle = bundle_of(path, !uses.models.empty());
         const fs::path to = place_for(bundle, folder);
         for (const fs::path& each : bundle.files) {
-            report(progress,
-                   static_cast<double>(command.objects.size()) / static_cast<double>(files),
+            report(progress, static_cast<double>(done) / static_cast<double>(users.size()),
                    "copying " + each.filename().string());
             std::error_code ignored;
             if (fs::exists(to / each, ignored)) {
@@ -97,13 +109,19 @@ Collection collect_files(const Document& document, const AssetStore& assets,
             copies.copy(bundle.from / each, to / each);
             ++result.copied;
         }
+        ++done;
         const fs::path copy = to / bundle.files.front();
-        for (const Id id : ids) {
+        std::string name = copy.lexically_relative(assets.folder()).string();
+        if (name.empty()) name = copy.string();
+        for (const Id id : uses.models) {
             ImportedFile file = std::get<ImportedFile>(object(document, id).source);
-            file.path = copy.lexically_relative(assets.folder()).string();
-            if (file.path.empty()) file.path = copy.string();
+            file.path = name;
             command.objects.push_back(id);
             command.files.push_back(std::move(file));
+        }
+        for (RelinkedPicture picture : uses.pictures) {
+            picture.image = name;
+            command.pictures.push_back(std::move(picture));
         }
     }
     copies.keep();

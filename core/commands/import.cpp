@@ -2,8 +2,11 @@
 #include "core/commands/import.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/commands/edits.h"
+#include "core/document/named_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -16,6 +19,30 @@ Document with_file(Document document, Id id, std::string_view field, const Impor
     if (!std::holds_alternative<ImportedFile>(object(document, id).source))
         throw Rejected(fmt::format("field \"{}\": {} was not imported from a file", field, id));
     return with_changed(std::move(document), id, [&](Object& o) { o.source = file; });
+}
+
+Document with_picture(Document document, const RelinkedPicture& picture)
+{
+    if (picture.image.empty()) throw Rejected("field \"image\" names no picture");
+    const Object& before = object(document, picture.object);
+    const auto used = pictures_of(before);
+    if (std::ranges::find(used, picture.mask, &UsedPicture::mask) == used.end())
+        throw Rejected(picture.mask == 0
+                           ? fmt::format("field \"pictures\": {} is no sheet of heights",
+                                         picture.object)
+                           : fmt::format("field \"pictures\": {} has no mask {} by a picture",
+                                         picture.object, picture.mask));
+    return with_changed(std::move(document), picture.object, [&](Object& o) {
+        if (picture.mask == 0) {
+            auto& heights = std::get<HeightShape>(o.source);
+            heights.image = picture.image;
+            heights.image_hash = picture.image_hash;
+            return;
+        }
+        TileMask& mask = o.tiles->masks[static_cast<std::size_t>(picture.mask) - 1];
+        mask.image = picture.image;
+        mask.image_hash = picture.image_hash;
+    });
 }
 
 } // namespace
@@ -63,13 +90,21 @@ Document applied(Document document, const Relink& command)
                                    command.files.size(), command.objects.size()));
     for (std::size_t i = 0; i < command.objects.size(); ++i)
         document = with_file(std::move(document), command.objects[i], "objects", command.files[i]);
+    for (const RelinkedPicture& each : command.pictures)
+        document = with_picture(std::move(document), each);
     return document;
 }
 
 StepTitle title(const Relink& c, const StepDocuments& step)
 {
-    if (c.objects.size() == 1 && c.files.size() == 1)
+    if (c.objects.size() == 1 && c.files.size() == 1 && c.pictures.empty())
         return title(EditImport{c.objects.front(), c.files.front()}, step);
-    return {"Files of " + names_in(step.before, c.objects), {}};
+    if (c.objects.empty() && c.pictures.size() == 1)
+        return {"Picture of " + name_in(step.before, c.pictures.front().object),
+                excerpt(std::filesystem::path(c.pictures.front().image).filename().string())};
+    std::vector<Id> all = c.objects;
+    for (const RelinkedPicture& each : c.pictures)
+        if (std::ranges::find(all, each.object) == all.end()) all.push_back(each.object);
+    return {"Files of " + names_in(step.before, all), {}};
 }
 } // namespace trivar

@@ -47,17 +47,40 @@ struct EditImport {
 Document applied(Document document, const EditImport& command);
 StepTitle title(const EditImport& c, const StepDocuments& step);
 
+// A RelinkedPicture is the file of a picture that an object reads as numbers.
+struct RelinkedPicture {
+    Id object = 0;
+    int mask = 0; // number of the mask of its tiles, the first is 1; 0: its heights
+    std::string image, image_hash;
+    bool operator==(const RelinkedPicture&) const = default;
+};
+template <> struct FieldsOf<RelinkedPicture> {
+    static constexpr std::string_view told_as = "[picture](#picture)";
+    static void fields(auto& p, auto&& field)
+    {
+        field("object", p.object, "id of a sheet of heights or a layer of tiles", required);
+        field("mask", p.mask, "which of its masks, the first is 1; 0: its heights",
+              in_range(0, 1e6));
+        field("image", p.image, "file of the picture, relative to the scene file's folder",
+              required);
+        field("image_hash", p.image_hash, "digest of that file's content; empty: any");
+    }
+};
+
 struct Relink {
     static constexpr std::string_view
         verb = "relink",
-        summary = "Replace the files of models, one each, or their import settings, in place.";
+        summary = "Replace the files of models, one each, or their import settings, and the "
+                  "pictures of masks and heights, in place.";
     std::vector<Id> objects;
     std::vector<ImportedFile> files;
+    std::vector<RelinkedPicture> pictures = {};
     bool operator==(const Relink&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of imported models", required);
         field("files", c.files, "files of the objects, in the same order", required);
+        field("pictures", c.pictures, "pictures of masks and heights, each with what has it");
     }
 };
 Document applied(Document document, const Relink& command);

@@ -186,6 +186,8 @@ std::string commands_markdown()
             field_table(fields_of(Transform{}));
     text += "## file\n\nAn imported model's file, and how it is read.\n\n" +
             field_table(fields_of(ImportedFile{}));
+    text += "## picture\n\nA picture that a mask or heights read.\n\n" +
+            field_table(fields_of(RelinkedPicture{}));
     text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
             "picture.\n\n" +
             field_table(fields_of(Camera{}));

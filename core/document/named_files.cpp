@@ -12,12 +12,23 @@ std::vector<NamedFile> files_named(const Object& object)
         out.push_back({NamedFile::Kind::model, file->path});
     if (const auto* text = std::get_if<TextShape>(&object.source); text && is_font_path(text->font))
         out.push_back({NamedFile::Kind::font, text->font});
+    for (UsedPicture& picture : pictures_of(object))
+        out.push_back({NamedFile::Kind::image, std::move(picture.path)});
+    return out;
+}
+
+std::vector<UsedPicture> pictures_of(const Object& object)
+{
+    std::vector<UsedPicture> out;
     if (const auto* heights = std::get_if<HeightShape>(&object.source))
-        out.push_back({NamedFile::Kind::image, heights->image});
+        out.push_back({0, heights->image, heights->image_hash});
+    int number = 0;
     if (object.tiles)
-        for (const TileMask& mask : object.tiles->masks)
+        for (const TileMask& mask : object.tiles->masks) {
+            ++number;
             if (mask.from == MaskFrom::image && !mask.image.empty())
-                out.push_back({NamedFile::Kind::image, mask.image});
+                out.push_back({number, mask.image, mask.image_hash});
+        }
     return out;
 }
 

@@ -17,4 +17,11 @@ struct NamedFile {
 // family and not by its file does not count.
 std::vector<NamedFile> files_named(const Object& object);
 
+// A UsedPicture is a picture of numbers that an object uses, as the scene names it.
+struct UsedPicture {
+    int mask = 0; // number of the mask of its tiles, the first is 1; 0: its heights
+    std::string path, hash;
+};
+std::vector<UsedPicture> pictures_of(const Object& object);
+
 } // namespace trivar

@@ -20,8 +20,10 @@ template <class C> auto files_of(C& command)
     };
     if (auto* import = std::get_if<ImportModel>(&command)) add(import->file.path);
     if (auto* edit = std::get_if<EditImport>(&command)) add(edit->file.path);
-    if (auto* relink = std::get_if<Relink>(&command))
+    if (auto* relink = std::get_if<Relink>(&command)) {
         for (auto& file : relink->files) add(file.path);
+        for (auto& picture : relink->pictures) add(picture.image);
+    }
     if (auto* kept = std::get_if<KeepShape>(&command))
         for (auto& file : kept->files) add(file.path);
     if (auto* final_shape = std::get_if<ApplyShape>(&command)) add(final_shape->file.path);

@@ -23,12 +23,12 @@ namespace trivar {
 namespace fs = std::filesystem;
 namespace {
 
-// Where an imported model's file is looked for, if there is such a folder.
+// Where the file of an object is looked for, if there is such a folder.
 std::optional<fs::path> folder_of(const Session& session, Id id)
 {
-    const auto* file = std::get_if<ImportedFile>(&object(session.committed(), id).source);
-    if (!file) return {};
-    const fs::path folder = fs::path(session.assets()->resolve(file->path)).parent_path();
+    const std::string file = file_to_relink(session, id);
+    if (file.empty()) return {};
+    const fs::path folder = fs::path(file).parent_path();
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) return {};
     return folder;
@@ -180,11 +180,13 @@ void Files::ask_image(const std::string& title, std::function<void(const std::st
 void Files::ask_relink(Id object)
 {
     relinked_ = object;
-    ask_for_file(Purpose::relink,
-                 {.title = "Choose the file of " + name_of(session_->committed(), object),
-                  .action = "Use file",
-                  .extensions = model_extensions(),
-                  .name = {}});
+    const bool picture = relinks_picture(*session_, object);
+    ask_for_file(Purpose::relink, {.title = (picture ? "Choose the picture of "
+                                                     : "Choose the file of ") +
+                                            name_of(session_->committed(), object),
+                                   .action = picture ? "Use picture" : "Use file",
+                                   .extensions = picture ? image_extensions() : model_extensions(),
+                                   .name = {}});
 }
 
 void Files::ask_missing()
@@ -192,7 +194,7 @@ void Files::ask_missing()
     const std::vector<Id> missing = missing_files(*session_);
     if (!missing.empty()) return ask_relink(missing.front());
     session_->notices.say(ui::NoticeKind::good, "No file is missing",
-                          "The files of all imported models were found.");
+                          "All files that the scene uses were found.");
 }
 
 void Files::ask_export(const std::string& path)
@@ -284,8 +286,8 @@ void Files::collect()
                  if (session_->assets() != store) return; // another scene
                  if (!done.command) {
                      session_->notices.say(ui::NoticeKind::good, "Nothing to collect",
-                                           "Every model's file lies in " + file_name(folder) +
-                                               " already, or the scene uses none.");
+                                           "Every file that the scene uses lies in " +
+                                               file_name(folder) + " already, or it uses none.");
                      return;
                  }
                  session_->cancel();

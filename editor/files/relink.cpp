@@ -2,38 +2,93 @@
 #include "editor/files/relink.h"
 
 #include "core/base/rejected.h"
+#include "core/document/named_files.h"
 #include "core/files/sample_models.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace trivar {
 namespace fs = std::filesystem;
 namespace {
 
-const ImportedFile* file_of(const Session& session, Id id)
+// A FileUse is a file that an object reads: its model, or a picture.
+struct FileUse {
+    Id object = 0;
+    std::optional<int> picture; // number of its mask, or 0 for its heights; none: its model
+    std::string path;           // as the scene names it
+};
+
+std::vector<FileUse> uses_of(const Session& session, Id id)
 {
+    std::vector<FileUse> out;
     const auto found = session.committed().objects.find(id);
-    if (found == session.committed().objects.end()) return nullptr;
-    return std::get_if<ImportedFile>(&found->second->source);
+    if (found == session.committed().objects.end()) return out;
+    if (const auto* file = std::get_if<ImportedFile>(&found->second->source))
+        out.push_back({id, {}, file->path});
+    for (const UsedPicture& each : pictures_of(*found->second))
+        out.push_back({id, each.mask, each.path});
+    return out;
 }
 
-std::string name_of_file(const EditImport& edit)
+bool is_missing(const Session& session, const FileUse& use)
 {
-    return fs::path(edit.file.path).filename().string();
+    const std::string path = session.assets()->resolve(use.path);
+    std::error_code ignored;
+    return !fs::exists(path, ignored) && !can_be_made(path);
+}
+
+std::vector<FileUse> missing_uses(const Session& session)
+{
+    std::vector<FileUse> out;
+    for (const auto& [id, object] : session.committed().objects)
+        for (FileUse& use : uses_of(session, id))
+            if (is_missing(session, use)) out.push_back(std::move(use));
+    return out;
+}
+
+// Which file of an object another one replaces; nothing: it has none.
+std::optional<FileUse> replaced_use(const Session& session, Id object)
+{
+    const std::vector<FileUse> uses = uses_of(session, object);
+    if (uses.empty()) return {};
+    const auto missing =
+        std::ranges::find_if(uses, [&](const FileUse& use) { return is_missing(session, use); });
+    return missing != uses.end() ? *missing : uses.front();
+}
+
+Command with_file(const Session& session, const FileUse& use, const std::string& path)
+{
+    const Object& object = trivar::object(session.committed(), use.object);
+    if (!use.picture) {
+        EditImport edit{use.object, std::get<ImportedFile>(object.source)};
+        edit.file.path = path;
+        return edit;
+    }
+    if (*use.picture == 0) {
+        SetHeights set{use.object, std::get<HeightShape>(object.source)};
+        set.shape.image = path;
+        return set;
+    }
+    MaskTiles mask{use.object, *use.picture,
+                   object.tiles->masks[static_cast<std::size_t>(*use.picture) - 1]};
+    mask.mask.image = path;
+    return mask;
 }
 
 // Hashes are read from the files, which may be large. What cannot be read is left as it is.
-void run_prepared(Session& session, std::vector<EditImport> edits)
+void run_prepared(Session& session, std::vector<Command> edits, const std::string& first_path)
 {
     if (edits.empty()) return;
-    const std::string first = name_of_file(edits.front());
+    const std::string first = fs::path(first_path).filename().string();
     session.jobs().start(
         {"Reading " + first,
          [&session, edits = std::move(edits),
           store = session.assets()](const Progress& progress) -> Jobs::Finish {
              std::vector<Command> commands;
              std::vector<std::string> refused;
-             for (const EditImport& edit : edits) try {
+             for (const Command& edit : edits) try {
                      commands.push_back(prepare(edit, *store, progress));
                  } catch (const Rejected& why) {
                      refused.emplace_back(why.what());
@@ -58,46 +113,53 @@ void run_prepared(Session& session, std::vector<EditImport> edits)
 std::vector<Id> missing_files(const Session& session)
 {
     std::vector<Id> missing;
-    std::error_code ignored;
-    for (const auto& [id, object] : session.committed().objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            if (const std::string path = session.assets()->resolve(file->path);
-                !fs::exists(path, ignored) && !can_be_made(path))
-                missing.push_back(id);
+    for (const FileUse& use : missing_uses(session))
+        if (missing.empty() || missing.back() != use.object) missing.push_back(use.object);
     return missing;
+}
+
+std::string file_to_relink(const Session& session, Id object)
+{
+    const std::optional<FileUse> use = replaced_use(session, object);
+    return use ? session.assets()->resolve(use->path) : std::string();
+}
+
+bool relinks_picture(const Session& session, Id object)
+{
+    const std::optional<FileUse> use = replaced_use(session, object);
+    return use && use->picture;
 }
 
 void relink(Session& session, Id object, const std::string& path)
 {
-    const ImportedFile* file = file_of(session, object);
-    if (!file) return;
+    const std::optional<FileUse> use = replaced_use(session, object);
+    if (!use) return;
     const fs::path chosen = fs::absolute(path);
-    std::vector<EditImport> edits{{object, *file}};
-    edits.front().file.path = chosen.string();
+    std::vector<Command> edits{with_file(session, *use, chosen.string())};
     std::error_code ignored;
-    for (const Id id : missing_files(session)) {
-        const ImportedFile* other = file_of(session, id);
-        if (id == object) continue;
+    for (const FileUse& other : missing_uses(session)) {
+        if (other.object == object && other.picture == use->picture) continue;
         // The same file under another object, or a neighbour of the chosen one.
-        const fs::path there = other->path == file->path
+        const fs::path there = other.path == use->path
                                    ? chosen
-                                   : chosen.parent_path() / fs::path(other->path).filename();
-        if (!fs::exists(there, ignored)) continue;
-        edits.push_back({id, *other});
-        edits.back().file.path = there.string();
+                                   : chosen.parent_path() / fs::path(other.path).filename();
+        if (fs::exists(there, ignored))
+            edits.push_back(with_file(session, other, there.string()));
     }
-    run_prepared(session, std::move(edits));
+    run_prepared(session, std::move(edits), path);
 }
 
 void read_anew(Session& session, const std::vector<Id>& objects)
 {
-    std::vector<EditImport> edits;
+    std::vector<Command> edits;
+    std::string first;
     for (const Id id : objects)
-        if (const ImportedFile* file = file_of(session, id)) {
-            session.assets()->forget(file->path);
-            edits.push_back({id, *file});
+        for (const FileUse& use : uses_of(session, id)) {
+            session.assets()->forget(use.path);
+            if (edits.empty()) first = use.path;
+            edits.push_back(with_file(session, use, use.path));
         }
-    run_prepared(session, std::move(edits));
+    run_prepared(session, std::move(edits), first);
 }
 
 } // namespace trivar

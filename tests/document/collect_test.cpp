@@ -88,6 +88,59 @@ TEST(Collect, TakesWhatGoesWithAModelAlong)
                             "shell/shell 1.bin", "shell/shell.gltf"));
 }
 
+// A sheet of heights, and a layer of tiles with a mask, by two pictures.
+Document with_pictures(const std::string& heights, const std::string& mask)
+{
+    Document document = after(Document{}, AddHeights{.shape = {.image = heights}});
+    document = after(after(document, AddPlane{}), AddPlane{});
+    document = after(document, CoverWithTiles{3, 2, {.pattern = TilePattern::grid, .size = 0.5}});
+    document = after(document, MaskTiles{3, 0, {.from = MaskFrom::line}});
+    return after(document, MaskTiles{3, 0, {.from = MaskFrom::image, .image = mask}});
+}
+
+TEST(Collect, TakesThePicturesOfMasksAndHeightsAlong)
+{
+    const TemporaryFolder disk;
+    write_file(disk.file("one/hills.png"), "hills");
+    write_file(disk.file("two/spots.png"), "spots");
+    const std::string folder = disk.file("scene/a.assets");
+    const AssetStore assets(disk.file("scene"));
+    Document document = with_pictures("../one/hills.png", "../two/spots.png");
+    const Collection done = collect_files(document, assets, folder);
+    EXPECT_THAT(all_in(folder), ElementsAre("hills.png", "spots.png"));
+    EXPECT_EQ(done.copied, 2u);
+    ASSERT_TRUE(done.command);
+    document = after(document, *done.command);
+    EXPECT_EQ(std::get<HeightShape>(object(document, 1).source).image, "a.assets/hills.png");
+    EXPECT_EQ(object(document, 3).tiles->masks[1].image, "a.assets/spots.png");
+    EXPECT_EQ(object(document, 3).tiles->masks[0].image, "");
+    EXPECT_FALSE(collect_files(document, assets, folder).command);
+    fs::remove(disk.file("one/hills.png"));
+    EXPECT_THROW(collect_files(with_pictures("../one/hills.png", "../two/spots.png"), assets,
+                               disk.file("scene/b.assets")),
+                 Rejected);
+}
+
+TEST(Relink, RefusesPicturesThatNobodyUses)
+{
+    const Document document = with_pictures("hills.png", "spots.png");
+    const auto refused = [&](const RelinkedPicture& picture) -> std::string {
+        try {
+            after(document, Relink{.objects = {}, .files = {}, .pictures = {picture}});
+        } catch (const Rejected& why) {
+            return why.what();
+        }
+        return {};
+    };
+    EXPECT_EQ(refused({1, 0, "other.png", {}}), "");
+    EXPECT_EQ(refused({3, 2, "other.png", {}}), "");
+    EXPECT_THAT(refused({3, 1, "other.png", {}}), HasSubstr("no mask 1 by a picture"));
+    EXPECT_THAT(refused({3, 3, "other.png", {}}), HasSubstr("no mask 3 by a picture"));
+    EXPECT_THAT(refused({2, 0, "other.png", {}}), HasSubstr("no sheet of heights"));
+    EXPECT_THAT(refused({1, 0, "", {}}), HasSubstr("names no picture"));
+    EXPECT_THAT(refused({7, 0, "other.png", {}}), HasSubstr("7"));
+}
+
 TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
 {
     const TemporaryFolder disk;

@@ -114,7 +114,9 @@ std::vector<Command> fitting_commands()
     flat.offset = 1;
     return {import_of("snail.obj"),
             EditImport{.object = 5, .file = import_of("shell.obj").file},
-            Relink{.objects = {5}, .files = {import_of("house.obj").file}},
+            Relink{.objects = {5},
+                   .files = {import_of("house.obj").file},
+                   .pictures = {{9, 0, "valley.png", {}}}},
             AddPlane{},
             AddBox{},
             AddSphere{},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/relink.h"
 
+#include "core/files/image.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -81,6 +82,64 @@ TEST(Relink, LeavesAnotherSceneAlone)
     rig.editor.session.replace_scene(SceneFile());
     rig.wait();
     EXPECT_EQ(rig.steps(), 0u);
+}
+
+void write_grey(const std::string& path, std::uint16_t grey)
+{
+    const DeepImage image{{1, 1}, {grey, grey, grey, 65535}};
+    testing::write_file(path, encoded_image(image, ".png"));
+}
+
+// A plane that is displaced by one picture, and in its layer a mask by another.
+struct DisplacedRig : Rig {
+    TemporaryFolder folder;
+    static constexpr Id sheet = 2;
+    DisplacedRig()
+    {
+        write_grey(folder.file("hills.png"), 32768);
+        write_grey(folder.file("spots.png"), 65535);
+        EXPECT_TRUE(editor.session.run(AddPlane{}));
+        EXPECT_TRUE(editor.session.run(
+            Displace{.base = 1, .shape = {.image = folder.file("hills.png"), .segments = 2}}));
+        TileMask mask;
+        mask.from = MaskFrom::image;
+        mask.image = folder.file("spots.png");
+        EXPECT_TRUE(editor.session.run(MaskTiles{sheet, 0, mask}));
+        wait();
+    }
+    float height() { return editor.session.evaluated().objects.at(sheet)->bounds->hi.z; }
+};
+
+TEST(Relink, FindsPicturesOfMasksAndHeights)
+{
+    DisplacedRig rig;
+    Session& session = rig.editor.session;
+    EXPECT_THAT(missing_files(session), IsEmpty());
+    EXPECT_TRUE(relinks_picture(session, DisplacedRig::sheet));
+    fs::create_directory(rig.folder.file("moved"));
+    for (const char* name : {"hills.png", "spots.png"})
+        fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
+    session.assets()->forget(rig.folder.file("hills.png"));
+    EXPECT_THAT(missing_files(session), ElementsAre(DisplacedRig::sheet));
+    relink(session, DisplacedRig::sheet, rig.folder.file("moved/hills.png"));
+    rig.wait();
+    EXPECT_THAT(missing_files(session), IsEmpty());
+    const Object& layer = object(session.committed(), DisplacedRig::sheet);
+    EXPECT_EQ(fs::path(std::get<HeightShape>(layer.source).image).filename(), "hills.png");
+    EXPECT_EQ(fs::path(layer.tiles->masks[0].image).filename(), "spots.png");
+    EXPECT_EQ(rig.steps(), 5u); // one each
+}
+
+TEST(Relink, ReadsPicturesAnewThatHaveChanged)
+{
+    DisplacedRig rig;
+    const float before = rig.height();
+    write_grey(rig.folder.file("hills.png"), 65535);
+    read_anew(rig.editor.session, {DisplacedRig::sheet});
+    rig.wait();
+    EXPECT_GT(rig.height(), 1.9f * before);
+    EXPECT_THAT(rig.editor.session.evaluated().objects.at(DisplacedRig::sheet)->notices,
+                IsEmpty());
 }
 
 TEST(Relink, ReadsAFileAnewThatHasChanged)
