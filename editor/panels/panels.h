@@ -105,7 +105,8 @@ bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const
 bool draw_model_cell(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
                      const std::string& name, const std::string& picture_path, bool chosen);
 // While something is painted with tiles, models that are dropped become the tiles of the next
-// stroke, and join the library; false: they are no models, or nothing is painted.
+// stroke, and join the library, which the preferences keep; false: they are no models, or nothing
+// is painted.
 bool drop_tiles(Editor& editor, const std::vector<std::string>& paths);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);

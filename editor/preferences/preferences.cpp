@@ -175,6 +175,7 @@ void each_preference(auto& p, const auto& field)
     field("models_folder", p.models_folder);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);
+    field("library_tiles", p.library_tiles);
     field("recent_views", p.recent_views);
     field("closed_hints", p.closed_hints);
 }

@@ -12,13 +12,15 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <set>
 
 namespace trivar {
 namespace {
 
 struct TileLibrary {
-    bool folded = false;            // only its heading is shown
-    std::vector<std::string> files; // that were dropped
+    bool folded = false;        // only its heading is shown
+    int drawn = -1;             // number of the frame in which it was drawn last
+    std::set<std::string> gone; // files that were not there when it came to be shown
 };
 
 // At scale 1.
@@ -31,11 +33,34 @@ struct LibraryTile {
     const OwnModel* own = nullptr; // null: a file that was dropped
 };
 
+bool file_exists(const std::string& file)
+{
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored);
+}
+
+// A disk may be slow, so files are looked for when the library comes to be shown alone.
+void look_for_files(TileLibrary& library, const std::vector<std::string>& files)
+{
+    const int now = ImGui::GetFrameCount();
+    const bool stays = library.drawn == now || library.drawn + 1 == now;
+    library.drawn = now;
+    if (stays) return;
+    library.gone.clear();
+    for (const std::string& file : files)
+        if (!file_exists(file)) library.gone.insert(file);
+}
+
+std::string sentence_of_gone(const std::string& file)
+{
+    return "It was at " + file + "; drop it again from where it is now.";
+}
+
 // The library shows the files that were dropped, and the models that are there to be tiles.
-std::vector<LibraryTile> library_tiles(const Editor& editor, const TileLibrary& library)
+std::vector<LibraryTile> library_tiles(const Editor& editor)
 {
     std::vector<LibraryTile> tiles;
-    for (const std::string& file : library.files)
+    for (const std::string& file : editor.preferences.library_tiles)
         tiles.push_back({std::filesystem::path(file).stem().string(), file});
     for (const OwnModel& each : own_models())
         if (each.use == ModelUse::painted)
@@ -45,6 +70,17 @@ std::vector<LibraryTile> library_tiles(const Editor& editor, const TileLibrary& 
 
 void choose_tile(Editor& editor, const LibraryTile& tile, bool also)
 {
+    if (!tile.own && !file_exists(tile.file)) {
+        editor.memory.of<TileLibrary>().gone.insert(tile.file);
+        editor.session.notices.say(
+            ui::NoticeKind::warning,
+            std::filesystem::path(tile.file).filename().string() + " is missing",
+            sentence_of_gone(tile.file), {},
+            {{"Remove from library",
+              [&editor, file = tile.file] { std::erase(editor.preferences.library_tiles, file); }}});
+        return;
+    }
+    editor.memory.of<TileLibrary>().gone.erase(tile.file);
     editor.active_tool().choose_model(editor.session, tile.file, also);
     if (tile.own) editor.active_tool().fit_model(tile.own->fit);
 }
@@ -76,12 +112,12 @@ bool drop_tiles(Editor& editor, const std::vector<std::string>& paths)
     const bool paints = editor.active_tool().chosen_models(editor.session).has_value() &&
                         !editor.session.document().objects.empty();
     if (!paints || !std::ranges::all_of(paths, is_model)) return false;
-    std::vector<std::string>& files = editor.memory.of<TileLibrary>().files;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        std::erase(files, paths[i]);
-        choose_tile(editor, {{}, paths[i]}, i > 0);
-    }
-    files.insert(files.begin(), paths.begin(), paths.end());
+    std::vector<std::string> files;
+    for (const std::string& path : paths)
+        files.push_back(std::filesystem::absolute(path).lexically_normal().string());
+    for (std::size_t i = 0; i < files.size(); ++i) choose_tile(editor, {{}, files[i]}, i > 0);
+    for (auto file = files.rbegin(); file != files.rend(); ++file)
+        remember(editor.preferences.library_tiles, *file);
     return true;
 }
 
@@ -92,7 +128,8 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
         editor.active_tool().chosen_models(editor.session);
     if (!chosen) return {};
     auto& library = editor.memory.of<TileLibrary>();
-    const std::vector<LibraryTile> tiles = library_tiles(editor, library);
+    look_for_files(library, editor.preferences.library_tiles);
+    const std::vector<LibraryTile> tiles = library_tiles(editor);
     const ui::Palette& c = theme.color;
     const glm::vec2 size = theme.px(1) * tile_cell_px;
     const float gap = theme.px(cell_gap), edge = theme.px(pad);
@@ -142,6 +179,11 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
         const bool clicked = tiles[i].own
                                  ? draw_model(editor, theme, r, *tiles[i].own, now)
                                  : draw_model_cell(editor, theme, r, tiles[i].name, {}, now);
+        if (!tiles[i].own && library.gone.contains(tiles[i].file)) {
+            ui::tooltip({tiles[i].name + " is missing", {}, sentence_of_gone(tiles[i].file)});
+            ui::paint_text(theme.font.body, {r.lo, r.lo + glm::vec2(theme.px(24))}, c.warn,
+                           ui::icon::warning, ui::Align::center);
+        }
         if (clicked) choose_tile(editor, tiles[i], ImGui::GetIO().KeyShift);
     }
     ImGui::SetCursorScreenPos({at.x, at.y + rows * (size.y + gap)});

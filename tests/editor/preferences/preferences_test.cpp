@@ -25,6 +25,7 @@ TEST(Preferences, ComeBackFromTheirText)
     p.timeline_open = true;
     p.loop = false;
     p.recent_commands = {"Box", "Save as..."};
+    p.library_tiles = {"/models/rope.glb"};
     p.at_start = "last";
     p.ask_to_keep = p.grid = p.show_axes = p.show_timing = false;
     p.pace = "30";

@@ -124,9 +124,33 @@ TEST(StrandTool, TakesDroppedModelsAsTiles)
     EXPECT_EQ(rig.steps(), before); // it is read by the next stroke
     EXPECT_EQ(rig.editor.active_tool().chosen_models(rig.editor.session),
               std::vector<std::string>{file});
+    // The library is there when the program is opened again.
+    EXPECT_EQ(preferences_from(text_of(rig.editor.preferences)).library_tiles,
+              std::vector<std::string>{file});
+    EXPECT_TRUE(drop_tiles(rig.editor, {file}));
+    EXPECT_EQ(rig.editor.preferences.library_tiles.size(), 1u);
     EXPECT_FALSE(drop_tiles(rig.editor, {folder.file("scene.trivar")}));
     rig.key({ui::key_escape}); // another tool
     EXPECT_FALSE(drop_tiles(rig.editor, {file}));
+}
+
+TEST(StrandTool, SaysWhereATileOfTheLibraryWasThatIsGone)
+{
+    StrandsRig rig;
+    testing::TemporaryFolder folder;
+    const std::string file = folder.file("tile_rope.glb");
+    rig.editor.preferences.library_tiles = {file};
+    const std::size_t said = rig.editor.session.notices.all().size();
+    EXPECT_TRUE(drop_tiles(rig.editor, {file})); // as a click on it would choose it
+    ASSERT_EQ(rig.editor.session.notices.all().size(), said + 1);
+    const auto& notice = rig.editor.session.notices.all().back();
+    EXPECT_EQ(notice.title, "tile_rope.glb is missing");
+    EXPECT_THAT(notice.body, ::testing::HasSubstr(file));
+    EXPECT_NE(rig.editor.active_tool().chosen_models(rig.editor.session),
+              std::vector<std::string>{file});
+    ASSERT_EQ(notice.actions.size(), 1u);
+    notice.actions[0].act();
+    EXPECT_TRUE(rig.editor.preferences.library_tiles.empty());
 }
 
 } // namespace
