@@ -2,6 +2,7 @@
 #include "core/evaluation/unwrapping.h"
 
 #include "core/base/rejected.h"
+#include "core/base/watched.h"
 #include "core/unwrap/unwrap.h"
 
 #include <algorithm>
@@ -51,9 +52,13 @@ Ref<Stage> UnwrappingStep::operator()(const Ref<Stage>& before, const StepInput&
                 std::vector<UnwrapInput> all;
                 for (const auto& [mesh, size] : meshes) all.push_back({mesh, size});
                 try {
-                    const Unwrapped flat = unwrapped(all, options_of(*unwrapping), input.progress);
+                    Unwrapped flat = unwrapped(all, options_of(*unwrapping), input.progress);
                     for (std::size_t m = 0; m < all.size(); ++m)
-                        out.to[all[m].mesh] = make_ref(with_uvs(*all[m].mesh, flat.uvs[m]));
+                        out.to[all[m].mesh] = watched(
+                            [mesh = all[m].mesh, uvs = std::move(flat.uvs[m])](const Progress&) {
+                                return make_ref(with_uvs(*mesh, uvs));
+                            },
+                            input.progress);
                     out.facts = flat.facts;
                 } catch (const Rejected& error) {
                     out.trouble = std::string("it is not unwrapped: ") + error.what();

@@ -11,24 +11,39 @@ namespace trivar {
 // Joins pairs of neighbours, the best ones first, for as long as the rules allow.
 class ChartTree::Joining {
 public:
-    Joining(ChartTree& tree, const CutSurface& surface, const ChartRules& rules)
+    Joining(ChartTree& tree, const CutSurface& surface, const ChartRules& rules,
+            const Progress& progress)
         : nodes_(tree.nodes_),
           surface_(surface),
           least_straight_(std::pow(std::cos(rules.spread / 2), 2)),
           node_of_face_(surface.mesh().face_count(), none),
-          seen_(surface.vertex_count(), none)
+          seen_(surface.vertex_count(), none),
+          progress_(progress)
     {
         take_faces();
         take_seams(rules);
-        for (std::uint32_t node = 0; node < count(); ++node) offer(node);
+        for (std::uint32_t node = 0, faces = count(); node < faces; ++node) {
+            now_and_then(1);
+            offer(node);
+        }
         while (!best_.empty()) {
             const auto [cost, a, b] = best_.top();
             best_.pop();
+            now_and_then(1 + nodes_[a].sides.size() + nodes_[b].sides.size());
             if (!nodes_[a].joined && !nodes_[b].joined && share_one_piece(a, b)) join(a, b);
         }
     }
 
 private:
+    // Reports after so much work: about a millisecond.
+    void now_and_then(std::size_t work)
+    {
+        constexpr std::size_t between = 4096;
+        if ((done_ += work) < between) return;
+        done_ = 0;
+        const auto all = 2 * static_cast<double>(surface_.mesh().face_count());
+        report(progress_, static_cast<double>(nodes_.size()) / all, "charts");
+    }
     std::uint32_t count() const { return static_cast<std::uint32_t>(nodes_.size()); }
 
     glm::dvec3 position(std::uint32_t corner) const
@@ -46,6 +61,7 @@ private:
         nodes_.reserve(2 * mesh.face_count());
         for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
             if (!surface_.takes_part(f)) continue;
+            now_and_then(1);
             Node node;
             node.face = f;
             node.turned = area_normal(mesh, f) / 2.0;
@@ -67,6 +83,7 @@ private:
         const double least = std::cos(rules.seam_angle);
         seam_.assign(mesh.corners.size(), 0);
         for (std::uint32_t s = 0; s < seam_.size(); ++s) {
+            now_and_then(1);
             if (surface_.behind(s) == CutSurface::none) continue;
             const std::uint32_t f = surface_.adjacency().face(s),
                                 g = surface_.adjacency().face(surface_.behind(s));
@@ -176,12 +193,14 @@ private:
     std::vector<std::uint32_t> seen_; // by vertex: when it was seen last
     std::uint32_t stamp_ = 0;
     std::vector<char> seam_; // by side
+    const Progress& progress_;
+    std::size_t done_ = 0; // since the last report
     std::priority_queue<Offer, std::vector<Offer>, Later> best_;
 };
 
-ChartTree::ChartTree(const CutSurface& surface, const ChartRules& rules)
+ChartTree::ChartTree(const CutSurface& surface, const ChartRules& rules, const Progress& progress)
 {
-    Joining(*this, surface, rules);
+    Joining(*this, surface, rules, progress);
     for (std::uint32_t node = 0; node < nodes_.size(); ++node)
         if (!nodes_[node].joined) charts_.push_back(node);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/unwrap/cut_surface.h"
 
 namespace trivar {
@@ -19,7 +20,8 @@ struct ChartRules {
 //   [1] Garland, Willmott, Heckbert, "Hierarchical face clustering on polygonal surfaces", 2001
 class ChartTree {
 public:
-    ChartTree(const CutSurface& surface, const ChartRules& rules);
+    // Throws what `progress` throws, which is called every few milliseconds.
+    ChartTree(const CutSurface& surface, const ChartRules& rules, const Progress& progress = {});
 
     static constexpr std::uint32_t none = ~0u;
     const std::vector<std::uint32_t>& charts() const

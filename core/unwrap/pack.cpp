@@ -115,12 +115,14 @@ Fall lowest_fall(const std::vector<double>& sky, const Profile& profile, double 
 // All outlines in a square; none if it is too small. `ways` are the turns of each that are tried.
 std::optional<std::vector<PackedPlace>> packed_in(const std::vector<std::vector<Turned>>& ways,
                                                   std::span<const std::size_t> order, double column,
-                                                  double side, double margin)
+                                                  double side, double margin,
+                                                  const Progress& progress)
 {
     std::vector<double> sky(static_cast<std::size_t>(side / column), 0);
     const auto more = static_cast<std::size_t>(std::ceil(margin / column));
     std::vector<PackedPlace> out(ways.size());
     for (const std::size_t k : order) {
+        report(progress, 0, "pack");
         Fall best;
         const Turned* chosen = nullptr;
         Profile its;
@@ -167,7 +169,8 @@ glm::dmat2 smallest_box_turn(std::span<const glm::dvec2> points)
     return best;
 }
 
-Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin)
+Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin,
+               const Progress& progress)
 {
     if (outlines.empty()) return {};
     double area = 0, widest = 0;
@@ -201,6 +204,7 @@ Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin)
     const glm::dmat2 quarter(0, 1, -1, 0), half(-1, 0, 0, -1);
     std::vector<std::vector<Turned>> lying, standing, both;
     for (const std::vector<glm::dvec2>& outline : outlines) {
+        report(progress, 0, "pack");
         const std::vector<glm::dmat2> flat{glm::dmat2(1), half}, up{quarter, half * quarter};
         for (const auto& [turns, to] : {std::pair(&flat, &lying), std::pair(&up, &standing)}) {
             to->emplace_back();
@@ -212,7 +216,7 @@ Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin)
     }
     for (;; side *= larger)
         for (const auto* ways : {&lying, &standing, &both})
-            if (auto places = packed_in(*ways, order, column, side, margin * side))
+            if (auto places = packed_in(*ways, order, column, side, margin * side, progress))
                 return {std::move(*places), side, margin};
 }
 

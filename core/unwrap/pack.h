@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
+
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -28,6 +30,8 @@ struct Packing {
 // square's side, is kept free round each; where it alone would take a quarter of the square it is
 // made smaller. O(#outlines * #columns * their width in columns) for each size of the square.
 //   [1] Levy, Petitjean, Ray, Maillot, "Least squares conformal maps", 2002, section 4
-Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin);
+// Throws what `progress` throws, which is called for every outline that is tried.
+Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin,
+               const Progress& progress = {});
 
 } // namespace trivar

@@ -3,13 +3,16 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/base/watched.h"
 #include "core/unwrap/chart_tree.h"
 #include "core/unwrap/disk.h"
 #include "core/unwrap/pack.h"
 #include "core/unwrap/uv_stretch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 
 namespace trivar {
 namespace {
@@ -54,12 +57,14 @@ public:
     {
     }
 
-    // The charts that one becomes.
-    std::vector<FlatChart> operator()(std::uint32_t node, std::size_t& divided) const
+    // The charts that one becomes. `about` is called before each that is tried.
+    std::vector<FlatChart> operator()(std::uint32_t node, std::size_t& divided,
+                                      const std::function<void()>& about) const
     {
         std::vector<FlatChart> out;
         std::vector<std::uint32_t> open{node};
         while (!open.empty()) {
+            about();
             const std::uint32_t each = open.back();
             open.pop_back();
             FlatChart chart;
@@ -240,43 +245,49 @@ void measure(std::span<const UnwrapInput> meshes, Unwrapped& out)
     out.facts.length = nearly_worst(std::move(lengths), bent);
 }
 
-} // namespace
-
-Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& options,
-                    const Progress& progress)
+// `progress` is called on several threads at the same time.
+Unwrapped unwrapped_here(std::span<const UnwrapInput> meshes, const UnwrapOptions& options,
+                         const Progress& progress)
 {
     check_meshes(meshes);
     Unwrapped out;
     std::vector<std::vector<FlatChart>> charts; // of all meshes, by the charts of their trees
     std::vector<std::size_t> mesh_of;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-        report(progress, 0.2 * static_cast<double>(m) / static_cast<double>(meshes.size()),
-               "charts");
+        const double begin = 0.9 * static_cast<double>(m) / static_cast<double>(meshes.size()),
+                     share = 0.9 / static_cast<double>(meshes.size());
+        report(progress, begin, "charts");
         const Mesh& mesh = *meshes[m].mesh;
         const CutSurface surface(mesh);
-        const ChartTree tree(surface, {options.seam_angle, options.spread});
+        const Progress joining = part_of(progress, begin, begin + 0.4 * share);
+        const ChartTree tree(surface, {options.seam_angle, options.spread}, joining);
+        report(progress, begin + 0.4 * share, "flatten");
         const Fans fans = fans_of(mesh);
         const Flattening flatten(surface, tree, fans, meshes[m].scale, options);
         const std::size_t first = charts.size(), count = tree.charts().size();
         charts.resize(first + count);
         mesh_of.resize(first + count, m);
         std::vector<std::size_t> divided(count, 0);
+        std::atomic<std::size_t> done{0};
         parallel_blocks(count, 1, [&](std::size_t k, std::size_t) {
-            charts[first + k] = flatten(tree.charts()[k], divided[k]);
+            const double part = static_cast<double>(done++) / static_cast<double>(count);
+            const double now = begin + share * (0.4 + 0.6 * part);
+            charts[first + k] = flatten(tree.charts()[k], divided[k],
+                                        [&] { report(progress, now, "flatten"); });
         });
         for (const std::size_t each : divided) out.facts.divided += each;
         out.facts.left_out += surface.left_out();
         out.uvs.emplace_back(mesh.corners.size(), glm::vec2(0));
         out.chart.emplace_back(mesh.face_count(), CutSurface::none);
     }
-    report(progress, 0.9, "pack");
+    const Progress packing_progress = part_of(progress, 0.9, 1);
     std::vector<std::vector<glm::dvec2>> outlines;
     for (const auto& each : charts)
         for (const FlatChart& chart : each) {
             outlines.emplace_back();
             for (const std::uint32_t p : chart.rim) outlines.back().push_back(chart.map[p]);
         }
-    const Packing packing = packed(outlines, options.margin);
+    const Packing packing = packed(outlines, options.margin, packing_progress);
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < charts.size(); ++i)
         for (const FlatChart& chart : charts[i]) {
@@ -290,8 +301,21 @@ Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& op
             ++number;
         }
     out.facts.charts = number;
+    report(progress, 1, "pack");
     measure(meshes, out);
     return out;
+}
+
+} // namespace
+
+Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& options,
+                    const Progress& progress)
+{
+    // One chart of millions of triangles is a system of equations that takes seconds.
+    return watched(
+        [own = std::vector<UnwrapInput>(meshes.begin(), meshes.end()),
+         options](const Progress& inner) { return unwrapped_here(own, options, inner); },
+        progress);
 }
 
 } // namespace trivar

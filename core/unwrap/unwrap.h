@@ -46,7 +46,8 @@ struct Unwrapped {
 // itself or that is stretched too much is cut in two where it was joined from two, and so on: no
 // triangle of area is turned over, and no two overlap. About 10 microseconds per triangle. The same
 // bits for any number of threads. Throws Rejected where there are no faces and for positions that
-// are no numbers; and what `progress` throws, to cancel.
+// are no numbers; and what `progress` throws, to cancel: it is called every 20 milliseconds on the
+// thread of the caller (watched.h).
 Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& options,
                     const Progress& progress = {});
 

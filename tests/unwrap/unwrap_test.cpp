@@ -190,5 +190,42 @@ TEST(Unwrapping, RefusesWhatHasNoFacesAndWhatIsNoNumber)
     EXPECT_THAT([&] { unwrapped_alone(mesh); }, ThrowsMessage<Rejected>(HasSubstr("no number")));
 }
 
+TEST(Unwrap, CanBeStoppedWhereverItIs)
+{
+    const Ref<Mesh> ball = make_ref(sphere_mesh(1, 96, 48));
+    const UnwrapInput input{ball, 1};
+    const Unwrapped whole = unwrapped({&input, 1}, {});
+    std::size_t stopped = 0;
+    bool ended = false;
+    for (int at = 1; at < 40 && !ended; ++at) {
+        int calls = 0;
+        const Progress stops = [&](double fraction, std::string_view) {
+            EXPECT_GE(fraction, 0);
+            EXPECT_LE(fraction, 1);
+            if (++calls == at) throw Cancelled();
+        };
+        try {
+            const Unwrapped out = unwrapped({&input, 1}, {}, stops);
+            EXPECT_EQ(out.uvs, whole.uvs);
+            ended = true;
+        } catch (const Cancelled&) {
+            ++stopped;
+        }
+    }
+    EXPECT_GE(stopped, 1u);
+    EXPECT_TRUE(ended);
+}
+
+TEST(Unwrap, MayBeStoppedBeforeTheLastLook)
+{
+    // What it reads lives for as long as the work that was left needs it.
+    for (int round = 0; round < 3; ++round) {
+        const UnwrapInput input{make_ref(torus_mesh(1, 0.4, {60, 40})), 1};
+        EXPECT_THROW(
+            unwrapped({&input, 1}, {}, [](double, std::string_view) { throw Cancelled(); }),
+            Cancelled);
+    }
+}
+
 } // namespace
 } // namespace trivar::testing
