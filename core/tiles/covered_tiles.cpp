@@ -190,6 +190,20 @@ SurfacePoint shared_place(const Covering& covering, const CoveringPose& pose,
     return heights.surface(at);
 }
 
+// The normal where heights have that slope along the tile's x and y over what is shaded by `up`,
+// as long as heights are: where they are even it is that one.
+glm::vec3 displaced_normal(const TilePoint& at, const glm::dvec2& slope, const glm::dvec3& up)
+{
+    const double length = glm::length(up);
+    if (!(length > 0)) return unit_or_zenith(glm::cross(at.x, at.y));
+    const glm::dvec3 n = up / length;
+    const auto flat = [&](const glm::dvec3& v) { return v - glm::dot(v, n) * n; };
+    const glm::dvec3 x = flat(at.x), y = flat(at.y), around = glm::cross(x, y);
+    const double longest = std::max(glm::dot(x, x), glm::dot(y, y));
+    if (!(glm::length(around) > 1e-6 * longest)) return glm::vec3(n); // a pole
+    return unit_or_zenith(glm::cross(x + slope.x * up, y + slope.y * up));
+}
+
 } // namespace
 
 Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
@@ -271,8 +285,9 @@ Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCe
                 out.positions[to] = glm::vec3(p) + 0.0f; // no negative zeros
                 out.uvs.front()[to] = glm::vec2(uv_at(spot.uv));
                 if (!out.normals.empty())
-                    out.normals[to] = unit_or_zenith(glm::cross(
-                        t.x + glm::dot(slope, along) * t.z, t.y + glm::dot(slope, across) * t.z));
+                    out.normals[to] =
+                        displaced_normal(t, {glm::dot(slope, along), glm::dot(slope, across)},
+                                         tile.height(spot) * foot.normal);
             }
         }
     });

@@ -58,7 +58,7 @@ struct HeightsOverUvs {
 // The same for a sheet of heights whose points stand as high as the picture is bright where they
 // lie on what is covered, and which has the texture coordinates of that: conventional displacement,
 // P + h(u, v) N with P and N of the surface itself. Where coordinates have a seam the heights have
-// one, too. Without tangents.
+// one, too. Even heights have the normals N, and others lean from that. Without tangents.
 Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                      const Covering& covering, const CoveringPose& pose,
                      std::span<const std::uint32_t> tiles, const HeightsOverUvs& heights);

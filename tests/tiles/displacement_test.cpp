@@ -133,6 +133,11 @@ double off_over_uvs(const Mesh& mesh, double height, int per_face)
             const double h = height * (grey_at(image, uv, ImageEdge::repeat) - 0.25);
             const glm::dvec3 wanted = p + h * surface.normal({cell.chart, at});
             const std::size_t to = k * tile.vertex_count() + v;
+            EXPECT_NEAR(glm::length(all.normals[to]), 1, 1e-5);
+            const glm::dvec3 normal(all.normals[to]);
+            if (height == 0) {
+                EXPECT_NEAR(glm::distance(normal, surface.normal({cell.chart, at})), 0, 1e-6);
+            }
             most = std::max({most, glm::distance(wanted, glm::dvec3(all.positions[to])),
                              glm::distance(uv, glm::dvec2(all.uvs.front()[to]))});
         }
@@ -145,6 +150,12 @@ TEST(Displacement, IsTheConventionalOneOverUvs)
     EXPECT_LT(off_over_uvs(torus_mesh(0.5, 0.2, {7, 5}), 0.05, 2), 1e-6); // however coarse
     EXPECT_LT(off_over_uvs(sphere_mesh(0.5, 64, 32), 0.05, 1), 1e-6);     // triangles at its poles
     EXPECT_LT(off_over_uvs(plane_mesh({1, 1}, {3, 2}), 0.05, 4), 1e-6);
+}
+
+TEST(Displacement, ByNothingLooksAsTheSurfaceDoes)
+{
+    EXPECT_LT(off_over_uvs(torus_mesh(0.5, 0.2, {12, 8}), 0, 1), 1e-6);
+    EXPECT_LT(off_over_uvs(sphere_mesh(0.5, 12, 6), 0, 1), 1e-6);
 }
 
 TEST(Displacement, FindsTheUvsOfFacesThatAreCut)
