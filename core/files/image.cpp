@@ -115,18 +115,22 @@ Image PictureReader::read(const std::string& path)
 
 GreyImage PictureReader::read_grey(const std::string& path)
 {
-    const std::string bytes = trivar::read_bytes(path, max_file_bytes);
+    return read_grey_bytes(trivar::read_bytes(path, max_file_bytes), path);
+}
+
+GreyImage PictureReader::read_grey_bytes(std::string_view bytes, const std::string& name)
+{
     GreyImage image;
-    image.size_px = picture_size(bytes, path);
+    image.size_px = picture_size(bytes, name);
     const auto pixels =
         static_cast<std::uint64_t>(image.size_px.x) * static_cast<unsigned>(image.size_px.y);
     if (pixels > max_grey_pixels)
         throw Rejected(fmt::format("{}: has {} x {} pixels; at most {} million are read as a mask "
                                    "or as heights, so make it smaller",
-                                   path, image.size_px.x, image.size_px.y,
+                                   name, image.size_px.x, image.size_px.y,
                                    max_grey_pixels / 1'000'000));
     decoded(
-        bytes, path, {},
+        bytes, name, {},
         [&](std::span<const std::uint8_t> rows) {
             const std::size_t before = image.values.size(), more = rows.size() / sizeof(float);
             image.values.resize(before + more);

@@ -44,6 +44,7 @@ public:
     Image read(const std::string& path);
     Image read_bytes(std::string_view bytes, const std::string& name);
     GreyImage read_grey(const std::string& path);
+    GreyImage read_grey_bytes(std::string_view bytes, const std::string& name);
     ImageHead head(const std::string& path, const std::vector<std::string>& tags);
 
 private:

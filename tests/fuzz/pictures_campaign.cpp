@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
@@ -187,6 +188,11 @@ try {
     if (image.size_px != size_px || image.rgba.size() != 4 * static_cast<std::size_t>(size_px.x) *
                                                              static_cast<std::size_t>(size_px.y))
         throw std::logic_error("it has not as many pixels as it says");
+    const GreyImage grey = reader.read_grey_bytes(picture.bytes, picture.name);
+    if (grey.size_px != size_px || 4 * grey.values.size() != image.rgba.size())
+        throw std::logic_error("it has not as many numbers as pixels");
+    for (const float value : grey.values)
+        if (!std::isfinite(value)) throw std::logic_error("a number of it is none");
     return {};
 } catch (const Rejected& refused) {
     const std::string sentence = refused.what();
