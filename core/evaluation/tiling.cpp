@@ -75,6 +75,8 @@ std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout&
     using Fate = StandingTile::Fate;
     std::vector<StandingTile> out(patches.size());
     parallel_blocks(patches.size(), 64, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> guarded;
+        std::vector<TilePatch> bounded; // those whose limits are asked for
         for (std::size_t i = begin; i < end; ++i) {
             StandingTile& tile = out[i];
             const TileMotion motion =
@@ -89,9 +91,12 @@ std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout&
             tile.patch = patches[i];
             if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
             tile.side = side_in_world(tile.patch);
-            if (look.guard)
-                tile.limit = fold_limit(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
+            if (!look.guard) continue;
+            guarded.push_back(i);
+            bounded.push_back(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
         }
+        const std::vector<double> limits = fold_limits(bounded);
+        for (std::size_t k = 0; k < guarded.size(); ++k) out[guarded[k]].limit = limits[k];
     });
     return out;
 }
