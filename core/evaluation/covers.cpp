@@ -274,7 +274,7 @@ CoverParts Covers::operator()(const CoverInput& input)
             for (std::size_t k = 0; k < cells.size(); ++k) {
                 const TileKind& kind = input.kinds.all[k];
                 const auto patched = make_ref(std::move(chosen[k].patched));
-                const auto patches = make_ref(std::move(chosen[k].patches));
+                const auto patches = make_ref(PlacedTiles(std::move(chosen[k].patches)));
                 for (const Part& part : kind.parts) {
                     if (part.rest->positions.empty()) continue;
                     const glm::dmat4 to_model = turned * kind.turned * part.to_world,

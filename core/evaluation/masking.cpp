@@ -159,8 +159,10 @@ MasksOf::MaskedLayout MasksOf::masked(const Ref<TileBase>& base, const Ref<TileL
         MaskedLayout out{layout, make_ref(masks.at(places))};
         if (layout->strands.cells.empty() && !masks.drive(MaskDrives::scale)) return out;
         TileLayout sized = *layout;
-        for (std::size_t i = 0; i < sized.tiles.size(); ++i)
-            sized.tiles[i].size *= std::max((*out.factors)[i].scale, least_scale);
+        std::vector<Tile> tiles = layout->tiles.all();
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            tiles[i].size *= std::max((*out.factors)[i].scale, least_scale);
+        sized.tiles = Runs<Tile>::cut(tiles);
         places.clear();
         for (const StrandStation& each : layout->strands.stations)
             places.push_back({base->position(each.at), base->normal(each.at)});

@@ -369,15 +369,16 @@ StrandParts Strands::operator()(const StrandInput& input)
             for (std::size_t k = 0; k < tiles.size(); ++k)
                 for (std::size_t which = 0; which < places.of[k].size(); ++which) {
                     if (tiles[k][which].empty()) continue;
-                    const auto here = make_ref(std::move(tiles[k][which]));
+                    const auto all = make_ref(std::move(tiles[k][which]));
+                    const auto here = make_ref(PlacedTiles(all));
                     const TileKind& kind = input.kinds.all[k];
                     const glm::dmat4 unit = unit_of(places.of[k][which], places.aspect);
                     for (const Part& part : kind.parts) {
                         if (part.rest->positions.empty()) continue;
                         const Model of_part = model(kind, part, unit);
                         unmatched |= of_part.unmatched > 0;
-                        Lazy<Ref<Mesh>> mesh([tile = of_part.tile, here] {
-                            return make_ref(strand_mesh(*tile->mesh, *here));
+                        Lazy<Ref<Mesh>> mesh([tile = of_part.tile, all] {
+                            return make_ref(strand_mesh(*tile->mesh, *all));
                         });
                         out.parts.push_back(part_of(tile_set(of_part.tile, here, std::move(mesh)),
                                                     {member, part.key.mesh + kind.first_mesh,

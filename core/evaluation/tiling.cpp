@@ -2,9 +2,7 @@
 #include "core/evaluation/tiling.h"
 
 #include "core/base/parallel.h"
-#include "core/tiles/fold_limit.h"
 #include "core/tiles/on_surface.h"
-#include "core/tiles/overlaps.h"
 #include "core/tiles/tile_motion.h"
 
 #include <algorithm>
@@ -12,159 +10,6 @@
 
 namespace trivar {
 namespace {
-
-// Tiles that have grown to less than this share of their size are not shown.
-constexpr double smallest = 1e-3;
-
-double side_in_world(const TilePatch& patch)
-{
-    const auto at = [&](double x, double y) { return tile_point(patch, {x, y, 0}).p; };
-    return (glm::distance(at(0, 0.5), at(1, 0.5)) + glm::distance(at(0.5, 0), at(0.5, 1))) / 2;
-}
-
-// Seen in a mirror, a patch has its outside at the bottom; the other way round it does not.
-TilePatch with_x_reversed(TilePatch patch)
-{
-    for (std::size_t j = 0; j < 16; j += 4) {
-        std::reverse(patch.p.data() + j, patch.p.data() + j + 4);
-        std::reverse(patch.n.data() + j, patch.n.data() + j + 4);
-    }
-    return patch;
-}
-
-TilePatch patch_through(const LimitChart& chart, const RestToWorld& way)
-{
-    TilePatch out;
-    for (std::size_t k = 0; k < 16; ++k) {
-        const SurfacePoint there = way(chart.nodes[k]);
-        out.p[k] = there.p;
-        out.n[k] = there.normal;
-    }
-    return {through_nodes(out.p), through_nodes(out.n)};
-}
-
-// One for each tile of a layout, where one member of its base stands.
-std::vector<TilePatch> patches_of(const TileCharts& charts, const TileBase& base,
-                                  const TiledPieces& pieces, const std::vector<Part>& parts)
-{
-    std::vector<TilePatch> out(charts.count());
-    const std::vector<char> mirrored = mirrored_parts(pieces, parts);
-    const std::vector<RestToWorld> ways = ways_to_world(pieces, parts);
-    const BasePose pose = charts.flat.empty() ? BasePose{} : pose_of(base, parts, mirrored);
-    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (charts.cut(i) > most_cut) continue;
-            const bool on_limit = charts.flat.empty();
-            const std::size_t piece =
-                on_limit ? charts.smooth[i].piece : base.piece_of(charts.flat[i].nodes[0].triangle);
-            out[i] = on_limit ? patch_through(charts.smooth[i], ways[piece])
-                              : patch_of(base, pose, charts.flat[i]);
-            if (mirrored[piece]) out[i] = with_x_reversed(out[i]);
-        }
-    });
-    return out;
-}
-
-// The tiles of a layout where one member of its base stands, by their patches. `overlapping`: those
-// that are left out; null: none.
-std::vector<StandingTile> standing_tiles(const TileBase& base, const TileLayout& layout,
-                                         const TileCharts& charts, std::vector<TilePatch> patches,
-                                         const TileLook& look, const LaidKinds& laid,
-                                         const Ref<std::vector<char>>& overlapping)
-{
-    using Fate = StandingTile::Fate;
-    std::vector<StandingTile> out(patches.size());
-    parallel_blocks(patches.size(), 64, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::size_t> guarded;
-        std::vector<TilePatch> bounded; // those whose limits are asked for
-        for (std::size_t i = begin; i < end; ++i) {
-            StandingTile& tile = out[i];
-            const TileMotion motion =
-                motion_of(look, layout, layout.tiles[i], base.position(layout.tiles[i].at));
-            const double reach = laid.cells[laid.kinds[i]].reach;
-            tile.fate = !laid.has(i, layout.tiles[i])      ? Fate::not_there
-                        : charts.cut(i) > most_cut         ? Fate::at_border
-                        : motion.size < smallest           ? Fate::not_there
-                        : overlapping && (*overlapping)[i] ? Fate::overlapping
-                                                           : Fate::there;
-            if (tile.fate != Fate::there) continue;
-            tile.patch = patches[i];
-            if (motion.size < 1) tile.patch = middle_of(tile.patch, motion.size);
-            tile.side = side_in_world(tile.patch);
-            if (!look.guard) continue;
-            guarded.push_back(i);
-            bounded.push_back(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
-        }
-        const std::vector<double> limits = fold_limits(bounded);
-        for (std::size_t k = 0; k < guarded.size(); ++k) out[guarded[k]].limit = limits[k];
-    });
-    return out;
-}
-
-// Adds the tiles that have room, each as high as it may be, to those of their kind. `kinds` and
-// `cells` hold the kind of each tile and the cell of each kind. `height_limits` are, by stroke, the
-// heights of the look up to which none is lowered; they only fall.
-void place_tiles(std::vector<std::vector<PlacedTile>>& out, const TileBase& base,
-                 const TileLayout& layout, const std::vector<StandingTile>& standing,
-                 const TileLook& look, const LaidKinds& of, TileCounts& told,
-                 std::vector<double>& height_limits)
-{
-    enum class Guarded : char { as_wanted, lowered, folded };
-    std::vector<PlacedTile> all(standing.size());
-    std::vector<Guarded> guarded(standing.size(), Guarded::as_wanted);
-    std::vector<double> limits(standing.size(), std::numeric_limits<double>::infinity());
-    parallel_blocks(standing.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const StandingTile& there = standing[i];
-            if (there.fate != StandingTile::Fate::there) continue;
-            PlacedTile& tile = all[i];
-            const Tile& laid = layout.tiles[i];
-            const TileCell& cell = of.cells[of.kinds[i]];
-            const double masked = of.factors ? (*of.factors)[i].height : 1;
-            const TileMotion motion = motion_of(look, layout, laid, base.position(laid.at));
-            tile.patch = there.patch;
-            tile.tint = glm::vec3(laid.tint);
-            tile.height = there.side * laid.height * look.height * motion.height * masked;
-            const double top = tile.height * cell.top / cell.side;
-            tile.base = -look.sink * top;
-            if (!look.guard) continue;
-            if (!(there.limit > 0)) {
-                guarded[i] = Guarded::folded;
-                continue;
-            }
-            const double proven = proven_share * there.limit;
-            const double per_height = there.side * laid.height * motion.height * masked * cell.top /
-                                      cell.side * (1 - look.sink);
-            if (per_height > 0) limits[i] = proven / per_height;
-            const double highest = std::max(0.0, top + tile.base);
-            tile.of_limit = static_cast<float>(highest / proven);
-            if (highest <= proven) continue;
-            const double factor = proven / highest;
-            tile.height *= factor;
-            tile.base *= factor;
-            guarded[i] = Guarded::lowered;
-        }
-    });
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const StandingTile::Fate fate = standing[i].fate;
-        told.at_borders += fate == StandingTile::Fate::at_border;
-        told.overlapping += fate == StandingTile::Fate::overlapping;
-        if (fate != StandingTile::Fate::there) continue;
-        told.lowered += guarded[i] == Guarded::lowered;
-        told.folded += guarded[i] == Guarded::folded;
-        if (guarded[i] == Guarded::folded) continue;
-        const std::size_t others = height_limits.size() - 1; // tiles of no stroke
-        const int stroke = layout.tiles[i].stroke;
-        double& limit = height_limits[stroke < 0 ? others : static_cast<std::size_t>(stroke)];
-        limit = std::min(limit, limits[i]);
-        out[of.kinds[i]].push_back(std::move(all[i]));
-    }
-}
-
-bool stands_alike(const Tile& a, const Tile& b)
-{
-    return a.at == b.at && a.x == b.x && a.size == b.size;
-}
 
 // Notes the height of the look at which the tiles of a stroke reach their limit.
 void lower_limit(Stage& stage, std::size_t stroke, double height, double of_limit)
@@ -201,6 +46,28 @@ void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
             most_tiles));
 }
 
+struct OutlinesBy {
+    double turn_deg, scale;
+    const std::vector<glm::dvec2>& halves; // of the kinds
+};
+
+// The outlines of the tiles of a layout from one on.
+std::vector<TileOutline> outlines_of(const TileBase& base, const Runs<Tile>& tiles,
+                                     const LaidKinds& laid, const OutlinesBy& by, std::size_t from)
+{
+    std::vector<TileOutline> out(tiles.size() - from);
+    parallel_blocks(out.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Tile& tile = tiles[from + k];
+            if (!std::isfinite(tile.size) || !laid.has(from + k, tile)) continue;
+            const glm::dvec3 n = base.normal(tile.at);
+            out[k] = {base.position(tile.at), turned_about(tile.x, n, glm::radians(by.turn_deg)), n,
+                      tile.size * by.scale * by.halves[laid.kind(from + k, tile)]};
+        }
+    });
+    return out;
+}
+
 // Returns the stage without its parts and curves.
 Stage cleared(const Stage& before)
 {
@@ -219,40 +86,6 @@ Ref<Stage> refused(const Ref<Stage>& before, const std::string& why)
 }
 
 } // namespace
-
-Ref<TileCharts> TilingStep::charts(const FoundLimit& limit, const Ref<TileBase>& base,
-                                   const Ref<TileLayout>& layout, const TileLook& look,
-                                   Timings& timings)
-{
-    return charts_({layout, look.turn_deg, look.scale}, [&] {
-        return timed(timings, "tiles", [&] {
-            // While strokes are added most tiles stay, and with them their charts.
-            const bool alike =
-                last_.base == base && last_.turn_deg == look.turn_deg && last_.scale == look.scale;
-            const std::size_t known = alike ? last_.layout->tiles.size() : 0;
-            TileCharts out;
-            (limit.base ? out.smooth.resize(layout->tiles.size())
-                        : out.flat.resize(layout->tiles.size()));
-            parallel_blocks(layout->tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    const Tile& tile = layout->tiles[i];
-                    if (i < known && stands_alike(tile, last_.layout->tiles[i])) {
-                        if (limit.base)
-                            out.smooth[i] = last_.charts->smooth[i];
-                        else
-                            out.flat[i] = last_.charts->flat[i];
-                    } else if (limit.base)
-                        out.smooth[i] =
-                            limit_chart_of(*limit.base, tile, look.turn_deg, look.scale);
-                    else
-                        out.flat[i] = chart_of(*base, tile, look.turn_deg, look.scale);
-                }
-            });
-            last_ = {base, look.turn_deg, look.scale, layout, make_ref(std::move(out))};
-            return last_.charts;
-        });
-    });
-}
 
 TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLimit& limit,
                                         const FoundMasks& masks, const StepInput& input)
@@ -274,7 +107,7 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
     });
     Ref<TileLayout> whole = layouts_({base, tiling.strokes}, [&] {
         return timed(input.timings, "tiles", [&] {
-            return make_ref(layout_of(*base, tiling.strokes, input.progress, &curvature));
+            return make_ref(layouter_(base, tiling.strokes, input.progress, &curvature));
         });
     });
     Ref<TextureLayout> others;
@@ -293,44 +126,48 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
         look.slide_x == 0 && look.slide_y == 0 && look.slide_along == 0
             ? layout
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    return {base, slid, layout, charts(limit, base, slid, look, input.timings), others, factors};
+    const Ref<TileCharts> charts =
+        timed(input.timings, "tiles", [&] { return painted_.charts(limit, base, slid, look); });
+    return {base, slid, layout, charts, others, factors};
 }
 
-bool LaidKinds::has(std::size_t i, const Tile& tile) const
+TilingStep::OutlineKey TilingStep::outline_key(const Painted& strokes, const LaidKinds& laid,
+                                               const TileLook& look) const
 {
-    return !factors ||
-           ((*factors)[i].scale >= smallest && is_there(tile.seed, (*factors)[i].density));
-}
-
-Ref<std::vector<char>> TilingStep::overlaps(const Painted& strokes, const TileKinds& kinds,
-                                            const LaidKinds& laid, const TileLook& look,
-                                            Timings& timings)
-{
-    OverlapKey key{strokes.layout,      look.turn_deg,   look.scale,
-                   !look.keep_overlaps, strokes.factors, {},
-                   kinds.weights};
-    for (const TileKind& kind : kinds.all) {
+    OutlineKey key{look.turn_deg, look.scale, strokes.factors, {}, laid.kinds.weights};
+    for (const TileKind& kind : laid.kinds.all) {
         const glm::dvec3 size = unit_cell_in(box_at_rest(kind.parts, kind.turned), look).size();
         key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
     }
-    return overlaps_(key, [&] {
-        return timed(timings, "tiles", [&] {
-            const std::vector<Tile>& tiles = strokes.layout->tiles;
-            std::vector<TileOutline> outlines(tiles.size());
-            parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    const Tile& tile = tiles[i];
-                    if (!std::isfinite(tile.size) || !laid.has(i, tile)) continue;
-                    const glm::dvec3 n = strokes.base->normal(tile.at);
-                    outlines[i] = {strokes.base->position(tile.at),
-                                   turned_about(tile.x, n, glm::radians(look.turn_deg)), n,
-                                   tile.size * look.scale * key.halves[laid.kinds[i]]};
-                }
-            });
-            return make_ref(look.keep_overlaps ? overlapping(outlines)
-                                               : overlapping_earlier(outlines));
-        });
+    return key;
+}
+
+Ref<std::vector<char>> TilingStep::left_out(const Painted& strokes, const LaidKinds& laid,
+                                            const OutlineKey& key)
+{
+    return left_out_({strokes.layout, key}, [&] {
+        return make_ref(
+            overlapping_earlier(outlines_of(*strokes.base, strokes.layout->tiles, laid,
+                                            OutlinesBy{key.turn_deg, key.scale, key.halves}, 0)));
     });
+}
+
+std::size_t TilingStep::count_overlaps(const Painted& strokes, const LaidKinds& laid,
+                                       const OutlineKey& key)
+{
+    const Runs<Tile>& tiles = strokes.layout->tiles;
+    std::size_t same = 0; // number of the first tiles that are as they were
+    if (counted_ && counted_->key == key) {
+        const auto end = std::ranges::mismatch(tiles.runs(), counted_->tiles.runs()).in1;
+        same = tiles.begin_of(static_cast<std::size_t>(end - tiles.runs().begin()));
+    }
+    const std::vector<TileOutline> others = outlines_of(
+        *strokes.base, tiles, laid, OutlinesBy{key.turn_deg, key.scale, key.halves}, same);
+    if (same == 0) counted_ = Counted{key, {}, OverlapCount(others)};
+    counted_->tiles = tiles;
+    counted_->count.keep(same);
+    counted_->count.add(others);
+    return counted_->count.overlapping();
 }
 
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -350,9 +187,10 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const FoundMasks masks = masks_of_(pieces, input);
     const Painted strokes = painted(pieces, limit, masks, input);
     const TileLook& look = tiling.look;
-    const TileKinds of_layer = kinds_of_(
-        *before, input,
-        painted_morphs(strokes.layout ? *strokes.layout : TileLayout{}, look.phases));
+    const TileKinds of_layer = kinds_of_(*before, input,
+                                         strokes.layout && tiling.into != 0
+                                             ? painted_morphs(*strokes.layout, look.phases)
+                                             : std::vector<double>{0});
     return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
@@ -360,65 +198,47 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
         stage.mixed_materials = materials_of_others(of_layer);
         TileCounts told;
         if (strokes.charts) {
-            std::vector<TileCell> cells;
-            for (const TileKind& kind : kinds) cells.push_back(tile_cell(kind, look));
-            std::vector<std::size_t> counts;
-            LaidKinds laid{{}, std::move(cells), strokes.factors.get()};
-            for (std::size_t i = 0; i < strokes.layout->tiles.size(); ++i) {
-                const Tile& tile = strokes.layout->tiles[i];
-                laid.kinds.push_back(of_layer.of(
-                    tile.seed, strokes.factors ? (*strokes.factors)[i].morph : 1, tile.morph));
-            }
-            const Ref<std::vector<char>> overlapping =
-                overlaps(strokes, of_layer, laid, look, input.timings);
+            LaidKinds laid{of_layer, {}, strokes.factors};
+            for (const TileKind& kind : kinds) laid.cells.push_back(tile_cell(kind, look));
+            const OutlineKey outline = outline_key(strokes, laid, look);
             stage.painted = strokes.layout->tiles.size() -
                             (strokes.by_texture ? strokes.by_texture->tiles.size() : 0);
-            if (look.keep_overlaps)
-                stage.overlapping =
-                    static_cast<std::size_t>(std::ranges::count(*overlapping, char(1)));
-            const Ref<std::vector<char>> left_out = look.keep_overlaps ? nullptr : overlapping;
-            StandingKey standing_key{shown,     strokes.charts,   left_out,    strokes.factors,
-                                     {},        of_layer.weights, look.growth, look.growth_softness,
-                                     look.guard};
-            for (const TileCell& cell : laid.cells) standing_key.reaches.push_back(cell.reach);
-            const Ref<Members> standing = standing_(standing_key, [&] {
-                return timed(input.timings, "tiles", [&] {
-                    Members out;
-                    for (const auto& [member, parts] : members)
-                        if (parts.size() == pieces.size()) // else a part is too far away
-                            out[member] = standing_tiles(
-                                *strokes.base, *strokes.layout, *strokes.charts,
-                                patches_of(*strokes.charts, *strokes.base, pieces, parts), look,
-                                laid, left_out);
-                    return make_ref(std::move(out));
-                });
+            Ref<std::vector<char>> left;
+            timed(input.timings, "tiles", [&] {
+                if (look.keep_overlaps)
+                    stage.overlapping = count_overlaps(strokes, laid, outline);
+                else
+                    left = left_out(strokes, laid, outline);
             });
-            std::vector<std::vector<PlacedTile>> all(kinds.size());
-            stage.stroke_limits.assign(tiling.strokes.size() + 1,
-                                       std::numeric_limits<double>::infinity());
-            for (const auto& [member, tiles] : *standing)
-                timed(input.timings, "tiles", [&] {
-                    place_tiles(all, *strokes.base, *strokes.layout, tiles, look, laid, told,
-                                stage.stroke_limits);
-                });
+            PaintedTiles::Placed placed = timed(input.timings, "tiles", [&] {
+                return painted_({pieces, limit, shown, members, strokes.base, strokes.layout,
+                                 strokes.charts, look, laid, left, tiling.strokes.size()});
+            });
+            told = placed.counts;
+            stage.stroke_limits = std::move(placed.limits);
             stage.height_limit = *std::ranges::min_element(stage.stroke_limits);
             stage.stroke_limits.pop_back();
-            for (const auto& of_kind : all) counts.push_back(of_kind.size());
+            std::vector<std::size_t> counts;
+            for (const PlacedTiles& of_kind : placed.of_kinds) counts.push_back(of_kind.size());
             if (const std::string words = too_many_words(kinds, counts); !words.empty())
                 return refused(before, words);
+            std::vector<Ref<TileSet>> sets;
             for (std::size_t k = 0; k < kinds.size(); ++k) {
-                if (all[k].empty()) continue;
-                const Ref<std::vector<PlacedTile>> places = make_ref(std::move(all[k]));
+                if (placed.of_kinds[k].empty()) continue;
+                const Ref<PlacedTiles> places = make_ref(std::move(placed.of_kinds[k]));
                 for (const Part& part : kinds[k].parts) {
                     if (part.rest->positions.empty()) continue;
                     const Ref<TileModel> model = kinds_of_.model(kinds[k], part, laid.cells[k]);
                     PartKey key = part.key;
                     key.mesh += kinds[k].first_mesh;
-                    stage.parts.push_back(timed(input.timings, "tiles", [&] {
-                        return part_of(tile_set(model, places), key);
+                    const auto last = std::ranges::find(sets_, model, &TileSet::model);
+                    sets.push_back(timed(input.timings, "tiles", [&] {
+                        return tile_set(model, places, last != sets_.end() ? *last : nullptr);
                     }));
+                    stage.parts.push_back(part_of(sets.back(), key));
                 }
             }
+            sets_ = std::move(sets);
         }
         StrandParts strands;
         if (strokes.layout)

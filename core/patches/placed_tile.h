@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/box.h"
+#include "core/base/runs.h"
 #include "core/patches/tile_patch.h"
 
 namespace trivar {
@@ -19,6 +20,9 @@ struct PlacedTile {
     float of_limit = 0;
     bool operator==(const PlacedTile&) const = default;
 };
+
+// The tiles of a layer: what stays while others change has its runs in common.
+using PlacedTiles = Runs<PlacedTile>;
 
 inline bool is_tinted(const PlacedTile& tile)
 {

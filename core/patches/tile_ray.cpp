@@ -26,13 +26,17 @@ std::optional<TileHit> first_tile(const TileSet& set, const glm::dvec3& origin,
                                   const glm::dvec3& along, double nearer_than)
 {
     std::optional<TileHit> out;
-    for (std::size_t i = 0; i < set.extents.size(); ++i) {
-        if (!meets(set.extents[i].hull, origin, along, nearer_than)) continue;
-        const Mesh bent = bent_tiles(*set.model->mesh, {set.tiles->data() + i, 1});
-        const double t = nearest_face(bent, glm::dmat4(1), origin, along, nearer_than);
-        if (!(t < nearer_than)) continue;
-        nearer_than = t;
-        out = TileHit{i, t};
+    for (std::size_t r = 0; r < set.hulls.size(); ++r) {
+        if (!meets(set.hulls[r], origin, along, nearer_than)) continue;
+        const std::vector<TileSet::Extent>& extents = *set.extents.runs()[r];
+        for (std::size_t i = 0; i < extents.size(); ++i) {
+            if (!meets(extents[i].hull, origin, along, nearer_than)) continue;
+            const Mesh bent = bent_tiles(*set.model->mesh, {set.tiles->runs()[r]->data() + i, 1});
+            const double t = nearest_face(bent, glm::dmat4(1), origin, along, nearer_than);
+            if (!(t < nearer_than)) continue;
+            nearer_than = t;
+            out = TileHit{set.extents.begin_of(r) + i, t};
+        }
     }
     return out;
 }

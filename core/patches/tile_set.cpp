@@ -6,38 +6,88 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace trivar {
 namespace {
 
+bool holds(const Box& outer, const Box& inner)
+{
+    return glm::all(glm::greaterThanEqual(inner.lo, outer.lo)) &&
+           glm::all(glm::lessThanEqual(inner.hi, outer.hi));
+}
+
+// The number of the tile whose hull comes first by a number of it.
+template <class Key> std::size_t first_by(const TileSet& set, Key&& key)
+{
+    const auto run =
+        static_cast<std::size_t>(std::ranges::min_element(set.hulls, {}, key) - set.hulls.begin());
+    const std::vector<TileSet::Extent>& extents = *set.extents.runs()[run];
+    const auto in_run = std::ranges::min_element(
+        extents, {}, [&](const TileSet::Extent& each) { return key(each.hull); });
+    return set.extents.begin_of(run) + static_cast<std::size_t>(in_run - extents.begin());
+}
+
 // The box of all vertices. Tiles whose hull lies inside of what is known already are not bent.
-Box box_of(const TileModel& model, std::span<const PlacedTile> tiles,
-           std::span<const TileSet::Extent> extents)
+Box box_of(const TileSet& set)
 {
     Box out;
-    std::vector<bool> bent(tiles.size(), false);
-    const TileVertices vertices(*model.mesh);
+    if (set.tiles->empty()) return out;
+    const TileVertices vertices(*set.model->mesh);
     std::vector<glm::vec3> positions(vertices.count);
     const auto add = [&](std::size_t i) {
-        if (bent[i]) return;
-        bent[i] = true;
-        const TilePowers tile = powers_of(tiles[i]);
+        const TilePowers tile = powers_of((*set.tiles)[i]);
         bend_vertices(vertices, tile, glm::vec3(0), {positions.data(), nullptr, nullptr});
         for (const glm::vec3& p : positions) out.add(tile.origin + glm::dvec3(p));
     };
     // Those whose hulls reach out furthest come first: they leave little for others to add.
-    for (int axis = 0; axis < 3 && !extents.empty(); ++axis) {
-        const auto lo = [axis](const TileSet::Extent& e) { return e.hull.lo[axis]; };
-        const auto hi = [axis](const TileSet::Extent& e) { return e.hull.hi[axis]; };
-        add(static_cast<std::size_t>(std::ranges::min_element(extents, {}, lo) - extents.begin()));
-        add(static_cast<std::size_t>(std::ranges::max_element(extents, {}, hi) - extents.begin()));
+    for (int axis = 0; axis < 3; ++axis) {
+        add(first_by(set, [axis](const Box& hull) { return hull.lo[axis]; }));
+        add(first_by(set, [axis](const Box& hull) { return -hull.hi[axis]; }));
     }
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const bool inside = glm::all(glm::greaterThanEqual(extents[i].hull.lo, out.lo)) &&
-                            glm::all(glm::lessThanEqual(extents[i].hull.hi, out.hi));
-        if (!inside) add(i);
+    for (std::size_t r = 0; r < set.hulls.size(); ++r) {
+        if (holds(out, set.hulls[r])) continue;
+        const std::vector<TileSet::Extent>& extents = *set.extents.runs()[r];
+        for (std::size_t k = 0; k < extents.size(); ++k)
+            if (!holds(out, extents[k].hull)) add(set.extents.begin_of(r) + k);
     }
+    return out;
+}
+
+template <class Tiles> void tint_all(Mesh& copies, const Tiles& tiles)
+{
+    if (std::none_of(tiles.begin(), tiles.end(), is_tinted)) return;
+    const std::size_t count = copies.vertex_count() / tiles.size();
+    copies.colors.resize(copies.vertex_count(), glm::vec4(1));
+    parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const PlacedTile& each = tiles[i];
+            for (std::size_t v = i * count; is_tinted(each) && v < (i + 1) * count; ++v) {
+                glm::vec4& color = copies.colors[v];
+                color = {each.tint * glm::mix(glm::vec3(color), glm::vec3(1), each.tint_over),
+                         color.a};
+            }
+        }
+    });
+}
+
+template <class Tiles> Mesh all_bent(const Mesh& unit, const Tiles& tiles)
+{
+    const std::size_t count = unit.vertex_count(), copies = tiles.size();
+    Mesh out = copies_of(unit, copies, false);
+    tint_all(out, tiles);
+    const TileVertices vertices(unit);
+    parallel_blocks(copies, 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const TilePowers tile = powers_of(tiles[i]);
+            const std::size_t to = i * count;
+            bend_vertices(vertices, tile, glm::vec3(tile.origin),
+                          {out.positions.data() + to,
+                           out.normals.empty() ? nullptr : out.normals.data() + to,
+                           out.tangents.empty() ? nullptr : out.tangents.data() + to});
+        }
+    });
     return out;
 }
 
@@ -69,63 +119,64 @@ Ref<TileModel> tile_model(Mesh in_unit_cell, bool with_levels)
                   })});
 }
 
-Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles)
+Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<PlacedTiles>& tiles,
+                      const Ref<TileSet>& before)
 {
     return tile_set(model, tiles, Lazy<Ref<Mesh>>([model, tiles] {
                         return make_ref(bent_tiles(*model->mesh, *tiles));
-                    }));
+                    }),
+                    before);
 }
 
-Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<std::vector<PlacedTile>>& tiles,
-                      Lazy<Ref<Mesh>> mesh)
+Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<PlacedTiles>& tiles,
+                      Lazy<Ref<Mesh>> mesh, const Ref<TileSet>& before)
 {
-    TileSet out{model, tiles, {}, {}, std::move(mesh)};
-    out.extents.resize(tiles->size());
-    parallel_blocks(tiles->size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            out.extents[i] = {hull_box((*tiles)[i], model->box),
-                              stretch_bound((*tiles)[i], model->box)};
+    TileSet out{model, tiles, {}, {}, {}, std::move(mesh)};
+    using Extents = Runs<TileSet::Extent>::Run;
+    const std::vector<PlacedTiles::Run>& runs = tiles->runs();
+    std::vector<Extents> extents(runs.size());
+    out.hulls.resize(runs.size());
+    std::unordered_map<const void*, std::size_t> known;
+    if (before && before->model == model)
+        for (const PlacedTiles::Run& run : before->tiles->runs()) known[run.get()] = known.size();
+    parallel_blocks(runs.size(), 2, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) {
+            if (const auto found = known.find(runs[r].get()); found != known.end()) {
+                extents[r] = before->extents.runs()[found->second];
+                out.hulls[r] = before->hulls[found->second];
+                continue;
+            }
+            std::vector<TileSet::Extent> made(runs[r]->size());
+            parallel_blocks(made.size(), 64, [&](std::size_t from, std::size_t to) {
+                for (std::size_t i = from; i < to; ++i)
+                    made[i] = {hull_box((*runs[r])[i], model->box),
+                               stretch_bound((*runs[r])[i], model->box)};
+            });
+            for (const TileSet::Extent& each : made) out.hulls[r].add(each.hull);
+            extents[r] = make_ref(std::move(made));
+        }
     });
-    out.box = box_of(*model, *tiles, out.extents);
+    for (const Extents& run : extents) out.extents.add(run);
+    out.box = box_of(out);
     return make_ref(std::move(out));
 }
 
 Mesh bent_tiles(const Mesh& unit, std::span<const PlacedTile> tiles)
 {
-    const std::size_t count = unit.vertex_count(), copies = tiles.size();
-    Mesh out = copies_of(unit, copies, false);
-    tint_copies(out, tiles);
-    const TileVertices vertices(unit);
-    parallel_blocks(copies, 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const TilePowers tile = powers_of(tiles[i]);
-            const std::size_t to = i * count;
-            bend_vertices(vertices, tile, glm::vec3(tile.origin),
-                          {out.positions.data() + to,
-                           out.normals.empty() ? nullptr : out.normals.data() + to,
-                           out.tangents.empty() ? nullptr : out.tangents.data() + to});
-        }
-    });
-    return out;
+    return all_bent(unit, tiles);
+}
+
+Mesh bent_tiles(const Mesh& unit, const PlacedTiles& tiles)
+{
+    return all_bent(unit, tiles);
 }
 
 void tint_copies(Mesh& copies, std::span<const PlacedTile> tiles)
 {
-    if (std::ranges::none_of(tiles, is_tinted)) return;
-    const std::size_t count = copies.vertex_count() / tiles.size();
-    copies.colors.resize(copies.vertex_count(), glm::vec4(1));
-    parallel_blocks(tiles.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t v = i * count; is_tinted(tiles[i]) && v < (i + 1) * count; ++v) {
-                glm::vec4& color = copies.colors[v];
-                color = {tiles[i].tint *
-                             glm::mix(glm::vec3(color), glm::vec3(1), tiles[i].tint_over),
-                         color.a};
-            }
-    });
+    tint_all(copies, tiles);
 }
 
-std::vector<glm::dvec3> outer_points(const TileModel& model, std::span<const PlacedTile> tiles)
+std::vector<glm::dvec3> outer_points(const TileModel& model, const PlacedTiles& tiles)
 {
     const std::vector<glm::vec3>& all = model.mesh->positions;
     std::set<std::size_t> outer;

@@ -51,9 +51,12 @@ GuardedHeights guarded_heights(const Covering& covering, const CoveringPose& pos
     if (!(top > 0)) return out;
     std::vector<double> highest(count);
     parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
+        std::vector<TilePatch> patches;
         for (std::size_t c = begin; c < end; ++c)
-            highest[c] =
-                proven_share * fold_limit_of(covering, static_cast<std::uint32_t>(c), pose) / top;
+            patches.push_back(upright_patch(covering, static_cast<std::uint32_t>(c), pose));
+        const std::vector<double> limits = fold_limits(patches);
+        for (std::size_t c = begin; c < end; ++c)
+            highest[c] = proven_share * limits[c - begin] / top;
     });
     for (std::uint32_t c = 0; c < count; ++c) {
         out.folded[c] = !(highest[c] > 0);

@@ -3,7 +3,6 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_copies.h"
-#include "core/tiles/fold_limit.h"
 
 #include <algorithm>
 #include <cassert>
@@ -338,7 +337,7 @@ PatchedTile patched_tile(const CoverCell& cell, const Covering& covering, const 
     return out;
 }
 
-double fold_limit_of(const Covering& covering, std::uint32_t cell, const CoveringPose& pose)
+TilePatch upright_patch(const Covering& covering, std::uint32_t cell, const CoveringPose& pose)
 {
     TilePatch patch = covering.patch(cell, pose.points);
     if (pose.mirrored[covering.cell(cell).chart] != 0)
@@ -347,7 +346,7 @@ double fold_limit_of(const Covering& covering, std::uint32_t cell, const Coverin
                 std::swap((*net)[j], (*net)[j + 3]);
                 std::swap((*net)[j + 1], (*net)[j + 2]);
             }
-    return fold_limit(patch);
+    return patch;
 }
 
 } // namespace trivar

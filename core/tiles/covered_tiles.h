@@ -79,7 +79,7 @@ struct PatchedTile {
 PatchedTile patched_tile(const CoverCell& cell, const Covering& covering, const CoveringPose& pose,
                          std::uint32_t tile);
 
-// Bounds the height up to which a cell does not fold (core/tiles/fold_limit.h), in the world.
-double fold_limit_of(const Covering& covering, std::uint32_t cell, const CoveringPose& pose);
+// The patch of a cell in the world with its outside up, for core/tiles/fold_limit.h.
+TilePatch upright_patch(const Covering& covering, std::uint32_t cell, const CoveringPose& pose);
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/runs.h"
 #include "core/tiles/near_tiles.h"
 #include "core/tiles/tile.h"
 
@@ -13,14 +14,15 @@ struct StrokeStep {
     glm::dvec3 p, n;  // metres on the model; unit
     glm::dvec3 ahead; // the direction of the stroke, unit, in the plane of the normal
     double time_s, pressure;
+    bool operator==(const StrokeStep&) const = default;
 };
 
 // LaidTiles are the tiles of a layout while its strokes are worked off.
 struct LaidTiles {
     const TileBase& base;
-    std::vector<Tile> tiles;
-    std::vector<char> gone; // by tile: a brush removed it
-    NearTiles near;         // by number
+    Runs<Tile> tiles;
+    Runs<char> gone; // by tile: a brush removed it
+    NearTiles near;  // by number
 
     void add(const Tile& tile)
     {

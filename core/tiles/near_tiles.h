@@ -19,6 +19,12 @@ public:
         all_.push_back({p, tile});
         tiles_[key(cube_of(p))].push_back({p, tile});
     }
+    std::size_t size() const { return all_.size(); }
+    void remove_last()
+    {
+        tiles_[key(cube_of(all_.back().p))].pop_back();
+        all_.pop_back();
+    }
     // Calls found(tile, distance) for the tiles within a radius, until it returns true.
     template <class Found> bool any(const glm::dvec3& p, double radius, Found&& found) const
     {

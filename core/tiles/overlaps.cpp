@@ -60,28 +60,72 @@ double overlap_depth(const TileOutline& a, const TileOutline& b)
     return std::max(0.0, depth);
 }
 
-std::vector<char> overlapping(std::span<const TileOutline> tiles)
+OverlapCount::OverlapCount(std::span<const TileOutline> usual) : near_(mean_reach(usual)) {}
+
+void OverlapCount::add(std::span<const TileOutline> tiles)
 {
-    NearTiles near(mean_reach(tiles));
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        if (reach(tiles[i]) > 0) near.add(tiles[i].p, static_cast<int>(i));
-    // Each is compared with those that are no larger, which are near it.
-    std::vector<std::vector<int>> found(tiles.size());
+    const std::size_t before = tiles_.size();
+    const double largest = largest_;
+    for (const TileOutline& each : tiles) largest_ = std::max(largest_, reach(each));
+    tiles_.insert(tiles_.end(), tiles.begin(), tiles.end());
+    pairs_of_.resize(tiles_.size(), 0);
+    for (std::size_t i = before; i < tiles_.size(); ++i)
+        if (reach(tiles_[i]) > 0) near_.add(tiles_[i].p, static_cast<int>(i));
+    std::vector<std::vector<std::size_t>> found(tiles.size());
     parallel_blocks(tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (!(reach(tiles[i]) > 0)) continue;
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t i = before + k;
+            const TileOutline& tile = tiles_[i];
+            if (!(reach(tile) > 0)) continue;
+            // Each is compared with those that are no larger, which are near it.
             int compared = 0;
-            near.any(tiles[i].p, 2 * reach(tiles[i]), [&](int other, double) {
+            near_.any(tile.p, 2 * reach(tile), [&](int other, double) {
                 const auto o = static_cast<std::size_t>(other);
-                if (o == i || reach(tiles[o]) > reach(tiles[i])) return false;
-                if (overlap(tiles[i], tiles[o])) found[i].push_back(other);
+                if (o == i || reach(tiles_[o]) > reach(tile)) return false;
+                if (overlap(tile, tiles_[o])) found[k].push_back(o);
                 return ++compared >= most_compared;
             });
+            compared = 0; // those that were there before and are larger
+            if (largest > reach(tile))
+                near_.any(tile.p, 2 * largest, [&](int other, double distance) {
+                    const auto o = static_cast<std::size_t>(other);
+                    const double far = 2 * reach(tiles_[o]);
+                    if (o >= before || reach(tiles_[o]) <= reach(tile) || distance > far)
+                        return false;
+                    if (overlap(tiles_[o], tile)) found[k].push_back(o);
+                    return ++compared >= most_compared;
+                });
         }
     });
-    std::vector<char> out(tiles.size(), 0);
-    for (std::size_t i = 0; i < found.size(); ++i)
-        for (const int other : found[i]) out[i] = out[static_cast<std::size_t>(other)] = 1;
+    const auto known = static_cast<std::ptrdiff_t>(pairs_.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        for (const std::size_t o : found[k]) {
+            pairs_.emplace_back(std::max(o, before + k), std::min(o, before + k));
+            overlapping_ += pairs_of_[o]++ == 0;
+            overlapping_ += pairs_of_[before + k]++ == 0;
+        }
+    std::sort(pairs_.begin() + known, pairs_.end());
+}
+
+void OverlapCount::keep(std::size_t count)
+{
+    while (!pairs_.empty() && pairs_.back().first >= count) {
+        overlapping_ -= --pairs_of_[pairs_.back().first] == 0;
+        overlapping_ -= --pairs_of_[pairs_.back().second] == 0;
+        pairs_.pop_back();
+    }
+    for (std::size_t i = tiles_.size(); i > count; --i)
+        if (reach(tiles_[i - 1]) > 0) near_.remove_last();
+    tiles_.resize(count);
+    pairs_of_.resize(count);
+}
+
+std::vector<char> overlapping(std::span<const TileOutline> tiles)
+{
+    OverlapCount all(tiles);
+    all.add(tiles);
+    std::vector<char> out(tiles.size());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = all.overlaps(i);
     return out;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tiles/layout.h"
+#include "core/tiles/near_tiles.h"
 
 #include <span>
+#include <utility>
 
 namespace trivar {
 
@@ -23,6 +24,28 @@ inline constexpr double overlap_share = 0.1;
 
 // Tells of each tile whether it overlaps another one. In parallel; about a microsecond per tile.
 std::vector<char> overlapping(std::span<const TileOutline> tiles);
+
+// An OverlapCount counts the tiles that overlap another one, of a list whose end changes.
+class OverlapCount {
+public:
+    // `usual`: tiles that are about as large as those to come; for the grid in which they are
+    // found.
+    explicit OverlapCount(std::span<const TileOutline> usual);
+    // In parallel; about a microsecond per tile that is added.
+    void add(std::span<const TileOutline> tiles);
+    void keep(std::size_t count); // forgets the tiles behind the first ones
+    std::size_t size() const { return tiles_.size(); }
+    std::size_t overlapping() const { return overlapping_; }
+    bool overlaps(std::size_t tile) const { return pairs_of_[tile] > 0; }
+
+private:
+    std::vector<TileOutline> tiles_;
+    NearTiles near_;                                         // those that are there
+    std::vector<int> pairs_of_;                              // #tiles
+    std::vector<std::pair<std::size_t, std::size_t>> pairs_; // the later one first, ascending
+    std::size_t overlapping_ = 0;
+    double largest_ = 0; // of all that were ever there
+};
 
 // Tells of each tile whether it overlaps an earlier one that stays: without all of these no tile
 // overlaps another. About 2 microseconds per tile.

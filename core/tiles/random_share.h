@@ -13,6 +13,9 @@ inline constexpr std::uint32_t wave = 100, mix = 101, phase = 102, cover_height 
                                texture_height = 201, density = 300;
 }
 
+// Mixes the bits of a seed and a number.
+std::uint32_t random_bits(std::uint32_t seed, std::uint32_t number);
+
 // Gives a number of [0, 1) for the seed of a tile and a purpose: the same for ever.
 double random_share(std::uint32_t seed, std::uint32_t purpose);
 

@@ -70,7 +70,7 @@ void move_along(LaidTiles& laid, const Grip& grip)
             there = base.locate({&above, 1}, reach).front();
             if (!there) continue;
         }
-        laid.gone[t] = 1;
+        laid.gone.replace(t, 1);
         const glm::dvec3 x = turned_from_to(n, to.n, moved.x), new_n = base.normal(*there);
         // Its direction turns as its normal does, by the smallest rotation.
         moved.x = direction_on(first ? x : turned_from_to(own_n, new_n, x), new_n);
@@ -108,9 +108,9 @@ void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
         const auto t = static_cast<std::size_t>(tile);
         const StrokeStep& step = path[by.second];
         const double much = brush_share(by.first, stroke.radius) * stroke.strength * step.pressure;
-        Tile& each = laid.tiles[t];
+        Tile each = laid.tiles[t];
         switch (stroke.brush) {
-        case TileBrush::erase: laid.gone[t] = 1; break;
+        case TileBrush::erase: laid.gone.replace(t, 1); break;
         case TileBrush::comb: {
             const glm::dvec3 n = base.normal(each.at);
             const double angle = angle_about(each.x, direction_on(step.ahead, n), n);
@@ -121,6 +121,7 @@ void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
         case TileBrush::raise: each.height *= std::exp2(much); break;
         default: change_look(each.tint, each.morph, stroke, much);
         }
+        if (stroke.brush != TileBrush::erase) laid.tiles.replace(t, each);
     }
 }
 
@@ -141,10 +142,11 @@ void adjust_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<S
         for (const StrokeStep& step : steps) {
             const std::optional<std::size_t> t = take_nearest(laid, step, taken);
             if (!t) continue;
-            Tile& tile = laid.tiles[*t];
+            Tile tile = laid.tiles[*t];
             tile.x = turned_about(tile.x, laid.base.normal(tile.at), turn);
             tile.size *= stroke.factor;
-            if (!(tile.size > 0)) laid.gone[*t] = 1;
+            laid.tiles.replace(*t, tile);
+            if (!(tile.size > 0)) laid.gone.replace(*t, 1);
         }
     };
     adjust(path, glm::radians(stroke.turn_deg));

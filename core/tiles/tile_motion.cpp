@@ -86,20 +86,23 @@ std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook&
 
 TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const TileLook& look)
 {
-    TileLayout out = layout;
-    parallel_blocks(out.tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Tile> tiles = layout.tiles.all();
+    parallel_blocks(tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            std::optional<Tile> there = out.tiles[i];
+            std::optional<Tile> there = tiles[i];
             if (look.slide_along != 0 && there->track >= 0)
-                there = slid_along(base, *there, out.tracks[static_cast<std::size_t>(there->track)],
-                                   look.slide_along);
+                there =
+                    slid_along(base, *there, layout.tracks[static_cast<std::size_t>(there->track)],
+                               look.slide_along);
             if (there) there = slid(base, *there, look);
             if (there)
-                out.tiles[i] = *there;
+                tiles[i] = *there;
             else
-                out.tiles[i].size = std::numeric_limits<double>::infinity();
+                tiles[i].size = std::numeric_limits<double>::infinity();
         }
     });
+    TileLayout out = layout;
+    out.tiles = Runs<Tile>::cut(tiles);
     return out;
 }
 

@@ -17,14 +17,18 @@ constexpr std::array<Mark, 4> marks{{{0.5, {0.30f, 0.31f, 0.33f}},
                                      {0.92, {0.86f, 0.26f, 0.04f}},
                                      {1.0, {0.55f, 0.02f, 0.03f}}}};
 
-using Tiles = Ref<std::vector<PlacedTile>>;
+using Tiles = Ref<PlacedTiles>;
 
 Tiles colored(const Tiles& tiles)
 {
-    std::vector<PlacedTile> out = *tiles;
-    for (PlacedTile& tile : out) {
-        tile.tint = limit_color(static_cast<double>(tile.of_limit));
-        tile.tint_over = 1;
+    PlacedTiles out;
+    for (const PlacedTiles::Run& run : tiles->runs()) {
+        std::vector<PlacedTile> those = *run;
+        for (PlacedTile& tile : those) {
+            tile.tint = limit_color(static_cast<double>(tile.of_limit));
+            tile.tint_over = 1;
+        }
+        out.add(make_ref(std::move(those)));
     }
     return make_ref(std::move(out));
 }

@@ -39,13 +39,13 @@ std::size_t most_texels()
 
 } // namespace
 
-void TilePatches::write(const Ref<std::vector<PlacedTile>>& tiles, const Box& box_world)
+void TilePatches::write(const Ref<PlacedTiles>& tiles, const Box& box_world)
 {
     if (tiles == tiles_) return;
     const std::size_t count = tiles->size();
     if (count * texels_per_tile > most_texels())
         throw Rejected("There are more tiles than fit into a texture of this graphics card.");
-    const Ref<std::vector<PlacedTile>> before = std::exchange(tiles_, nullptr);
+    const Ref<PlacedTiles> before = std::exchange(tiles_, nullptr);
     bool all = !before;
     // A number of few digits, as for other meshes that are deformed.
     if (const glm::dvec3 middle(glm::vec3(box_world.center()));
@@ -65,11 +65,19 @@ void TilePatches::write(const Ref<std::vector<PlacedTile>>& tiles, const Box& bo
     const auto differs = [&](std::size_t i) {
         return i >= before->size() || (*before)[i] != (*tiles)[i];
     };
-    for (std::size_t i = 0; i < count;) {
-        std::size_t end = i;
-        while (end < count && differs(end)) ++end;
-        if (end > i) write_range(i, end);
-        i = end + 1;
+    for (std::size_t r = 0; r < tiles->runs().size(); ++r) {
+        const std::size_t begin = tiles->begin_of(r), past = tiles->begin_of(r + 1);
+        if (begin < before->size()) {
+            const std::size_t there = before->run_of(begin);
+            if (before->begin_of(there) == begin && before->runs()[there] == tiles->runs()[r])
+                continue;
+        }
+        for (std::size_t i = begin; i < past;) {
+            std::size_t end = i;
+            while (end < past && differs(end)) ++end;
+            if (end > i) write_range(i, end);
+            i = end + 1;
+        }
     }
 }
 

@@ -18,10 +18,10 @@ namespace trivar::gpu {
 class TilePatches {
 public:
     // Uploads the tiles that differ from those that were there before; `box_world` holds them all.
-    // About half a microsecond per tile that differs. Throws Rejected where the device's textures
-    // are too small.
-    void write(const Ref<std::vector<PlacedTile>>& tiles, const Box& box_world);
-    const Ref<std::vector<PlacedTile>>& tiles() const { return tiles_; }
+    // O(#runs), and about half a microsecond per tile that differs. Throws Rejected where the
+    // device's textures are too small.
+    void write(const Ref<PlacedTiles>& tiles, const Box& box_world);
+    const Ref<PlacedTiles>& tiles() const { return tiles_; }
     const glm::dvec3& origin() const { return origin_; }
     std::uint64_t changes() const { return changes_; } // number of writes that changed something
     std::size_t bytes() const { return buffer_.bytes(); }
@@ -29,7 +29,7 @@ public:
 
 private:
     void write_range(std::size_t begin, std::size_t end) const;
-    Ref<std::vector<PlacedTile>> tiles_;
+    Ref<PlacedTiles> tiles_;
     glm::dvec3 origin_{0};
     std::uint64_t changes_ = 0;
     Buffer buffer_;

@@ -6,10 +6,12 @@
 #include "core/tiles/chart.h"
 #include "core/tiles/cover_heights.h"
 #include "core/tiles/fold_limit.h"
+#include "core/tiles/layouter.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 
 // About 10,000 tiles that fill a torus of 20,000 triangles, and what each part of their evaluation
 // takes: places, charts, patches with their guard where the torus has moved, and bent vertices.
@@ -94,13 +96,13 @@ void tiles_guard(benchmark::State& state)
     per_tile(state);
 }
 
-Ref<std::vector<PlacedTile>> placed_tiles()
+Ref<PlacedTiles> placed_tiles()
 {
     const TiledTorus& all = tiled_torus();
     std::vector<PlacedTile> out;
     for (const TileChart& chart : all.charts)
         out.push_back({patch_of(all.base, all.pose, chart), tile_size, 0});
-    return make_ref(std::move(out));
+    return make_ref(PlacedTiles(std::move(out)));
 }
 
 Mesh unit_of(const Mesh& stud)
@@ -110,7 +112,7 @@ Mesh unit_of(const Mesh& stud)
 
 void tiles_hulls(benchmark::State& state)
 {
-    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Ref<PlacedTiles> placed = placed_tiles();
     const Ref<TileModel> model = tile_model(unit_of(sphere_mesh(0.5, 16, 8)));
     for (auto _ : state) benchmark::DoNotOptimize(tile_set(model, placed));
     per_tile(state);
@@ -175,12 +177,16 @@ void bend_plainly(const Mesh& unit, const PlacedTile& tile, glm::vec3* positions
     }
 }
 
+enum class Bending { plainly, as_wide_as_can_be, by_avx2 };
+
 // Positions and normals of 400 tiles of 5,041 vertices, one thread, into memory that is there.
-void tiles_vertices(benchmark::State& state, bool plainly)
+void tiles_vertices(benchmark::State& state, Bending bending)
 {
+    const bool plainly = bending == Bending::plainly;
+    if (bending == Bending::by_avx2) hwy::SetSupportedTargetsForTest(HWY_AVX2);
     const Mesh unit = unit_of(sphere_mesh(0.5, 70, 71));
     const TileVertices vertices(unit);
-    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Ref<PlacedTiles> placed = placed_tiles();
     constexpr std::size_t count = 400;
     std::vector<glm::vec3> positions(count * unit.vertex_count()), normals(positions.size());
     for (auto _ : state) {
@@ -197,13 +203,14 @@ void tiles_vertices(benchmark::State& state, bool plainly)
         }
         benchmark::ClobberMemory();
     }
+    hwy::SetSupportedTargetsForTest(0);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(positions.size()));
 }
 
 // The mesh of all tiles, with its faces.
 void tiles_bent(benchmark::State& state)
 {
-    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Ref<PlacedTiles> placed = placed_tiles();
     const Mesh unit = unit_of(sphere_mesh(0.5, 16, 8));
     for (auto _ : state) benchmark::DoNotOptimize(bent_tiles(unit, *placed));
     state.SetItemsProcessed(state.iterations() *
@@ -218,7 +225,7 @@ void tiles_picture(benchmark::State& state, Drawn drawn)
 {
     const gpu::HeadlessContext context;
     const Ref<TileModel> model = tile_model(unit_of(sphere_mesh(0.5, 20, 14)));
-    const Ref<std::vector<PlacedTile>> placed = placed_tiles();
+    const Ref<PlacedTiles> placed = placed_tiles();
     gpu::Picture picture;
     picture.draft = true;
     picture.samples = 1;
@@ -244,10 +251,11 @@ void tiles_picture(benchmark::State& state, Drawn drawn)
         angle += 0.02;
         picture.camera.eye = {3.2 * std::sin(angle), -3.2 * std::cos(angle), 2};
         if (drawn == Drawn::from_tiles_again) {
-            std::vector<PlacedTile> moved = *placed;
+            std::vector<PlacedTile> moved = placed->all();
             for (PlacedTile& tile : moved)
                 for (glm::dvec3& p : tile.patch.p) p.z += 0.1 * std::sin(angle);
-            picture.instances.front().tiles = tile_set(model, make_ref(std::move(moved)));
+            picture.instances.front().tiles =
+                tile_set(model, make_ref(PlacedTiles(std::move(moved))));
         }
         renderer.draw(picture, size_px);
     }
@@ -265,8 +273,10 @@ BENCHMARK(tiles_guard)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_hulls)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_cover_layout)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_cover_pose)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(tiles_vertices, plain_loop, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(tiles_vertices, kernel, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_vertices, plain_loop, Bending::plainly)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_vertices, kernel, Bending::as_wide_as_can_be)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_vertices, kernel_avx2, Bending::by_avx2)->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, turning, Drawn::from_tiles)
     ->UseRealTime()

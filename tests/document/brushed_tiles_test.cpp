@@ -98,7 +98,7 @@ TEST(BrushedTiles, CarryTheirColourIntoTheMeshAndAreNoInstancesThen)
     const Part& part = colored->parts.at(0);
     const Mesh& mesh = *part.mesh();
     EXPECT_EQ(mesh.positions, plain->parts.at(0).mesh()->positions);
-    const std::vector<PlacedTile>& tiles = *part.tiles->tiles;
+    const PlacedTiles& tiles = *part.tiles->tiles;
     ASSERT_EQ(mesh.colors.size(), mesh.vertex_count());
     const std::size_t per_tile = mesh.vertex_count() / tiles.size();
     std::size_t tinted = 0;

@@ -58,7 +58,8 @@ std::vector<PlacedTile> tiles_on_waves(int across, double side = 0.5)
 // A picture of tiles, and the same of their mesh.
 struct TilePair {
     Picture tiles, mesh;
-    explicit TilePair(const Ref<TileSet>& set = tile_set(ring_model(), make_ref(tiles_on_waves(6))),
+    explicit TilePair(const Ref<TileSet>& set = tile_set(ring_model(),
+                                                         make_ref(PlacedTiles(tiles_on_waves(6)))),
                       const glm::dmat4& to_world = glm::dmat4(1), Material material = {})
     {
         tiles.camera.eye = {1, -5, 4};
@@ -113,8 +114,8 @@ TEST_F(TilesOnCard, HaveTheirVerticesWhereTheProcessorBendsThem)
     const Ref<TileModel> model = ring_model();
     const Mesh& unit = *model->mesh;
     for (const glm::dvec3 near : {glm::dvec3(0), glm::dvec3(1e5, -2e5, 3e4)}) {
-        const Ref<std::vector<PlacedTile>> tiles =
-            make_ref(trivar::testing::random_tiles(30, near));
+        const Ref<PlacedTiles> tiles =
+            make_ref(PlacedTiles(trivar::testing::random_tiles(30, near)));
         const Ref<TileSet> set = tile_set(model, tiles);
         TilePatches patches;
         patches.write(tiles, set->box);
@@ -175,7 +176,7 @@ TEST_F(TilesOnCard, AreDrawnAsTheirMeshIs)
     gold.base_color = {0.8f, 0.5f, 0.1f, 1};
     gold.metallic = 1;
     const glm::dmat4 turned = glm::rotate(moved(0.2, 0, 0.1), 0.3, {0, 0, 1});
-    const Ref<TileSet> set = tile_set(ring_model(), make_ref(tiles_on_waves(6)));
+    const Ref<TileSet> set = tile_set(ring_model(), make_ref(PlacedTiles(tiles_on_waves(6))));
     for (const double mirror : {1.0, -1.0}) {
         TilePair pair(set, glm::scale(turned, glm::dvec3(mirror, 1, 1)), gold);
         EXPECT_LT(unlike(pair), few);
@@ -196,7 +197,7 @@ TEST_F(TilesOnCard, ShowTexturesCutOutsGlassAndWoodAsTheirMeshDoes)
         for (const int c : {lit ? 220 : 90, lit ? 140 : 160, 220, lit ? 255 : 40})
             checks.rgba.push_back(static_cast<std::uint8_t>(c));
     }
-    const Ref<TileSet> set = tile_set(ring_model(), make_ref(tiles_on_waves(6)));
+    const Ref<TileSet> set = tile_set(ring_model(), make_ref(PlacedTiles(tiles_on_waves(6))));
     for (const Material::Alpha alpha : {Material::Alpha::opaque, Material::Alpha::mask}) {
         Material material;
         material.base_color_texture.image = make_ref(checks);
@@ -220,16 +221,16 @@ TEST_F(TilesOnCard, AreTintedAsTheVerticesOfTheirMeshAre)
     for (std::size_t i = 0; i < tiles.size(); i += 3) tiles[i].tint_over = 1;
     Mesh colored = *ring_model()->mesh;
     for (const glm::vec3& p : colored.positions) colored.colors.emplace_back(p.x, p.y, 0.5f, 1);
-    const Ref<TileSet> set = tile_set(tile_model(colored), make_ref(tiles));
+    const Ref<TileSet> set = tile_set(tile_model(colored), make_ref(PlacedTiles(tiles)));
     ASSERT_FALSE((*set->mesh)->colors.empty());
     Material wood;
     wood.filling = Filling::wood;
     EXPECT_LT(unlike(TilePair(set)), few);
-    EXPECT_LT(unlike(TilePair(tile_set(ring_model(), make_ref(tiles)))), few);
+    EXPECT_LT(unlike(TilePair(tile_set(ring_model(), make_ref(PlacedTiles(tiles))))), few);
     EXPECT_LT(unlike(TilePair(set, glm::dmat4(1), wood)), 2 * few);
     TilePair pair(set);
     for (PlacedTile& tile : tiles) tile.tint = glm::vec3(1), tile.tint_over = 0;
-    pair.tiles.instances.front().tiles = tile_set(set->model, make_ref(tiles));
+    pair.tiles.instances.front().tiles = tile_set(set->model, make_ref(PlacedTiles(tiles)));
     EXPECT_GT(unlike(pair), 0.02);
 }
 
@@ -273,7 +274,7 @@ TEST_F(TilesOnCard, AreAsFineFarFromTheOrigin)
     std::vector<PlacedTile> far = tiles_on_waves(6);
     for (PlacedTile& tile : far)
         for (glm::dvec3& p : tile.patch.p) p += away;
-    TilePair there(tile_set(ring_model(), make_ref(far)));
+    TilePair there(tile_set(ring_model(), make_ref(PlacedTiles(far))));
     there.tiles.instances.resize(1);
     there.tiles.camera.eye += away;
     there.tiles.camera.target += away;
@@ -297,7 +298,7 @@ TEST_F(TilesOnCard, CastTheirShadowsWhetherTheyAreSeenOrNot)
 
 TEST_F(TilesOnCard, AreLeftOutWhereTheCameraDoesNotSeeThem)
 {
-    TilePair pair(tile_set(ring_model(), make_ref(tiles_on_waves(40, 0.2))));
+    TilePair pair(tile_set(ring_model(), make_ref(PlacedTiles(tiles_on_waves(40, 0.2)))));
     renderer.draw(pair.tiles, tiles_px);
     EXPECT_EQ(renderer.tile_counts().tiles, 1600u);
     EXPECT_EQ(renderer.tile_counts().all_vertices, 1600 * ring_model()->mesh->vertex_count());
@@ -319,7 +320,7 @@ TEST_F(TilesOnCard, AreLeftOutWhereTheCameraDoesNotSeeThem)
 
 TEST_F(TilesOnCard, AreLeftOutOfDraftsWhereSomethingHidesThem)
 {
-    TilePair pair(tile_set(ring_model(), make_ref(tiles_on_waves(30, 0.2))));
+    TilePair pair(tile_set(ring_model(), make_ref(PlacedTiles(tiles_on_waves(30, 0.2)))));
     pair.each([](Picture& picture) {
         picture.camera.eye = {0, -12, 0.6};
         picture.settings.ground = false; // that of drafts may lag
@@ -348,7 +349,7 @@ TEST_F(TilesOnCard, AreLeftOutOfDraftsWhereSomethingHidesThem)
 
 TEST_F(TilesOnCard, AreSimplerInDraftsWhereTheyAreSmall)
 {
-    TilePair pair(tile_set(ring_model(true), make_ref(tiles_on_waves(20, 0.25))));
+    TilePair pair(tile_set(ring_model(true), make_ref(PlacedTiles(tiles_on_waves(20, 0.25)))));
     pair.each([](Picture& picture) { picture.camera.eye = {3, -15, 12}; });
     EXPECT_LT(unlike(pair), few) << "pictures that are no drafts show all there is";
     pair.each([](Picture& picture) { picture.draft = true; });
@@ -372,7 +373,7 @@ TEST_F(TilesOnCard, AreUploadedOnceAndThenOnlyWhereTheyDiffer)
     constexpr std::size_t tile_bytes = 416;
     std::vector<PlacedTile> tiles = tiles_on_waves(20);
     const Ref<TileModel> model = ring_model();
-    TilePair pair(tile_set(model, make_ref(tiles)));
+    TilePair pair(tile_set(model, make_ref(PlacedTiles(tiles))));
     Instance& one = pair.tiles.instances.front();
     trivar::testing::BufferTraffic traffic;
     renderer.draw(pair.tiles, tiles_px);
@@ -384,7 +385,7 @@ TEST_F(TilesOnCard, AreUploadedOnceAndThenOnlyWhereTheyDiffer)
     for (const std::size_t i : {17u, 18u, 200u})
         for (glm::dvec3& p : tiles[i].patch.p) p.z += 0.01;
     tiles.push_back(tiles.back());
-    one.tiles = tile_set(model, make_ref(tiles));
+    one.tiles = tile_set(model, make_ref(PlacedTiles(tiles)));
     traffic.forget();
     renderer.draw(pair.tiles, tiles_px);
     EXPECT_EQ(std::ranges::count(traffic.written, 2 * tile_bytes), 1);
@@ -400,7 +401,7 @@ TEST_F(TilesOnCard, AreOneCallAPassHoweverManyThereAre)
 {
     std::vector<int> calls;
     for (const int across : {3, 15}) {
-        TilePair pair(tile_set(ring_model(), make_ref(tiles_on_waves(across))));
+        TilePair pair(tile_set(ring_model(), make_ref(PlacedTiles(tiles_on_waves(across)))));
         pair.tiles.instances.resize(1);
         Renderer anew;
         const trivar::testing::DrawCalls drawn;

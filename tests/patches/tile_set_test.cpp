@@ -48,14 +48,14 @@ TEST(TileSets, AreFramedByAsMuchAsIfAllWereBent)
     for (const Mesh& unit : some_units()) {
         const std::vector<PlacedTile> tiles = random_tiles(200);
         const Ref<TileModel> model = tile_model(unit);
-        const Box box = tile_set(model, make_ref(tiles))->box,
+        const Box box = tile_set(model, make_ref(PlacedTiles(tiles)))->box,
                   truth = bounding_box(bent_tiles(unit, tiles));
         for (int axis = 0; axis < 3; ++axis) {
             EXPECT_NEAR(box.lo[axis], truth.lo[axis], 1e-6);
             EXPECT_NEAR(box.hi[axis], truth.hi[axis], 1e-6);
         }
         Box outer;
-        for (const glm::dvec3& p : outer_points(*model, tiles)) outer.add(p);
+        for (const glm::dvec3& p : outer_points(*model, PlacedTiles(tiles))) outer.add(p);
         EXPECT_LT(glm::length(outer.size() - truth.size()), 0.02 * glm::length(truth.size()));
     }
 }
@@ -84,7 +84,7 @@ TEST(TileSets, StretchNoEdgeMoreThanTheirBoundSays)
 TEST(TileSets, AreBentOnlyWhenSomebodyAsks)
 {
     const Ref<TileModel> model = tile_model(some_units().front());
-    const Ref<TileSet> set = tile_set(model, make_ref(random_tiles(10)));
+    const Ref<TileSet> set = tile_set(model, make_ref(PlacedTiles(random_tiles(10))));
     const LaterMesh mesh(set->mesh), same(set->mesh);
     EXPECT_EQ(set->vertex_count(), 10 * model->mesh->vertex_count());
     EXPECT_EQ(mesh, same);

@@ -3,6 +3,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/tiles/chart.h"
+#include "core/tiles/layouter.h"
 
 #include <random>
 

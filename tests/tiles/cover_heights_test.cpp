@@ -49,7 +49,8 @@ TEST(CoverHeights, AreLoweredUntilNoCellFolds)
         for (std::uint32_t c = 0; c < covering.cell_count(); ++c) {
             if (guarded.folded[c]) continue;
             for (const std::uint32_t node : covering.corners(c))
-                EXPECT_LT(top * pose.heights[node], fold_limit_of(covering, c, pose)) << cage.name;
+                EXPECT_LT(top * pose.heights[node], fold_limit(upright_patch(covering, c, pose)))
+                    << cage.name;
         }
         const GuardedHeights flat = guarded_heights(covering, pose, 0);
         EXPECT_EQ(flat.heights, pose.heights);
@@ -94,7 +95,7 @@ TEST(FoldLimits, TakeASideThatIsASinglePoint)
     const Covering covering(cone, {.pattern = TilePattern::grid}, {1, 1});
     const CoveringPose pose = still_pose(covering, cone);
     for (std::uint32_t c = 0; c < covering.cell_count(); ++c)
-        EXPECT_GT(fold_limit_of(covering, c, pose), 0.5);
+        EXPECT_GT(fold_limit(upright_patch(covering, c, pose)), 0.5);
     EXPECT_EQ(fold_limit(TilePatch{}), 0); // all of it
 }
 

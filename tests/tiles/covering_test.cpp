@@ -383,7 +383,7 @@ TEST(Coverings, OfMirroredBasesShowTheirOutside)
     }
     for (char& each : pose.mirrored) each = 1;
     for (std::uint32_t c = 0; c < covering.cell_count(); ++c)
-        EXPECT_GT(fold_limit_of(covering, c, pose), 0.05);
+        EXPECT_GT(fold_limit(upright_patch(covering, c, pose)), 0.05);
     const Mesh all =
         covered_tiles(tile_of(4, bump_height), glm::dmat4(1), unit_cell, covering, pose);
     for (std::size_t f = 0; f < all.face_count(); ++f) {

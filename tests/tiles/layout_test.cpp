@@ -43,7 +43,7 @@ TEST(TileLayouts, ScatterKeepsDistanceAndFillsTheBrush)
     ASSERT_EQ(stroke.samples.size(), 30u);
     stroke.radius = 0.3;
     stroke.size = 0.08;
-    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles;
+    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles.all();
     EXPECT_GE(least_distance(base, tiles), 0.08);
     // Discs of half the distance cover about half of the brushed area.
     const double covered = static_cast<double>(tiles.size()) * 0.04 * 0.04 * 3.14159;
@@ -78,7 +78,7 @@ TEST(TileLayouts, ALineOfTilesHasEvenSteps)
     stroke.brush = TileBrush::line;
     stroke.size = 0.1;
     stroke.spacing = 1.5;
-    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles;
+    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles.all();
     ASSERT_EQ(tiles.size(), 14u); // 0, 0.15, ..., 1.95
     for (std::size_t i = 0; i < tiles.size(); ++i)
         EXPECT_LT(glm::distance(base.position(tiles[i].at),
@@ -105,7 +105,7 @@ TEST(TileLayouts, FillCoversOneBodyAndNoOther)
     TileStroke stroke = over_the_front(base);
     stroke.brush = TileBrush::fill;
     stroke.size = 0.15;
-    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles;
+    const std::vector<Tile> tiles = layout_of(base, all({stroke})).tiles.all();
     EXPECT_GE(least_distance(base, tiles), 0.15);
     for (const Tile& tile : tiles) EXPECT_LT(base.position(tile.at).x, 1.1);
     std::mt19937 random(1);
@@ -127,7 +127,7 @@ TEST(TileLayouts, EraseCombResizeAndRaiseChangeWhatIsUnderTheBrushAlone)
     TileStroke change = stroke_over(base, {0.2, -2, -0.3}, {0.2, -2, 0.3}, {0, 1, 0}, 20);
     change.radius = 0.2;
     change.strength = 0.5;
-    const std::vector<Tile> before = layout_of(base, all({paint})).tiles;
+    const std::vector<Tile> before = layout_of(base, all({paint})).tiles.all();
     const auto under = [&](const Tile& tile) {
         for (const TileSample& each : change.samples)
             if (glm::distance(each.at.p, base.position(tile.at)) <= 0.2 - 1e-9) return true;
@@ -136,12 +136,12 @@ TEST(TileLayouts, EraseCombResizeAndRaiseChangeWhatIsUnderTheBrushAlone)
     const auto count = static_cast<std::size_t>(std::ranges::count_if(before, under));
     ASSERT_GT(count, 5u);
     change.brush = TileBrush::erase;
-    const std::vector<Tile> rest = layout_of(base, all({paint, change})).tiles;
+    const std::vector<Tile> rest = layout_of(base, all({paint, change})).tiles.all();
     EXPECT_EQ(rest.size() + count, before.size());
     for (const Tile& tile : rest) EXPECT_THAT(before, ::testing::Contains(tile));
     for (const TileBrush brush : {TileBrush::comb, TileBrush::resize, TileBrush::raise}) {
         change.brush = brush;
-        const std::vector<Tile> after = layout_of(base, all({paint, change})).tiles;
+        const std::vector<Tile> after = layout_of(base, all({paint, change})).tiles.all();
         ASSERT_EQ(after.size(), before.size());
         double most = 0;
         for (std::size_t i = 0; i < after.size(); ++i) {
@@ -164,14 +164,14 @@ TEST(TileLayouts, AHiddenStrokeDoesNothingAndOneStrokesNumberMovesNoOther)
     const TileBase base = base_of(ball());
     TileStroke left = over_the_front(base), right = left;
     for (TileSample& each : right.samples) each.at.p = -each.at.p, each.at.normal = -each.at.normal;
-    const std::vector<Tile> both = layout_of(base, all({left, right})).tiles;
+    const std::vector<Tile> both = layout_of(base, all({left, right})).tiles.all();
     right.hidden = true;
-    const std::vector<Tile> one = layout_of(base, all({left, right})).tiles;
-    EXPECT_EQ(one, layout_of(base, all({left})).tiles);
+    const std::vector<Tile> one = layout_of(base, all({left, right})).tiles.all();
+    EXPECT_EQ(one, layout_of(base, all({left})).tiles.all());
     ASSERT_LT(one.size(), both.size());
     right.hidden = false;
     left.seed = 7;
-    const std::vector<Tile> other = layout_of(base, all({left, right})).tiles;
+    const std::vector<Tile> other = layout_of(base, all({left, right})).tiles.all();
     const auto of_second = [](const std::vector<Tile>& tiles) {
         std::vector<Tile> out;
         std::ranges::copy_if(tiles, std::back_inserter(out),
@@ -239,7 +239,7 @@ TEST(TileLayouts, GrabMovesOneTileAndTurnsItAsTheSurfaceTurns)
     TileStroke stroke = over_the_front(base);
     stroke.radius = 0.2;
     stroke.size = 0.1;
-    const std::vector<Tile> before = layout_of(base, all({stroke})).tiles;
+    const std::vector<Tile> before = layout_of(base, all({stroke})).tiles.all();
     const Tile& taken = before[before.size() / 2];
     TileStroke grab;
     grab.brush = TileBrush::grab;
@@ -248,7 +248,7 @@ TEST(TileLayouts, GrabMovesOneTileAndTurnsItAsTheSurfaceTurns)
     };
     const glm::dvec3 goal(0.3, -0.2, 0.9);
     grab.samples = {point(base.position(taken.at) + glm::dvec3(0, 0, 0.01)), point(goal)};
-    const std::vector<Tile> after = layout_of(base, all({stroke, grab})).tiles;
+    const std::vector<Tile> after = layout_of(base, all({stroke, grab})).tiles.all();
     ASSERT_EQ(after.size(), before.size());
     std::size_t kept = 0;
     for (const Tile& each : before) kept += std::ranges::count(after, each) > 0;
@@ -259,7 +259,7 @@ TEST(TileLayouts, GrabMovesOneTileAndTurnsItAsTheSurfaceTurns)
     EXPECT_NEAR(glm::length(moved.x), 1, 1e-12);
     EXPECT_EQ(moved.size, taken.size);
     grab.samples.front() = point({0, 1, 0}); // where no tile is
-    EXPECT_EQ(layout_of(base, all({stroke, grab})).tiles, before);
+    EXPECT_EQ(layout_of(base, all({stroke, grab})).tiles.all(), before);
 }
 
 } // namespace

@@ -15,7 +15,7 @@ std::vector<Tile> laid_by(const TileBase& base, const Strokes& strokes)
 {
     std::vector<Ref<TileStroke>> refs;
     for (const TileStroke& each : strokes) refs.push_back(make_ref(TileStroke(each)));
-    return layout_of(base, refs).tiles;
+    return layout_of(base, refs).tiles.all();
 }
 
 TileBase ground()

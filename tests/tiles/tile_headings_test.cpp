@@ -23,7 +23,7 @@ TileStroke front_stroke(const TileBase& base, TileHeading heading)
 std::vector<Tile> laid(const TileBase& base, const TileStroke& stroke,
                        const Lazy<TileCurvature>* curvature = nullptr)
 {
-    return layout_of(base, {make_ref(TileStroke(stroke))}, {}, curvature).tiles;
+    return layout_of(base, {make_ref(TileStroke(stroke))}, {}, curvature).tiles.all();
 }
 
 TEST(TileHeadings, AlongTheLeastCurvatureIsTheAxisOfACylinderAndAcrossItTheMost)
@@ -137,9 +137,10 @@ TEST(TileMirrors, ChangeBothSides)
             return p.y < 0 && std::abs(p.x - x) < 0.19 && std::abs(p.z) < 0.2;
         });
     };
-    const std::vector<Tile>
-        all = laid(base, fill),
-        rest = layout_of(base, {make_ref(TileStroke(fill)), make_ref(TileStroke(erase))}).tiles;
+    const std::vector<Tile> all = laid(base, fill),
+                            rest = layout_of(base, {make_ref(TileStroke(fill)),
+                                                    make_ref(TileStroke(erase))})
+                                       .tiles.all();
     for (const double x : {-0.5, 0.5}) {
         EXPECT_GT(near(all, x), 2);
         EXPECT_EQ(near(rest, x), 0);

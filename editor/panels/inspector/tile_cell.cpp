@@ -37,7 +37,7 @@ DrawnTile drawn_tile(const EvaluatedObject& layer, const glm::dmat4& turned)
     DrawnTile out;
     Box box;
     std::vector<Ref<Mesh>> meshes;
-    Ref<std::vector<PlacedTile>> places; // of the first kind; its parts have them in common
+    Ref<PlacedTiles> places; // of the first kind; its parts have them in common
     for (const Part& part : layer.parts) {
         if (!part.tiles || (places && part.tiles->tiles != places)) continue;
         places = part.tiles->tiles;
