@@ -41,14 +41,15 @@ TilePatch patch_through(const LimitChart& chart, const RestToWorld& way)
 
 bool stands_alike(const Tile& a, const Tile& b)
 {
-    return a.at == b.at && a.x == b.x && a.size == b.size;
+    return a.at == b.at && a.x == b.x && a.size == b.size && a.mirrored == b.mirrored;
 }
 
 } // namespace
 
 std::size_t LaidKinds::kind(std::size_t i, const Tile& tile) const
 {
-    return kinds.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph);
+    return kinds.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph,
+                    tile.mirrored);
 }
 
 bool LaidKinds::has(std::size_t i, const Tile& tile) const

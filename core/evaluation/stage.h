@@ -62,8 +62,9 @@ struct TilingEffects {
     // of those that it lays; infinite: none is ever lowered, or the guard is off.
     double height_limit = std::numeric_limits<double>::infinity();
     std::vector<double> stroke_limits = {};
-    std::size_t painted = 0;     // number of tiles that strokes lay
-    std::size_t overlapping = 0; // of these, where such tiles are not left out
+    std::size_t painted = 0;           // number of tiles that strokes lay
+    std::size_t overlapping = 0;       // of these, where such tiles are not left out
+    std::vector<Id> tile_objects = {}; // by the meshes of its parts: of what the tiles are copies
 };
 
 struct SimplifyingEffects {

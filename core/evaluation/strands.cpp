@@ -272,8 +272,9 @@ TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<Statio
 
 } // namespace
 
-std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& look)
+std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& of_layer)
 {
+    const TileLook look = look_of(kind, of_layer);
     const Box box = turned_box(kind, glm::dmat4(1), false);
     if (box.empty()) return {{}};
     const glm::dvec3 size = box.size(),

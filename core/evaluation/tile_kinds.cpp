@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <glm/ext/matrix_transform.hpp>
 #include <set>
 
 namespace trivar {
@@ -68,7 +69,8 @@ std::optional<TileKind::OverUvs> over_uvs(const HeightShape& shape, const StepIn
 
 } // namespace
 
-std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painted_morph) const
+std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painted_morph,
+                          bool mirrored) const
 {
     const Mixed& object = objects[kind_of(seed, weights)];
     const auto phases = static_cast<double>(object.phases);
@@ -82,7 +84,19 @@ std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painte
     for (std::size_t m = 1; m < object.morphs; ++m)
         if (std::abs(morphs[m] - painted_morph) < std::abs(morphs[nearest] - painted_morph))
             nearest = m;
-    return object.first + object.morphs * phase + nearest;
+    return (mirrored ? images : 0) + object.first + object.morphs * phase + nearest;
+}
+
+std::vector<Id> TileKinds::objects_of_meshes() const
+{
+    std::vector<Id> out;
+    for (const TileKind& kind : all)
+        for (const Part& part : kind.parts) {
+            const auto mesh = static_cast<std::size_t>(part.key.mesh + kind.first_mesh);
+            out.resize(std::max(out.size(), mesh + 1));
+            out[mesh] = kind.object;
+        }
+    return out;
 }
 
 std::vector<double> painted_morphs(const TileLayout& layout, int phases)
@@ -115,6 +129,17 @@ double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm:
     return reach;
 }
 
+TileLook look_of(const TileKind& kind, const TileLook& look)
+{
+    TileLook out = look;
+    if (!kind.mirrored) return out;
+    out.cell_y0 = 1 - look.cell_y1;
+    out.cell_y1 = 1 - look.cell_y0;
+    out.roll_deg = -look.roll_deg;
+    out.alternate_deg = -look.alternate_deg;
+    return out;
+}
+
 Box unit_cell_in(const Box& box, const TileLook& look)
 {
     if (box.empty()) return box;
@@ -142,7 +167,7 @@ TileCell tile_cell(const std::vector<Part>& parts, const glm::dmat4& turned, con
 
 TileCell tile_cell(const TileKind& kind, const TileLook& look)
 {
-    TileCell cell = tile_cell(kind.parts, kind.turned, look);
+    TileCell cell = tile_cell(kind.parts, kind.turned, look_of(kind, look));
     if (!kind.from_zero) return cell;
     cell.top = std::max(0.0, cell.middle_of_floor.z + cell.top);
     cell.middle_of_floor.z = 0;
@@ -214,7 +239,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
         morphs_.keep(3 * static_cast<std::size_t>(phases) * painted.size() * morph.into.size());
     std::vector<TileKind> out;
     for (int k = 0; k < phases; ++k) {
-        TileKind kind{.parts = own_parts(stage), .turned = turned(object)};
+        TileKind kind{.object = id, .parts = own_parts(stage), .turned = turned(object)};
         if (const auto* heights = std::get_if<HeightShape>(&object.source)) {
             kind.from_zero = true;
             kind.over_uvs = over_uvs(*heights, input);
@@ -241,7 +266,7 @@ std::vector<TileKind> TileKindsOf::phases_of(Id id, const Stage& stage, const Mo
 }
 
 TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
-                                  const std::vector<double>& painted)
+                                  const std::vector<double>& painted, bool mirrored)
 {
     const Tiling& tiling = *input.object.tiles;
     TileKinds kinds;
@@ -275,6 +300,16 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
             continue;
         add(phases_of(each.object, *found->second, {}, {}, input), each.weight,
             found->second->materials, 1);
+    }
+    if (!mirrored) return kinds;
+    kinds.images = kinds.all.size();
+    const int own_meshes = meshes;
+    for (std::size_t k = 0; k < kinds.images; ++k) {
+        TileKind image = kinds.all[k];
+        image.mirrored = true;
+        image.turned = glm::scale(glm::dmat4(1), glm::dvec3(1, -1, 1)) * image.turned;
+        image.first_mesh += own_meshes;
+        kinds.all.push_back(std::move(image));
     }
     return kinds;
 }

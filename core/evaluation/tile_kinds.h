@@ -12,6 +12,7 @@ namespace trivar {
 // A TileKind is an object whose copies are tiles of a layer, in one phase of its clip and morph,
 // and with one of the morphs that a brush has painted.
 struct TileKind {
+    Id object = 0;
     std::vector<Part> parts;                        // in the object's own space; posed if they move
     glm::dmat4 turned{1};                           // its own rotation and scale
     Ref<std::vector<Material>> materials = nullptr; // null: the layer's own
@@ -25,10 +26,12 @@ struct TileKind {
         bool operator==(const OverUvs&) const = default;
     };
     std::optional<OverUvs> over_uvs = {};
+    bool mirrored = false; // along y, and so is what `turned` does
     bool operator==(const TileKind&) const = default;
 };
 
-// TileKinds are all kinds of a layer: those of each object behind one another.
+// TileKinds are all kinds of a layer: those of each object behind one another, and where tiles are
+// mirrored the mirror image of each, in the same order.
 struct TileKinds {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
@@ -40,11 +43,15 @@ struct TileKinds {
     std::vector<Mixed> objects;
     std::vector<double> weights; // #objects
     std::string trouble;         // why tiles do not become what they should; empty: they do
+    std::size_t images = 0;      // number of the first mirror image; 0: there are none
     bool operator==(const TileKinds&) const = default;
 
     // The kind of a tile: its seed chooses the object and the phase; where a mask says how far it
     // has morphed, that chooses the phase.
-    std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0) const;
+    std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0,
+                   bool mirrored = false) const;
+    // Of what object the parts of a layer with each number of a mesh are copies.
+    std::vector<Id> objects_of_meshes() const;
     std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };
 
@@ -57,6 +64,8 @@ Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
 // Gives the height over the floor of that box up to which the parts reach: its own, or more where
 // their pose lifts them. Metres; O(#V) of posed parts.
 double reach_over(const Box& at_rest, const std::vector<Part>& parts, const glm::dmat4& turned);
+// Gives the look as it is for a kind: where that is mirrored, the other way along y.
+TileLook look_of(const TileKind& kind, const TileLook& look);
 // Gives the part of a box that fills the place of a tile, from the level that lies on the surface
 // up. The box itself where the look asks for no other.
 Box unit_cell_in(const Box& box, const TileLook& look);
@@ -70,8 +79,9 @@ Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds);
 // A TileKindsOf finds the kinds of a layer at a frame and makes their tiles; it keeps the last few.
 class TileKindsOf {
 public:
+    // `mirrored`: some of its tiles are.
     TileKinds operator()(const Stage& layer, const StepInput& input,
-                         const std::vector<double>& morphs);
+                         const std::vector<double>& morphs, bool mirrored);
     // Makes the tile of one of the kind's parts in a cell. Tiles that move have no levels.
     Ref<TileModel> model(const TileKind& kind, const Part& part, const TileCell& cell);
 

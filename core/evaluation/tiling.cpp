@@ -136,7 +136,8 @@ TilingStep::OutlineKey TilingStep::outline_key(const Painted& strokes, const Lai
 {
     OutlineKey key{look.turn_deg, look.scale, strokes.factors, {}, laid.kinds.weights};
     for (const TileKind& kind : laid.kinds.all) {
-        const glm::dvec3 size = unit_cell_in(box_at_rest(kind.parts, kind.turned), look).size();
+        const glm::dvec3 size =
+            unit_cell_in(box_at_rest(kind.parts, kind.turned), look_of(kind, look)).size();
         key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
     }
     return key;
@@ -187,15 +188,19 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const FoundMasks masks = masks_of_(pieces, input);
     const Painted strokes = painted(pieces, limit, masks, input);
     const TileLook& look = tiling.look;
+    const Ref<TileLayout> laid_out = strokes.layout ? strokes.layout : make_ref(TileLayout{});
     const TileKinds of_layer = kinds_of_(*before, input,
-                                         strokes.layout && tiling.into != 0
-                                             ? painted_morphs(*strokes.layout, look.phases)
-                                             : std::vector<double>{0});
+                                         tiling.into != 0
+                                             ? painted_morphs(*laid_out, look.phases)
+                                             : std::vector<double>{0},
+                                         std::any_of(laid_out->tiles.begin(), laid_out->tiles.end(),
+                                                     [](const Tile& t) { return t.mirrored; }));
     return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
         const std::vector<TileKind>& kinds = of_layer.all;
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
         stage.mixed_materials = materials_of_others(of_layer);
+        stage.tile_objects = of_layer.objects_of_meshes();
         TileCounts told;
         if (strokes.charts) {
             LaidKinds laid{of_layer, {}, strokes.factors};

@@ -11,7 +11,7 @@ namespace trivar {
 TileChart chart_of(const TileBase& base, const Tile& tile, double turn_deg, double scale)
 {
     const glm::dvec3 n = base.normal(tile.at);
-    const double angle = glm::radians(turn_deg), side = tile.size * scale;
+    const double angle = glm::radians(turn_of(tile, turn_deg)), side = tile.size * scale;
     const glm::dvec3 x = std::cos(angle) * tile.x + std::sin(angle) * glm::cross(n, tile.x),
                      y = glm::cross(n, x);
     TileChart chart;

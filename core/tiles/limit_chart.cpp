@@ -50,7 +50,7 @@ LimitChart limit_chart_of(const LimitBase& base, const Tile& tile, double turn_d
     const glm::dvec3 n = surface.normal(middle);
     const glm::dvec3 ahead =
         in_tangent_plane(turned_from_to(base.triangles().normal(tile.at), n, tile.x), n);
-    const double angle = glm::radians(turn_deg);
+    const double angle = glm::radians(turn_of(tile, turn_deg));
     const glm::dvec3 x = std::cos(angle) * ahead + std::sin(angle) * glm::cross(n, ahead),
                      y = glm::cross(n, x);
     const int steps = steps_from(surface, middle, side / 2 * std::sqrt(2.0));

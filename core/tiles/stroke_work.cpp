@@ -256,6 +256,7 @@ void StrokeWork::lay(const TileStroke& stroke, int number, Wanted wanted, bool a
     tile.at = *image;
     tile.x = direction_on(plane->across(tile.x), base_.normal(*image));
     if (tile.track >= 0) tile.track = image_track_;
+    tile.mirrored = stroke.mirrors_tiles;
     add(tile);
 }
 

@@ -66,11 +66,12 @@ std::optional<Tile> slid_along(const TileBase& base, const Tile& tile, const Str
 
 std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook& look)
 {
-    const glm::dvec2 slide(look.slide_x, look.slide_y);
+    const glm::dvec2 slide(look.slide_x, tile.mirrored ? -look.slide_y : look.slide_y);
     const double length = glm::length(slide);
     if (!(length > 0)) return tile;
     const glm::dvec3 n = base.normal(tile.at);
-    const glm::dvec3 x = turned_about(tile.x, n, glm::radians(look.turn_deg)), y = glm::cross(n, x);
+    const glm::dvec3 x = turned_about(tile.x, n, glm::radians(turn_of(tile, look.turn_deg))),
+                     y = glm::cross(n, x);
     const glm::dvec2 to = slide / length;
     const glm::dvec3 ahead = to.x * x + to.y * y;
     const SurfaceRay ray = straightest(base, tile.at, tile.size * look.scale * length * ahead);

@@ -62,9 +62,10 @@ struct TileStroke {
     glm::dvec3 point{0}; // that tiles head to, on the model
     TileArea area = {};  // of a fill
     TileMirror mirror = {};
-    glm::dvec3 color{1}; // of the brush color, linear, 0..1: a factor of the material's
-    double turn_deg = 0; // by which adjusted tiles are turned about their normals
-    double factor = 1;   // of the sizes of adjusted tiles; 0: they are removed
+    bool mirrors_tiles = false; // tiles beyond the mirror are mirror images, too; none of a strand
+    glm::dvec3 color{1};        // of the brush color, linear, 0..1: a factor of the material's
+    double turn_deg = 0;        // by which adjusted tiles are turned about their normals
+    double factor = 1;          // of the sizes of adjusted tiles; 0: they are removed
     bool operator==(const TileStroke&) const = default;
 };
 

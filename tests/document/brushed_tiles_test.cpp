@@ -158,6 +158,79 @@ TEST(BrushedTiles, SayHowManyOverlapAndLeaveThemOutOnDemand)
     EXPECT_EQ(rest->overlapping, 0u);
 }
 
+// How far a vertex of a mesh may be from the mirror image of the nearest other one, metres.
+double asymmetry(const Mesh& mesh)
+{
+    double most = 0;
+    for (const glm::vec3& p : mesh.positions) {
+        double nearest = 1e300;
+        for (const glm::vec3& q : mesh.positions)
+            nearest =
+                std::min(nearest, static_cast<double>(glm::distance(p * glm::vec3(1, -1, 1), q)));
+        most = std::max(most, nearest);
+    }
+    return most;
+}
+
+// Above 0 where faces and normals look out of a closed mesh, all of them.
+double least_outward(const Mesh& mesh, std::size_t tiles)
+{
+    const std::size_t per_tile = mesh.vertex_count() / tiles;
+    double least = 1e300;
+    for (std::size_t t = 0; t < tiles; ++t) {
+        glm::vec3 middle(0);
+        for (std::size_t v = 0; v < per_tile; ++v)
+            middle += mesh.positions[t * per_tile + v] / static_cast<float>(per_tile);
+        for (std::size_t v = 0; v < per_tile; ++v) {
+            const std::size_t at = t * per_tile + v;
+            least = std::min(least, static_cast<double>(
+                                        glm::dot(mesh.normals[at], mesh.positions[at] - middle)));
+        }
+    }
+    return least;
+}
+
+TEST(BrushedTiles, AreMirrorImagesBeyondTheMirrorOnDemand)
+{
+    // A bar that lies askew in its box has another mirror image than itself.
+    Document skew = fitting_document();
+    skew = after(skew, AddBox{.shape = {.size = {0.2, 0.05, 0.05}, .segments = {1, 1, 1}},
+                              .transform = {.rotation_deg = {0, 0, 25}}});
+    const auto painted = [&](bool images, const TileLook& look = {}) {
+        TileStroke stroke;
+        stroke.brush = TileBrush::line;
+        for (int i = 0; i < 5; ++i) {
+            const double angle = 0.4 + 0.2 * i;
+            const glm::dvec3 n{std::cos(angle), std::sin(angle), 0};
+            stroke.samples.push_back({{0.4 * n, n}, 0.1 * i, 1});
+        }
+        stroke.size = 0.1;
+        stroke.turn_variation_deg = 20;
+        stroke.mirror = TileMirror::y;
+        stroke.mirrors_tiles = images;
+        const Document document = after(skew, PaintTiles{brushed, round_base, stroke, {}});
+        return layer_in(after(document, SetTiles{{brushed}, look}));
+    };
+    const Ref<EvaluatedObject> alike = painted(false), images = painted(true);
+    ASSERT_EQ(alike->parts.size(), 1u);
+    ASSERT_EQ(images->parts.size(), 2u);
+    EXPECT_EQ(images->tile_objects, (std::vector<Id>{brushed, brushed}));
+    const auto all = [](const EvaluatedObject& layer) {
+        Mesh out;
+        for (const Part& part : layer.parts)
+            out.positions.insert(out.positions.end(), part.mesh()->positions.begin(),
+                                 part.mesh()->positions.end());
+        return out;
+    };
+    EXPECT_GT(asymmetry(all(*alike)), 0.01);
+    EXPECT_LT(asymmetry(all(*images)), 0.002); // triangles of the ball are not symmetrical
+    // So they are however the layer turns, slides and cuts its tiles.
+    const TileLook look{.turn_deg = 35, .slide_x = 0.3, .slide_y = 0.2, .cell_y0 = 0.3};
+    EXPECT_LT(asymmetry(all(*painted(true, look))), 0.002);
+    for (const Part& part : images->parts)
+        EXPECT_GT(least_outward(*part.mesh(), part.tiles->tiles->size()), 0);
+}
+
 TEST(BrushedTiles, KeepTheDigestsOfScenesWithoutTheirNewFields)
 {
     const auto digest_with = [](auto&& change) {
@@ -169,6 +242,7 @@ TEST(BrushedTiles, KeepTheDigestsOfScenesWithoutTheirNewFields)
     EXPECT_EQ(usual, digest_with([](TileStroke& s) { s.point = {}, s.color = glm::dvec3(1); }));
     EXPECT_NE(usual, digest_with([](TileStroke& s) { s.point = {0, 0, 1}; }));
     EXPECT_NE(usual, digest_with([](TileStroke& s) { s.mirror = TileMirror::y; }));
+    EXPECT_NE(usual, digest_with([](TileStroke& s) { s.mirrors_tiles = true; }));
     EXPECT_NE(usual, digest_with([](TileStroke& s) { s.area = TileArea::all; }));
     EXPECT_NE(usual, digest_with([](TileStroke& s) { s.factor = 0; }));
 }

@@ -79,6 +79,10 @@ template <> struct FieldsOf<TileStroke> {
               "the stroke works on the other side of this plane through the origin of the base's "
               "model, too: that across X, Y or Z",
               later);
+        field("mirrors_tiles", s.mirrors_tiles,
+              "tiles beyond that plane are mirror images, too, as a left feather is of a right "
+              "one; those of strands are not",
+              later.called("Mirror tiles"));
         field("color", s.color,
               "linear red, green and blue by which the brush color multiplies those of materials",
               later_in_range(0, 1).resting_at(1).called("Colour").with_axes("red|green|blue"));

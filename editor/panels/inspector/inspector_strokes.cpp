@@ -130,6 +130,8 @@ void stroke_numbers(Editor& editor, const ui::Theme& theme, Id id, int number,
         (!lays && brush != TileBrush::adjust && brush != TileBrush::grab))
         fields(&TileStroke::radius);
     fields(&TileStroke::mirror);
+    if (lays && brush != TileBrush::strand && stroke.mirror != TileMirror::none)
+        fields(&TileStroke::mirrors_tiles);
     propose_edit(editor, rows.edit, [&] { return EditTileStroke{id, number, changed}; });
     ui::gap(theme, 4);
     ImGui::PopID();
