@@ -59,9 +59,12 @@ Document with_mix(Document document, Id layer, double weight, std::vector<MixedT
 Document applied(Document document, const MixTiles& command)
 {
     const Document before = document;
-    document = with_mix(std::move(document), command.object, command.weight, command.others);
-    const std::vector<MixedTile>& mixed = tiling_of(before, command.object).others;
-    for (const MixedTile& each : command.others)
+    tiling_of(before, command.object);
+    auto [with_files, layer, others] =
+        with_tile_files(std::move(document), command.object, command.others, command.files);
+    document = with_mix(std::move(with_files), layer, command.weight, others);
+    const std::vector<MixedTile>& mixed = tiling_of(before, layer).others;
+    for (const MixedTile& each : others)
         if (std::ranges::find(mixed, each.object, &MixedTile::object) == mixed.end())
             document = with_hidden(std::move(document), each.object);
     return document;
@@ -70,10 +73,12 @@ Document applied(Document document, const MixTiles& command)
 StepTitle title(const MixTiles& c, const StepDocuments& step)
 {
     const std::string of = names_in(step.before, {c.object});
-    if (c.others.empty()) return {"Do not mix the tiles of " + of, {}};
+    if (c.others.empty() && c.files.empty()) return {"Do not mix the tiles of " + of, {}};
     std::vector<Id> others;
     for (const MixedTile& each : c.others) others.push_back(each.object);
-    return {"Mix the tiles of " + of, "with " + names_in(step.before, others)};
+    for (std::size_t i = 0; i < c.files.size(); ++i)
+        others.push_back(step.before.next_id + static_cast<Id>(i));
+    return {"Mix the tiles of " + of, "with " + names_in(step.after, others)};
 }
 
 Document with_morph(Document document, Id layer, Id into)

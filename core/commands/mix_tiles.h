@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/step_title.h"
+#include "core/commands/tile_files.h"
 #include "core/document/fields/tiles_fields.h"
 
 namespace trivar {
@@ -23,12 +24,15 @@ struct MixTiles {
     Id object = 0;
     double weight = 1;
     std::vector<MixedTile> others;
+    std::vector<TileFile> files = {};
     bool operator==(const MixTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of a layer of tiles", required);
         field("weight", c.weight, "how often the object itself is there", in_range(0, 1000));
         field("others", c.others, "the other objects; none: the layer is not mixed");
+        field("files", c.files,
+              "models that are added to the scene in the same step, and mixed in");
     }
 };
 Document applied(Document document, const MixTiles& command);

@@ -66,6 +66,15 @@ void prepare_font(TextShape& text, const AssetStore& assets)
     }
 }
 
+// The models of tiles; each without a name gets that of its file.
+void prepare_tiles(std::vector<TileFile>& files, const AssetStore& assets, const Progress& progress)
+{
+    for (TileFile& each : files) {
+        each.file = prepared(std::move(each.file), assets, progress);
+        if (each.name.empty()) each.name = std::filesystem::path(each.file.path).stem().string();
+    }
+}
+
 } // namespace
 
 Command prepare(Command command, const AssetStore& assets, const Progress& progress)
@@ -93,6 +102,12 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
         prepare_image(other->shape, assets);
     } else if (auto* displace = std::get_if<Displace>(&command)) {
         prepare_image(displace->shape, assets);
+    } else if (auto* paint = std::get_if<PaintTiles>(&command)) {
+        prepare_tiles(paint->files, assets, progress);
+    } else if (auto* cover = std::get_if<CoverWithTiles>(&command)) {
+        prepare_tiles(cover->files, assets, progress);
+    } else if (auto* mix = std::get_if<MixTiles>(&command)) {
+        prepare_tiles(mix->files, assets, progress);
     } else if (auto* paste = std::get_if<Paste>(&command)) {
         const auto in_log = [&](std::string& path) {
             if (!path.empty()) path = path_in_log(path, assets.folder());

@@ -216,6 +216,8 @@ std::string commands_markdown()
             field_table(fields_of(CopiedTiling{}));
     text += "## mixed tile\n\nAn object among the tiles of a layer.\n\n" +
             field_table(fields_of(MixedTile{}));
+    text += "## tile file\n\nA model that comes into the scene as a tile.\n\n" +
+            field_table(fields_of(TileFile{}));
     text += "## copied mixed tile\n\nThe same, as it is copied.\n\n" +
             field_table(fields_of(CopiedMixedTile{}));
     text += "## tile stroke\n\nA stroke with which tiles were painted.\n\n" +

@@ -62,6 +62,12 @@ void check_cell(std::string_view field, double from, double to)
                                    field, to, from + least_cell, from));
 }
 
+// The name of a tile that may have come with the step.
+std::string tile_name(Id id, const StepDocuments& step)
+{
+    return id == 0 ? step.made() : names_in(step.before, {id});
+}
+
 std::string_view verb_of(const TileStroke& stroke)
 {
     switch (stroke.brush) {
@@ -112,18 +118,19 @@ Document with_tiling(Document document, Id id, Tiling tiling)
 Document applied(Document document, const PaintTiles& command)
 {
     check(command.stroke);
+    auto [with_files, layer, others] =
+        with_tile_files(std::move(document), command.object, command.others, command.files);
     Tiling fresh;
     fresh.look.overlap = command.overlap;
-    Tiling tiling = object(document, command.object).tiles.value_or(fresh);
+    Tiling tiling = object(with_files, layer).tiles.value_or(fresh);
     tiling.base = command.base;
     tiling.strokes.push_back(make_ref(command.stroke));
-    document = with_tiling(std::move(document), command.object, std::move(tiling));
-    return mixed_with(std::move(document), command.object, command.others);
+    return mixed_with(with_tiling(std::move(with_files), layer, std::move(tiling)), layer, others);
 }
 
 StepTitle title(const PaintTiles& c, const StepDocuments& step)
 {
-    return {fmt::format("{} {}", verb_of(c.stroke), names_in(step.before, {c.object})),
+    return {fmt::format("{} {}", verb_of(c.stroke), tile_name(c.object, step)),
             "on " + names_in(step.before, {c.base})};
 }
 
@@ -190,21 +197,21 @@ StepTitle title(const ClearTiles& c, const StepDocuments& step)
 
 Document applied(Document document, const CoverWithTiles& command)
 {
-    const std::optional<Tiling>& before = object(document, command.object).tiles;
+    auto [with_files, layer, others] =
+        with_tile_files(std::move(document), command.object, command.others, command.files);
+    const std::optional<Tiling>& before = object(with_files, layer).tiles;
     if (command.cover.pattern == TilePattern::none && !before)
-        throw Rejected(named(document, command.object) +
+        throw Rejected(named(with_files, layer) +
                        " is no layer of tiles; choose a pattern to cover with");
     Tiling tiling = before.value_or(Tiling{});
     tiling.base = command.base;
     tiling.cover = command.cover;
-    document = with_tiling(std::move(document), command.object, std::move(tiling));
-    return mixed_with(std::move(document), command.object, command.others);
+    return mixed_with(with_tiling(std::move(with_files), layer, std::move(tiling)), layer, others);
 }
 
 StepTitle title(const CoverWithTiles& c, const StepDocuments& step)
 {
-    const std::string tile = names_in(step.before, {c.object}),
-                      base = names_in(step.before, {c.base});
+    const std::string tile = tile_name(c.object, step), base = names_in(step.before, {c.base});
     if (c.cover.pattern == TilePattern::none) return {"Uncover " + base, "from " + tile};
     const auto found = step.before.objects.find(c.object);
     const bool covered = found != step.before.objects.end() && found->second->tiles &&

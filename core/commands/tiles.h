@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/step_title.h"
+#include "core/commands/tile_files.h"
 #include "core/document/fields/tiles_fields.h"
 
 namespace trivar {
@@ -29,10 +30,12 @@ struct PaintTiles {
     TileStroke stroke;
     std::vector<MixedTile> others = {};
     double overlap = 0;
+    std::vector<TileFile> files = {};
     bool operator==(const PaintTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of what becomes the tile", required);
+        field("object", c.object, "id of what becomes the tile; 0: the first of the files",
+              required);
         field("base", c.base, "id of what is painted on", required);
         FieldsOf<TileStroke>::fields(c.stroke, field);
         field("others", c.others, FieldsOf<MixedTile>::besides_help);
@@ -40,6 +43,7 @@ struct PaintTiles {
               "how far the tiles of a strand reach into the next ones, in shares of their cells; "
               "of a layer that begins with this stroke",
               in_range(0, 0.45));
+        field("files", c.files, FieldsOf<TileFile>::help);
     }
 };
 Document applied(Document document, const PaintTiles& command);
@@ -125,13 +129,16 @@ struct CoverWithTiles {
     Id base = 0;
     TileCover cover{.pattern = TilePattern::grid};
     std::vector<MixedTile> others = {};
+    std::vector<TileFile> files = {};
     bool operator==(const CoverWithTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of what becomes the tile", required);
+        field("object", c.object, "id of what becomes the tile; 0: the first of the files",
+              required);
         field("base", c.base, "id of what is covered", required);
         FieldsOf<TileCover>::fields(c.cover, field);
         field("others", c.others, FieldsOf<MixedTile>::besides_help);
+        field("files", c.files, FieldsOf<TileFile>::help);
     }
 };
 Document applied(Document document, const CoverWithTiles& command);

@@ -31,6 +31,12 @@ template <class C> auto files_of(C& command)
     if (auto* heights = std::get_if<AddHeights>(&command)) add(heights->shape.image);
     if (auto* heights = std::get_if<SetHeights>(&command)) add(heights->shape.image);
     if (auto* heights = std::get_if<Displace>(&command)) add(heights->shape.image);
+    const auto add_tiles = [&](auto& tile_files) {
+        for (auto& each : tile_files) add(each.file.path);
+    };
+    if (auto* paint = std::get_if<PaintTiles>(&command)) add_tiles(paint->files);
+    if (auto* cover = std::get_if<CoverWithTiles>(&command)) add_tiles(cover->files);
+    if (auto* mix = std::get_if<MixTiles>(&command)) add_tiles(mix->files);
     if (auto* paste = std::get_if<Paste>(&command))
         for (auto& copy : paste->copies) {
             if (copy.file) add(copy.file->path);

@@ -116,7 +116,10 @@ void add_selection_actions(std::vector<Action>& a)
     a.push_back({"Select",
                  "Select the same type",
                  {{.key = 'G', .shift = true}},
-                 [](Editor& e) { select_keeping_active(e, of_the_same_type(e)); },
+                 [](Editor& e) {
+                     if (e.active_tool().choose_parts(e.session, PartChoice::same)) return;
+                     select_keeping_active(e, of_the_same_type(e));
+                 },
                  something_selected()});
     a.push_back({"Select",
                  "Box select",

@@ -52,6 +52,9 @@ public:
         read_model_of(path, frame_all,
                       std::make_shared<Batch>(Batch{1, {}, std::move(then), std::move(name)}));
     }
+    // Reads a model that somebody else brings into the scene: `take` is called with its import.
+    void read_model(const std::string& path, std::function<void(const ImportModel&)> take,
+                    std::string name = {});
     // Writes what is visible, as committed; with a certificate where something is refined. With
     // instances, a .glb has one mesh per tile type.
     void write_model_to(const std::string& path, bool instances = false);
@@ -111,6 +114,10 @@ private:
     void use_file(const std::string& path);
     void read_model_of(const std::string& path, bool frame_all,
                        const std::shared_ptr<Batch>& batch);
+    // The notices of its reader are told once it was taken, where `take` says that it was.
+    void read_in_background(const std::string& path, const std::string& name,
+                            std::function<bool(const ImportModel&)> take,
+                            std::function<void(const std::string& why)> lost);
     void tell_lost(Batch& batch); // when the last of them is there
     // Once the models that came are in the picture: says where one is far larger or smaller than
     // what was there, and offers to scale it.

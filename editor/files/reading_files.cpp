@@ -113,43 +113,67 @@ void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
         }};
 }
 
-void Files::read_model_of(const std::string& path, bool frame_all,
-                          const std::shared_ptr<Batch>& batch)
+void Files::read_in_background(const std::string& path, const std::string& name,
+                               std::function<bool(const ImportModel&)> take,
+                               std::function<void(const std::string& why)> lost)
 {
     session_->jobs().start(
         {"Reading " + file_name(path),
-         [this, path, frame_all, batch,
+         [this, path, name, take, lost,
           store = session_->assets()](const Progress& progress) -> Jobs::Finish {
              ImportModel import;
              import.file.path = fs::absolute(path).string();
-             import.name = batch->name;
-             const Command command = prepare(import, *store, progress);
-             const auto& ready = std::get<ImportModel>(command);
+             import.name = name;
+             const ImportModel ready = std::get<ImportModel>(prepare(import, *store, progress));
              const AssetStore::LoadedModel loaded = store->load(ready.file, progress);
              if (!loaded.model)
                  throw Rejected(loaded.notices.empty() ? "It cannot be read."
                                                        : loaded.notices.front());
-             return [this, command, frame_all, store, path, batch, said = loaded.notices] {
+             return [this, path, name, take, lost, ready, store, said = loaded.notices] {
                  // Paths are told from the folder of the scene there is now.
-                 if (session_->assets() != store) return read_model_of(path, frame_all, batch);
-                 tell_lost(*batch);
-                 const Id id = session_->committed().next_id;
-                 const bool first = session_->committed().objects.empty();
-                 session_->cancel();
-                 if (!session_->run(command)) return;
-                 session_->selected = id;
-                 if (first || frame_all) session_->view.frame_all_when_evaluated = true;
-                 to_measure_.push_back(id);
-                 if (batch->then) batch->then(id);
-                 if (said.empty()) return;
-                 session_->notices.say_all(ui::NoticeKind::warning,
-                                           file_name(path) + " was imported", said);
+                 if (session_->assets() != store) return read_in_background(path, name, take, lost);
+                 if (take(ready) && !said.empty())
+                     session_->notices.say_all(ui::NoticeKind::warning,
+                                               file_name(path) + " was imported", said);
              };
          },
-         [this, path, batch](const std::string& why) {
-             batch->lost.push_back({file_name(path), reason(why, path)});
-             tell_lost(*batch);
-         }});
+         [path, lost](const std::string& why) { lost(reason(why, path)); }});
+}
+
+void Files::read_model_of(const std::string& path, bool frame_all,
+                          const std::shared_ptr<Batch>& batch)
+{
+    const auto take = [this, frame_all, batch](const ImportModel& import) {
+        tell_lost(*batch);
+        const Id id = session_->committed().next_id;
+        const bool first = session_->committed().objects.empty();
+        session_->cancel();
+        if (!session_->run(import)) return false;
+        session_->selected = id;
+        if (first || frame_all) session_->view.frame_all_when_evaluated = true;
+        to_measure_.push_back(id);
+        if (batch->then) batch->then(id);
+        return true;
+    };
+    read_in_background(path, batch->name, take, [this, path, batch](const std::string& why) {
+        batch->lost.push_back({file_name(path), why});
+        tell_lost(*batch);
+    });
+}
+
+void Files::read_model(const std::string& path, std::function<void(const ImportModel&)> take,
+                       std::string name)
+{
+    read_in_background(
+        path, name,
+        [take](const ImportModel& import) {
+            take(import);
+            return true;
+        },
+        [this, path](const std::string& why) {
+            session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
+                                  why);
+        });
 }
 
 void Files::measure_imported()

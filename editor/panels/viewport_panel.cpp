@@ -275,8 +275,11 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (!editor.files.asking()) tool.use(session, input);
     if (const auto file = tool.take_wanted_model()) {
         const OwnModel* own = own_model_named_as(editor.files, *file);
-        editor.files.import(
-            *file, false, [&tool, &session](Id id) { tool.take_up(session, id); },
+        editor.files.read_model(
+            *file,
+            [&tool, &session](const ImportModel& import) {
+                tool.take_read(session, {import.file, import.name});
+            },
             own ? own->name : "");
     }
     if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();

@@ -199,6 +199,7 @@ bool LatticePointsTool::choose_parts(Session& session, PartChoice choice)
     case PartChoice::none: chosen_.clear(); break;
     case PartChoice::others: chosen_ = others(chosen_, n); break;
     case PartChoice::more: chosen_ = with_next(chosen_, n); break;
+    case PartChoice::same: return false; // all points are alike
     }
     return true;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -16,22 +17,40 @@ namespace {
 constexpr double turn_step_deg = 15, factor_step = 0.1; // with Ctrl
 constexpr double fine_share = 0.1;                      // with Shift
 
-// The sets of the painted tiles of a layer.
-std::vector<Ref<TileSet>> painted_sets(const Session& session, Id layer)
+// A set of painted tiles of a layer, and the object of which they are copies.
+struct PaintedSet {
+    Ref<TileSet> set;
+    Id object = 0;
+};
+std::vector<PaintedSet> painted_sets(const Session& session, Id layer)
 {
-    std::vector<Ref<TileSet>> out;
+    std::vector<PaintedSet> out;
     const auto found = session.evaluated().objects.find(layer);
     if (found == session.evaluated().objects.end()) return out;
+    const std::vector<Id>& objects = found->second->tile_objects;
     for (const Part& part : found->second->parts)
-        if (part.tiles && part.key.piece == 0) // the others cover their base
-            out.push_back(part.tiles);
+        if (const auto mesh = static_cast<std::size_t>(part.key.mesh);
+            part.tiles && part.key.piece == 0) // the others cover their base
+            out.push_back({part.tiles, mesh < objects.size() ? objects[mesh] : layer});
+    return out;
+}
+
+// The same, each tile once: where it has several meshes, they share its places.
+std::vector<PaintedSet> sets_of_places(const Session& session, Id layer)
+{
+    std::vector<PaintedSet> out;
+    for (PaintedSet& each : painted_sets(session, layer))
+        if (std::ranges::none_of(
+                out, [&](const PaintedSet& other) { return other.set->tiles == each.set->tiles; }))
+            out.push_back(std::move(each));
     return out;
 }
 
 // As the layer shows it; the place at rest is still to be found.
-SeenTile seen(const PlacedTile& tile)
+SeenTile seen(const PlacedTile& tile, Id object)
 {
     SeenTile out;
+    out.object = object;
     out.patch = tile.patch;
     const TilePoint middle = tile_point(tile.patch, {0.5, 0.5, 0});
     out.p_world = middle.p;
@@ -59,10 +78,10 @@ std::optional<SeenTile> TileHand::under(const Session& session, Id layer, const 
 {
     double nearest = 1e300;
     std::optional<SeenTile> out;
-    for (const Ref<TileSet>& set : painted_sets(session, layer))
+    for (const auto& [set, object] : painted_sets(session, layer))
         if (const auto hit = first_tile(*set, ray.origin, ray.direction, nearest)) {
             nearest = hit->t;
-            out = seen((*set->tiles)[hit->tile]);
+            out = seen((*set->tiles)[hit->tile], object);
         }
     if (out && !find_at_rest(*out, session, layer, surface)) out.reset();
     return out;
@@ -82,24 +101,39 @@ void TileHand::take(const SeenTile& tile, bool also)
     if (!also || !had) held_.push_back(tile);
 }
 
-void TileHand::take_all(const Session& session, Id layer, PaintedSurface& surface)
+void TileHand::take_those(const Session& session, Id layer, PaintedSurface& surface,
+                          const std::function<bool(Id object)>& fits)
 {
     held_.clear();
-    for (const Ref<TileSet>& set : painted_sets(session, layer))
+    for (const auto& [set, object] : sets_of_places(session, layer)) {
+        if (!fits(object)) continue;
         for (const PlacedTile& each : *set->tiles) {
-            SeenTile tile = seen(each);
+            SeenTile tile = seen(each, object);
             if (held_.size() < most_tile_samples - 1 && find_at_rest(tile, session, layer, surface))
                 held_.push_back(tile);
         }
+    }
+}
+
+void TileHand::take_all(const Session& session, Id layer, PaintedSurface& surface)
+{
+    take_those(session, layer, surface, [](Id) { return true; });
+}
+
+void TileHand::take_same(const Session& session, Id layer, PaintedSurface& surface)
+{
+    std::set<Id> objects;
+    for (const SeenTile& each : held_) objects.insert(each.object);
+    take_those(session, layer, surface, [&](Id object) { return objects.contains(object); });
 }
 
 void TileHand::follow(const Session& session, Id layer, PaintedSurface& surface)
 {
     std::vector<std::pair<double, SeenTile>> nearest(held_.size(), {1e300, SeenTile{}});
     if (!held_.empty())
-        for (const Ref<TileSet>& set : painted_sets(session, layer))
+        for (const auto& [set, object] : sets_of_places(session, layer))
             for (const PlacedTile& each : *set->tiles) {
-                const SeenTile tile = seen(each);
+                const SeenTile tile = seen(each, object);
                 for (std::size_t k = 0; k < held_.size(); ++k) {
                     const double away = glm::distance(tile.p_world, held_[k].p_world);
                     if (away <= 0.25 * tile.size_world && away < nearest[k].first)

@@ -7,6 +7,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/typed_amounts.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SeenTile {
     TilePatch patch;                         // in the world
     glm::dvec3 p_world{0}, n_world{0, 0, 1}; // of its middle on the base; unit
     double size_world = 0;
+    Id object = 0; // of which it is a copy
     SurfacePoint at_rest;
 };
 
@@ -33,6 +35,8 @@ public:
     void take(const SeenTile& tile, bool also);
     void let_go() { held_.clear(); }
     void take_all(const Session& session, Id layer, PaintedSurface& surface);
+    // Takes all tiles that are copies of the same objects as those that it holds, in a mix.
+    void take_same(const Session& session, Id layer, PaintedSurface& surface);
     // Finds what it holds again after the layer was evaluated anew; what is gone it holds no more.
     void follow(const Session& session, Id layer, PaintedSurface& surface);
 
@@ -58,6 +62,10 @@ public:
                           const SeenTile& tile, ui::Color color, float width);
 
 private:
+    // Takes the tiles of a layer that fit: their objects are known.
+    void take_those(const Session& session, Id layer, PaintedSurface& surface,
+                    const std::function<bool(Id object)>& fits);
+
     std::vector<SeenTile> held_;
     std::optional<MotionKind> motion_;
     glm::dvec2 from_px_{0}, mouse_px_{0}, middle_px_{0};

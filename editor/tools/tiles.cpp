@@ -83,27 +83,28 @@ bool TilesTool::begins_layer(const Session& session) const
     return !files_.empty() && session.selected == 0;
 }
 
-void TilesTool::take_up(Session& session, Id object)
+void TilesTool::take_read(Session& session, const TileFile& model)
 {
     reading_ = false;
-    if (mixing_ != 0) return mix(session, std::exchange(mixing_, 0), object);
-    if (gesture_ && gesture_->layer != 0) {
-        gesture_->others.push_back({object, 1});
-        session.selected = gesture_->layer;
-    } else {
-        session.selected = object;
-        if (gesture_) gesture_->layer = object;
-    }
-    if (wanted_.empty()) files_.clear();
+    if (mixing_ != 0) return mix(session, std::exchange(mixing_, 0), model);
+    if (gesture_) gesture_->files.push_back(model);
 }
 
-void TilesTool::mix(Session& session, Id layer, Id other)
+void TilesTool::take_back_files(const Session& session)
+{
+    if (!begun_ || session.document().objects.contains(begun_->layer)) return;
+    if (session.selected == 0 && files_.empty()) {
+        files_ = begun_->files;
+        overlap_ = begun_->overlap;
+    }
+    begun_.reset();
+}
+
+void TilesTool::mix(Session& session, Id layer, const TileFile& other)
 {
     if (!is_tile_layer(session.document(), layer)) return;
     const Tiling& tiling = *object(session.document(), layer).tiles;
-    MixTiles mixed{layer, tiling.weight, tiling.others};
-    mixed.others.push_back({other, 1});
-    session.run(mixed);
+    session.run(MixTiles{layer, tiling.weight, tiling.others, {other}});
     session.selected = layer;
 }
 
@@ -202,6 +203,7 @@ double TilesTool::size(const Session& session) const
 void TilesTool::use(Session& session, const ViewportInput& input)
 {
     if (gesture_) return go_on(session, input);
+    take_back_files(session);
     const Id strands_of = lays_strands() && !begins_layer(session) ? tile(session) : 0;
     if (strands_.use(session, input, surface_, strands_of)) return hit_.reset();
     if (uses_hand(session)) return use_hand(session, input);
@@ -256,7 +258,8 @@ void TilesTool::overlay(const Session& session, const ui::Theme& theme,
     paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
                one ? size(session) / 2 : radius(session));
     if (!gesture_) return;
-    const auto shown = session.evaluated().objects.find(gesture_->layer);
+    const Id layer = gesture_->layer != 0 ? gesture_->layer : session.committed().next_id;
+    const auto shown = session.evaluated().objects.find(layer);
     if (shown == session.evaluated().objects.end() || shown->second->notices.empty()) return;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
@@ -283,6 +286,7 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
     if (uses_hand(session))
         return {{{"left"}, "Take a tile, drag to move it"},
                 {{"Shift", "left"}, "Several"},
+                {{"Ctrl", "left"}, "All of its kind"},
                 {{"@Move", "@Rotate", "@Scale"}, "Move, turn, scale"},
                 {{"@Delete"}, "Remove"},
                 {{"Esc"}, "Select"}};

@@ -5,6 +5,7 @@
 #include "editor/tools/painted_surface.h"
 #include "editor/tools/strand_handles.h"
 #include "editor/tools/tile_hand.h"
+#include "editor/tools/tiles_between.h"
 #include "editor/tools/tool.h"
 #include "ui/option_bar.h"
 
@@ -24,7 +25,7 @@ public:
     std::string page() const override { return "tiles"; }
     std::vector<ui::Chord> keys() const override { return {{'T'}}; }
     bool crosshair() const override { return hit_.has_value() || busy(); }
-    void take_up(Session& session, Id object) override;
+    void take_read(Session& session, const TileFile& model) override;
     std::optional<std::vector<std::string>> chosen_models(const Session& session) const override;
     // From now on a click covers what is under it, as with the brush Cover.
     void choose_cover(const TileCover& cover)
@@ -32,6 +33,7 @@ public:
         covers_ = true;
         cover_ = cover;
     }
+    void choose_mirror(TileMirror mirror) { settings_.mirror = mirror; }
     // From now on strokes do that.
     void choose_brush(TileBrush brush)
     {
@@ -60,10 +62,10 @@ public:
 
 private:
     struct Gesture {
-        Id layer = 0; // 0: its model is being read
+        Id layer = 0; // 0: it begins with the stroke
         Id base = 0;
         TileStroke stroke;
-        std::vector<MixedTile> others = {};  // with what the layer is mixed from then on
+        std::vector<TileFile> files = {};    // of which the layer is made, where it is 0
         std::optional<TileCover> cover = {}; // in place of the stroke
         glm::dvec2 begun_px{0};
         std::size_t moves = 0;    // number of times that earlier samples were replaced
@@ -85,11 +87,13 @@ private:
     // What would be painted with of the scene, and onto what; 0: nothing.
     Id tile(const Session& session) const;
     Id base_under(const Session& session, const ViewportInput& input) const;
-    void mix(Session& session, Id layer, Id other);
+    void take_back_files(const Session& session); // where the stroke that used them was undone
+    void mix(Session& session, Id layer, const TileFile& other);
     void find_place(const Session& session, const ViewportInput& input);
     void begin(Session& session, const ViewportInput& input);
     void go_on(Session& session, const ViewportInput& input);
     void extend_stroke(Session& session, const ViewportInput& input);
+    Command painting() const; // by the gesture, so far
     void finish(Session& session);
     // Replaces the stroke by a straight line in the picture.
     void straighten(Session& session, glm::dvec2 from_px, const StrokeSample& to);
@@ -112,6 +116,7 @@ private:
     bool reading_ = false;            // one of them is being read
     Id mixing_ = 0;      // the layer that is mixed with what is read; 0: the gesture waits for it
     double overlap_ = 0; // of the layer that the next stroke begins
+    std::optional<BegunLayer> begun_;
     TileStroke settings_{}; // all but lengths and the colour
     bool covers_ = false;   // a click covers what is under it, and there are no strokes
     TileCover cover_{.pattern = TilePattern::grid}; // all but its size
@@ -123,15 +128,7 @@ private:
     int strokes_ = 0; // number of strokes so far, which become their seeds
     Follows follows_ = Follows::pen;
     glm::dvec3 color_{0.8, 0.12, 0.04}; // of the brush color
-    struct StrokeEnd {
-        Id layer = 0, base = 0;
-        SurfaceHit at;
-    };
     std::optional<StrokeEnd> last_end_;
-    struct PickedPoint { // that tiles head to
-        Id base = 0;
-        glm::dvec3 p_rest{0}, p_world{0};
-    };
     std::optional<PickedPoint> point_; // none: the origin of the base
     bool picking_ = false;             // the next click picks it
     TileHand hand_;

@@ -34,6 +34,8 @@ bool TilesTool::choose_parts(Session& session, PartChoice choice)
         hand_.take_all(session, tile(session), surface_);
     else if (choice == PartChoice::none)
         hand_.let_go();
+    else if (choice == PartChoice::same)
+        hand_.take_same(session, tile(session), surface_);
     return true;
 }
 
@@ -87,8 +89,10 @@ void TilesTool::use_hand(Session& session, const ViewportInput& input)
             hand_.let_go();
         return;
     }
-    if (also || !hand_.holds(*under_hand_)) hand_.take(*under_hand_, also);
-    if (also) return;
+    const bool same = ImGui::GetIO().KeyCtrl;
+    if (also || !hand_.holds(*under_hand_)) hand_.take(*under_hand_, also && !same);
+    if (same) hand_.take_same(session, layer, surface_);
+    if (also || same) return;
     hand_.begin(MotionKind::move, camera, input.mouse);
     by_key_ = false;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -36,6 +37,8 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     const TileStroke usual;
     if (g.stroke.brush == TileBrush::color) g.stroke.color = color_;
     if (g.stroke.brush != TileBrush::fill) g.stroke.area = usual.area;
+    g.stroke.mirrors_tiles = lays_tiles(g.stroke.brush) && g.stroke.brush != TileBrush::strand &&
+                             g.stroke.mirror != TileMirror::none;
     if (g.stroke.heading == TileHeading::to_point && point_ && point_->base == g.base)
         g.stroke.point = point_->p_rest;
     g.joins = ImGui::GetIO().KeyShift && joins_last_stroke();
@@ -162,14 +165,20 @@ void TilesTool::go_on(Session& session, const ViewportInput& input)
     // Where reading failed a notice says why.
     if (reading_ && !session.jobs().status()) reading_ = false;
     if (reading_ || !wanted_.empty()) return;
-    if (g.layer == 0) return gesture_.reset();
+    if (g.layer == 0 && g.files.empty()) return gesture_.reset();
     if (g.over) return finish(session);
     if (g.cover) return; // it is laid when the button is let go
     // One proposal at a time: the next piece waits until the last one can be seen.
     const std::size_t now = g.stroke.samples.size() + g.moves;
     if (g.proposed == now || !session.up_to_date()) return;
-    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap}))
-        g.proposed = now;
+    if (session.propose_quietly(painting())) g.proposed = now;
+}
+
+Command TilesTool::painting() const
+{
+    const Gesture& g = *gesture_;
+    if (g.cover) return CoverWithTiles{g.layer, g.base, *g.cover, {}, g.files};
+    return PaintTiles{g.layer, g.base, g.stroke, {}, g.overlap, g.files};
 }
 
 void TilesTool::finish(Session& session)
@@ -180,17 +189,21 @@ void TilesTool::finish(Session& session)
         straighten(session, project(camera, last_end_->at.p_world).p_px,
                    {gesture_->begun_px, 1, 1});
     }
+    const Command command = painting();
     const Gesture g = std::move(*gesture_);
     gesture_.reset();
-    if (const std::optional<Tiling>& tiles = object(session.document(), g.layer).tiles;
-        g.cover && tiles && g.others.empty() && tiles->base == g.base && tiles->cover == *g.cover)
-        return; // it is laid already
-    const bool taken =
-        g.cover ? session.propose(CoverWithTiles{g.layer, g.base, *g.cover, g.others})
-                : session.propose(PaintTiles{g.layer, g.base, g.stroke, g.others, g.overlap});
-    if (!taken) return session.cancel();
+    if (g.cover && is_tile_layer(session.document(), g.layer)) {
+        const Tiling& tiles = *object(session.document(), g.layer).tiles;
+        if (tiles.base == g.base && tiles.cover == *g.cover) return; // it is laid already
+    }
+    const Id fresh = session.committed().next_id;
+    if (!session.propose(command)) return session.cancel();
     session.commit();
-    if (hit_ && !g.cover) last_end_ = StrokeEnd{g.layer, g.base, *hit_};
+    if (g.layer == 0) {
+        session.selected = fresh;
+        begun_ = BegunLayer{fresh, std::exchange(files_, {}), g.overlap};
+    }
+    if (hit_ && !g.cover) last_end_ = StrokeEnd{session.selected, g.base, *hit_};
 }
 
 } // namespace trivar

@@ -50,7 +50,7 @@ struct TileFit {
     double overlap = 0;  // in shares of its cell
 };
 
-enum class PartChoice { all, none, others, more };
+enum class PartChoice { all, none, others, more, same };
 
 // A way of working in the viewport. A gesture shows its result as a proposal, commits at most once
 // and leaves no trace when it is cancelled. A tool is one file in this folder and one line in
@@ -118,8 +118,9 @@ public:
     }
     // How the model that was chosen last is laid best.
     virtual void fit_model(const TileFit& fit) { (void)fit; }
-    // The file of a model that a gesture waits for, once. Whoever imports it calls take_up().
+    // The file of a model that a gesture waits for, once. Whoever reads it calls take_read().
     virtual std::optional<std::string> take_wanted_model() { return {}; }
+    virtual void take_read(Session& session, const TileFile& model) { (void)session, (void)model; }
     virtual void cancel(Session& session) { (void)session; } // the gesture
     // Of the volume of the selected placement all that bends with what it has hold of.
     virtual std::vector<VolumePart> held_parts(const Session&) const { return {}; }

@@ -104,6 +104,40 @@ TEST(MixTiles, MayBeginWithAStroke)
     EXPECT_EQ(object(again, layer_stud).tiles->others, object(painted, layer_stud).tiles->others);
 }
 
+TEST(MixTiles, TakesModelsIntoTheSceneInTheSameStep)
+{
+    TileFile thorn, scale;
+    thorn.file.path = "thorn.glb";
+    thorn.name = "Thorn";
+    scale.file.path = "scale.glb";
+    const Document before = after(mixed_document(), Show{{other_box}});
+    const Id fresh = before.next_id;
+    const PaintTiles paint{0, base_ball, a_tile_stroke(), {{other_box, 0.5}}, 0, {thorn, scale}};
+    const Document painted = after(before, paint);
+    ASSERT_EQ(painted.objects.size(), before.objects.size() + 2);
+    const Object& layer = object(painted, fresh);
+    EXPECT_EQ(layer.name, "Thorn");
+    ASSERT_TRUE(layer.tiles);
+    EXPECT_EQ(layer.tiles->base, base_ball);
+    EXPECT_EQ(layer.tiles->others, (std::vector<MixedTile>{{other_box, 0.5}, {fresh + 1, 1}}));
+    EXPECT_EQ(object(painted, fresh + 1).name, "scale");
+    EXPECT_TRUE(object(painted, fresh + 1).hidden);
+    EXPECT_FALSE(layer.hidden);
+    EXPECT_EQ(step_title(paint, before, painted).text(), "Scatter Thorn on Ball");
+
+    const CoverWithTiles cover{0, base_ball, {.pattern = TilePattern::grid}, {}, {thorn}};
+    EXPECT_EQ(object(after(before, cover), fresh).tiles->cover.pattern, TilePattern::grid);
+    EXPECT_EQ(step_title(cover, before, after(before, cover)).text(), "Cover Ball with Thorn");
+
+    const MixTiles mix{layer_stud, 1, {}, {scale}};
+    const Document mixed = after(before, mix);
+    EXPECT_EQ(object(mixed, layer_stud).tiles->others, (std::vector<MixedTile>{{fresh, 1}}));
+    EXPECT_TRUE(object(mixed, fresh).hidden);
+    expect_no_mix(PaintTiles{0, base_ball, a_tile_stroke()}, "0");
+    expect_no_mix(PaintTiles{0, base_ball, a_tile_stroke(), {}, 0, {TileFile{}}}, "path");
+    EXPECT_EQ(command_from_json_line(to_json_line(paint)), Command(paint));
+}
+
 TEST(MixTiles, LeavesOutWhatBecameALayerItself)
 {
     const Document document =

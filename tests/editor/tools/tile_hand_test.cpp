@@ -129,6 +129,40 @@ TEST(TileHand, DragsTilesOverTheSurfaceAndHoldsThemStill)
     EXPECT_EQ(rig.tiles().strokes.back()->factor, 0);
 }
 
+TEST(TileHand, TakesAllTilesOfOneKindWithControlOrTheKeyOfTheSameType)
+{
+    HandRig rig;
+    AddBox bar;
+    bar.shape = {.size = {0.2, 0.1, 0.04}, .segments = {1, 1, 1}};
+    ASSERT_TRUE(rig.editor.session.run(bar));
+    TileStroke more = *rig.tiles().strokes[0];
+    for (TileSample& each : more.samples) each.at.p.z = 0.35;
+    more.seed = 7;
+    ASSERT_TRUE(rig.editor.session.run(PaintTiles{2, 1, more, {{3, 1}}}));
+    rig.editor.session.selected = 2;
+    rig.wait();
+    const EvaluatedObject& layer = *rig.editor.session.evaluated().objects.at(2);
+    ASSERT_EQ(layer.parts.size(), 2u);
+    const std::size_t first = layer.parts[0].tiles->tiles->size(),
+                      all = first + layer.parts[1].tiles->tiles->size();
+    const glm::vec2 at = rig.seen(rig.placed().front()); // of the first part
+    for (const bool by_key : {false, true}) {
+        rig.move(at);
+        if (!by_key) rig.hold(ui::key_left_control);
+        rig.click(at);
+        if (!by_key) rig.hold(ui::key_left_control, false);
+        if (by_key) rig.key({.key = 'G', .shift = true});
+        rig.wait();
+        rig.key({ui::key_delete});
+        rig.wait();
+        ASSERT_FALSE(rig.placed().empty());
+        EXPECT_EQ(rig.placed().size(), all - first);
+        EXPECT_EQ(rig.tiles().strokes.back()->samples.size(), first);
+        rig.editor.session.undo();
+        rig.wait();
+    }
+}
+
 TEST(TileHand, SaysThatNothingIsSelectedBeforeAKeyCanMoveIt)
 {
     HandRig rig;

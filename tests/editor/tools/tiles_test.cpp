@@ -222,18 +222,60 @@ TEST(TileLibrary, PaintsWithAModelThatWasNotInTheScene)
               std::vector<std::string>{rig.folder.file("tile_thorn.glb")});
     const std::size_t before = rig.steps();
     rig.paint();
-    EXPECT_EQ(rig.steps(), before + 2); // imports, and paints
+    EXPECT_EQ(rig.steps(), before + 1); // imports and paints
     const Id layer = rig.editor.session.selected;
     ASSERT_NE(layer, 0);
     ASSERT_TRUE(rig.tiles(layer));
     EXPECT_EQ(rig.tiles(layer)->base, 1);
     rig.paint(); // goes on with the layer
-    EXPECT_EQ(rig.steps(), before + 3);
+    EXPECT_EQ(rig.steps(), before + 2);
     EXPECT_EQ(rig.tiles(layer)->strokes.size(), 2u);
     rig.choose_first();
     rig.paint(); // begins another one
-    EXPECT_EQ(rig.steps(), before + 5);
+    EXPECT_EQ(rig.steps(), before + 3);
     EXPECT_NE(rig.editor.session.selected, layer);
+}
+
+TEST(TileLibrary, TheFirstStrokeIsUndoneWithItsModelAndCanBePaintedAgain)
+{
+    TileLibraryRig rig;
+    rig.choose_first();
+    const std::size_t before = rig.steps();
+    rig.paint(false);
+    EXPECT_EQ(rig.editor.session.committed().objects.size(), 1u);
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 2u); // it is seen already
+    rig.key({ui::key_escape});
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+    EXPECT_EQ(rig.steps(), before);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.frames();
+    rig.paint();
+    ASSERT_EQ(rig.editor.session.committed().objects.size(), 2u);
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.committed().objects.size(), 1u);
+    rig.paint(); // with what was undone
+    EXPECT_EQ(rig.steps(), before + 1);
+    ASSERT_EQ(rig.editor.session.committed().objects.size(), 2u);
+    EXPECT_TRUE(rig.tiles(rig.editor.session.selected));
+}
+
+TEST(TilesTool, MirrorsItsTilesWhereItsStrokesAreMirrored)
+{
+    TilesRig rig;
+    auto& tool = dynamic_cast<TilesTool&>(rig.editor.active_tool());
+    tool.choose_brush(TileBrush::line);
+    rig.paint();
+    tool.choose_mirror(TileMirror::z);
+    rig.paint();
+    tool.choose_brush(TileBrush::comb);
+    rig.paint();
+    ASSERT_EQ(rig.tiles()->strokes.size(), 3u);
+    EXPECT_FALSE(rig.tiles()->strokes[0]->mirrors_tiles);
+    EXPECT_TRUE(rig.tiles()->strokes[1]->mirrors_tiles);
+    EXPECT_FALSE(rig.tiles()->strokes[2]->mirrors_tiles); // it lays none
+    EXPECT_EQ(rig.editor.session.evaluated().objects.at(2)->parts.size(), 2u);
 }
 
 TEST(TileLibrary, PaintsAMixOfSeveral)
@@ -252,7 +294,7 @@ TEST(TileLibrary, PaintsAMixOfSeveral)
     EXPECT_EQ(tool.chosen_models(session), (std::vector<std::string>{thorn, other}));
     const std::size_t before = rig.steps();
     rig.paint();
-    EXPECT_EQ(rig.steps(), before + 3); // two imports and a stroke
+    EXPECT_EQ(rig.steps(), before + 1); // two imports and a stroke in one
     const Id layer = session.selected;
     ASSERT_TRUE(rig.tiles(layer));
     ASSERT_EQ(rig.tiles(layer)->others.size(), 1u);
@@ -263,6 +305,7 @@ TEST(TileLibrary, PaintsAMixOfSeveral)
     for (int i = 0; i < 10; ++i) rig.wait();
     EXPECT_EQ(session.selected, layer);
     EXPECT_EQ(rig.tiles(layer)->others.size(), 2u);
+    EXPECT_EQ(rig.steps(), before + 2);
 }
 
 TEST(TileLibrary, ASelectedObjectTakesThePlaceOfWhatWasChosen)
