@@ -59,7 +59,7 @@ double per_px(double start, const NumberStyle& style)
 {
     if (style.bar_hi > style.lo) return (style.bar_hi - style.lo) * 0.01 / 4;
     if (style.step > 0) return style.step / 8;
-    return std::max(std::abs(start), 0.04) * 0.01 / 4 * 2;
+    return std::max(std::abs(start), style.usual) * 0.01 / 4 * 2;
 }
 
 // Where a drag has come to that stops at a value for a while, pixels at scale 1.
@@ -76,7 +76,7 @@ double round_step(double start, const NumberStyle& style)
 {
     if (style.step > 0) return 5 * style.step;
     const bool bar = style.bar_hi > style.lo;
-    const double size = bar ? style.bar_hi - style.lo : std::max(std::abs(start), 0.04);
+    const double size = bar ? style.bar_hi - style.lo : std::max(std::abs(start), style.usual);
     return std::pow(10, std::floor(std::log10(size)) - 1);
 }
 
@@ -106,13 +106,17 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
 {
     const Palette& c = theme.color;
     paint_box(r, hot ? c.field_hover : c.field, theme.size.rounding_small);
-    if (style.bar_hi > style.lo) {
-        const double share = std::clamp((value - style.lo) / (style.bar_hi - style.lo), 0.0, 1.0);
+    const bool bar = style.bar_hi > style.lo, halts = !bar && style.stop < 1e300;
+    if (bar || halts) { // up to where drags go, or halt
+        const double whole = bar ? style.bar_hi - style.lo : style.stop - style.lo;
+        const double share = whole > 0 ? std::clamp((value - style.lo) / whole, 0.0, 1.0) : 1;
         ImGui::PushClipRect({r.lo.x, r.lo.y},
                             {r.lo.x + r.width() * static_cast<float>(share), r.hi.y}, true);
         paint_box(r, c.field_fill, theme.size.rounding_small);
         ImGui::PopClipRect();
     }
+    if (halts && value > style.stop)
+        paint_rim(r, c.warn, theme.size.rounding_small, theme.size.hairline);
     Rect text = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(6), 0)};
     if (!style.axis.empty()) {
         text.lo.x -= theme.px(1);

@@ -74,11 +74,14 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
                     ImGui::GetStateStorage()->GetInt(reset_key(), -1) == ImGui::GetFrameCount();
     }
     const float room = theme.size.label - theme.px(8);
-    const std::string shown = elided(theme.font.body, label, room);
+    // A long label is smaller rather than cut.
+    const bool long_one = text_width(theme.font.body, label) > room;
+    const ImFont* font = long_one ? theme.font.small : theme.font.body;
+    const std::string shown = elided(font, label, room);
     if (!help.empty() || shown != label)
         tooltip_in({{x, r.lo.y}, {r.hi.x - theme.px(16), r.hi.y}}, {label, {}, help});
     ImGui::PopID();
-    paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.text_2, shown);
+    paint_text(font, {{x, r.lo.y}, r.hi}, c.text_2, shown);
     ImGui::SetCursorScreenPos({x + theme.size.label, r.lo.y});
     row.width = r.hi.x - theme.px(key_gutter) - (x + theme.size.label);
     return row;

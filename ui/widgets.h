@@ -35,6 +35,7 @@ struct NumberStyle {
     std::string zero = {};  // what is shown in place of 0: "auto"
     std::string words = {}; // what is shown in place of any number: "mixed"
     double stop = 1e300;    // drags from below halt there, and go on if they are pulled further
+    double usual = 0.04;    // without range and step, drags of smaller values go as those of this
 };
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width);

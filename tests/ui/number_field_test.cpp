@@ -173,13 +173,15 @@ struct Holder : Typist {
             ImGui::SetNextWindowSize({360, 180});
             ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
             ImGui::SetCursorScreenPos({20, 20});
-            number_field(frame.theme, "number", value,
-                         {.lo = 0, .hi = 10, .bar_hi = 10, .stop = stop}, 160);
+            NumberStyle now = style;
+            now.stop = stop;
+            number_field(frame.theme, "number", value, now, 160);
             ImGui::End();
         };
         screen.frames(2, body);
     }
     double stop = 1e300;
+    NumberStyle style{.lo = 0, .hi = 10, .bar_hi = 10};
     void move(glm::vec2 at)
     {
         screen.input().push(move_to(at));
@@ -214,6 +216,21 @@ TEST(HeldByAClick, ADragWithTheButtonHeldEndsWhereItIsLetGo)
     hand.move({120, 30});
     EXPECT_GT(hand.value, 5);
     EXPECT_FALSE(ImGui::IsAnyItemActive());
+}
+
+TEST(ADragOfAFactor, GoesByShareOfOneAndOfWhatIsLarger)
+{
+    for (const double start : {0.0, 1.0, 4.0}) {
+        Holder hand;
+        hand.style = {.lo = 0, .hi = 100, .usual = 1};
+        hand.value = start;
+        hand.move({20, 30});
+        hand.screen.input().push(press(Button::left));
+        hand.move({60, 30});
+        EXPECT_NEAR(hand.value - start, 0.2 * std::max(1.0, start), 0.05 * std::max(1.0, start));
+        hand.screen.input().push(press(Button::left, false));
+        hand.move({60, 30});
+    }
 }
 
 TEST(ADragWithAStop, HaltsThereForAWhileAndGoesOnIfItIsPulledFurther)

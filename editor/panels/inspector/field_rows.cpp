@@ -24,7 +24,10 @@ ui::NumberStyle number_style(const Rule& rule, bool mixed, std::string_view zero
     const double factor = shown_factor(rule.unit);
     const double hi = rule.works_to[0] > 0 ? rule.works_to[0] : rule.hi;
     ui::NumberStyle style{.lo = rule.lo * factor, .hi = hi * factor};
-    const bool bar = rule.lo >= 0 && style.hi <= most_of_a_bar;
+    // A factor goes from 1, and not through a range.
+    const bool factor_of = rule.unit == Unit::times;
+    if (factor_of) style.usual = 1;
+    const bool bar = !factor_of && rule.lo >= 0 && style.hi <= most_of_a_bar;
     if (bar) style.bar_hi = style.hi;
     const bool angle = rule.unit == Unit::degrees || rule.unit == Unit::radians;
     if (!bar && angle) style.step = 1;
