@@ -29,7 +29,7 @@ struct MirroredCopies {
     std::uint64_t serial = 0;      // unique for each upload
     // Not null: the copies are tiles, bent over these patches, and a row is the number of a tile.
     std::shared_ptr<const TilePatches> patches;
-    bool footprints = false; // of the tiles: what lies beyond the unit square goes on straight
+    bool footprints = false; // of the tiles: beyond the unit square they go on as they bend
 
     // Binds the rows from `first` on to the attributes of place.glsl; if `shows_values`, their
     // values to those of values.glsl.

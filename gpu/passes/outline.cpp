@@ -69,6 +69,10 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
     program.set("halo", outline.halo);
     program.set("width_px", outline.width_px);
     program.set("halo_px", outline.halo_px);
+    // Tiles are outlined as one, and so are their gaps.
+    const bool tiles = std::ranges::any_of(
+        scene.outlined, [](const SceneItem& item) { return item.copies && item.copies->patches; });
+    program.set("closed_px", tiles ? 4 * reach_px : 0);
     // About a tap every pixel and a half of the outer ring.
     program.set("taps", draft ? 8 : std::clamp(static_cast<int>(4 * reach_px), 12, 48));
     targets.mask.bind(0);

@@ -8,6 +8,7 @@ layout(binding = 0) uniform sampler2D mask; // 0.5: hidden, 1: visible
 uniform vec4 color, halo;
 uniform float width_px, halo_px;
 uniform int taps; // on each ring
+uniform float closed_px; // radius of holes in the mask that have no outline; 0: all have one
 
 // The most of the mask on a ring of bilinear taps, and the share of the ring that lies in it: a
 // full search costs four times as much.
@@ -24,6 +25,20 @@ vec2 ring(float radius_px, int count)
     return found;
 }
 
+// How much a place is open to the outside: little in a gap between things that are outlined as one.
+float openness()
+{
+    if (closed_px <= 0.0) return 1.0;
+    const int count = 24;
+    float inside = 0.0;
+    for (int i = 0; i < count; i++) {
+        float a = 6.2832 / float(count) * float(i);
+        vec2 there = uv + vec2(cos(a), sin(a)) * closed_px * frame.size_px.zw;
+        inside += textureLod(mask, there, 0.0).r > 0.25 ? 1.0 : 0.0;
+    }
+    return 1.0 - smoothstep(0.78, 0.86, inside / float(count));
+}
+
 void main()
 {
     if (texelFetch(mask, ivec2(gl_FragCoord.xy), 0).r > 0.25) discard;
@@ -35,8 +50,9 @@ void main()
 #else
     float line = max(ring(width_px, taps).x, ring(width_px * 0.55, 8).x);
 #endif
-    line *= color.a;
-    float dark = outer.x * halo.a * (1.0 - line);
+    float open = outer.x > 0.0 ? openness() : 0.0;
+    line *= color.a * open;
+    float dark = outer.x * halo.a * open * (1.0 - line);
     if (line + dark < 0.01) discard;
     out_color = vec4(mix(encoded(halo.rgb), encoded(color.rgb), line / (line + dark)), line + dark);
 }

@@ -1,6 +1,6 @@
 // A vertex of a tile, bent over the patch of its place: core/patches/placed_tile.h says how. A tile
 // is 26 texels: its origin and scale, four rows of coefficients for each component, and its tint.
-// FOOTPRINTS: beyond the unit square the tile goes on straight.
+// FOOTPRINTS: beyond the unit square the tile goes on as it bends at its rim.
 layout(location = 13) in uint tile;
 layout(binding = 14) uniform samplerBuffer tile_patches;
 #if __VERSION__ >= 400
@@ -12,6 +12,23 @@ layout(binding = 14) uniform samplerBuffer tile_patches;
 struct TileVertex {
     vec3 position, normal, tangent;
 };
+
+#ifdef FOOTPRINTS
+// The second derivatives of one component: x by x, y by x and y, z by y.
+vec3 tile_bends(int row, vec2 at)
+{
+    vec4 value, slope, bend;
+    for (int j = 0; j < 4; ++j) {
+        vec4 c = texelFetch(tile_patches, row + j);
+        value[j] = ((c.w * at.x + c.z) * at.x + c.y) * at.x + c.x;
+        slope[j] = (3.0 * c.w * at.x + 2.0 * c.z) * at.x + c.y;
+        bend[j] = 6.0 * c.w * at.x + 2.0 * c.z;
+    }
+    return vec3(((bend.w * at.y + bend.z) * at.y + bend.y) * at.y + bend.x,
+                (3.0 * slope.w * at.y + 2.0 * slope.z) * at.y + slope.y,
+                6.0 * value.w * at.y + 2.0 * value.z);
+}
+#endif
 
 // One component, with its derivatives: x the value, y by x, z by y.
 vec3 tile_component(int row, vec2 at)
@@ -56,7 +73,16 @@ TileVertex tile_vertex(vec3 p, vec3 normal, vec3 tangent)
         by_z[k] = up.x;
     }
 #ifdef FOOTPRINTS
-    there += (p.x - at.x) * by_x + (p.y - at.y) * by_y;
+    vec2 beyond = p.xy - at;
+    vec3 straight = beyond.x * by_x + beyond.y * by_y, bent;
+    for (int k = 0; k < 3; ++k) {
+        vec3 bends = tile_bends(first + 1 + 4 * k, at);
+        bent[k] = 0.5 * (beyond.x * beyond.x * bends.x + beyond.y * beyond.y * bends.z) +
+                  beyond.x * beyond.y * bends.y;
+    }
+    // At a sharp edge the bend says nothing of the ground beyond it.
+    float most = 0.7 * length(straight), much = length(bent);
+    there += straight + (much > most ? most / much : 1.0) * bent;
 #endif
     TileVertex v;
     PRECISE vec3 position = place.xyz + place.w * there;

@@ -83,7 +83,9 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         if (anew || entry.view != view) choose_levels(entry, view);
         choose_casting(entry, view, mirror, anew);
         DrawnTiles& drawn = entry.drawn;
-        const std::size_t count = instance.highlighted ? entry.set->tiles->size() : 0;
+        // Tiles of strands and covers leave no gaps between them.
+        const bool apart = instance.part.piece == 0;
+        const std::size_t count = instance.highlighted && apart ? entry.set->tiles->size() : 0;
         if (static_cast<std::size_t>(drawn.footprints.upright) != count) {
             if (!footprint_) footprint_ = made_footprint();
             drawn.footprint = footprint_;
