@@ -150,15 +150,19 @@ void StrandHandles::overlay(const Session& session, const ui::Theme& theme,
         if (at.depth_world > 0) line.push_back(input.rect.lo + glm::vec2(at.p_px));
     }
     if (line.size() == shown_.size() && line.size() > 1) {
-        ui::paint_path(line, theme.color.stroke, theme.line(1.2f));
+        ui::paint_path(line, theme.color.halo, theme.line(3.5f));
+        ui::paint_path(line, theme.color.stroke, theme.line(1.4f));
     }
     for (const auto& [hold, p_world] : shown_) {
         const PicturePoint at = project(session.view.camera, p_world);
         if (at.depth_world <= 0) continue;
-        const bool on = hovered_ && *hovered_ == hold;
-        ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), theme.scale * (on ? 6.5f : 3.5f),
-                      on ? theme.color.selected : theme.color.stroke, theme.color.halo,
-                      1.5f * theme.scale);
+        const bool on = (hovered_ && *hovered_ == hold) || (drag_ && drag_->held == hold);
+        // Light on dark, so that they are seen on gold as well as on what is pale or dark.
+        const glm::vec2 p = input.rect.lo + glm::vec2(at.p_px);
+        const float radius = theme.scale * (on ? 6.5f : 4.5f);
+        for (const float rim : {2.2f, 1.4f}) // twice as dark as one
+            ui::paint_dot(p, radius + rim * theme.scale, theme.color.halo, 0, 0);
+        ui::paint_dot(p, radius, on ? theme.color.stroke : theme.color.selected, 0, 0);
     }
 }
 
