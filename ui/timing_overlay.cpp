@@ -11,7 +11,8 @@
 namespace trivar::ui {
 namespace {
 
-constexpr float width_px = 340, margin_px = 14, row_px = 20, graph_px = 56, gap_px = 8;
+constexpr float width_px = 340, least_width_px = 150, margin_px = 14, row_px = 20, graph_px = 56,
+                gap_px = 8;
 
 struct Group {
     std::string title;
@@ -58,6 +59,7 @@ void draw_group(const Group& group, Rows& rows)
         paint_text(theme.font.small, r, c.text_2,
                    elided(theme.font.small, stage.name, theme.px(120)));
         paint_text(theme.font.small, r, c.text, milliseconds(stage.time_ms), Align::right);
+        if (bar_left >= bar_right) continue; // there is no room for it
         const Rect bar{{bar_left, r.center().y - theme.px(3)},
                        {bar_right, r.center().y + theme.px(3)}};
         paint_box(bar, c.field, theme.px(3));
@@ -107,13 +109,18 @@ void draw_ways(const std::vector<TimedWay>& ways, Rows& rows, TimingView& view)
     rows.y += theme.px(gap_px);
 }
 
-void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& s,
-               TimingView& view)
+std::optional<Rect> draw_card(const Theme& theme, const Rect& room, const TimingSources& s,
+                              TimingView& view)
 {
     const Palette& c = theme.color;
-    const float foot_height = theme.px(24), graph_height = theme.px(row_px + graph_px + gap_px);
+    const glm::vec2 at = room.lo;
+    const float width = std::min(theme.px(width_px), room.width()), max_height = room.height();
+    float foot_height = theme.px(24);
+    const float graph_height = theme.px(row_px + graph_px + gap_px);
+    if (width < theme.px(least_width_px) || max_height < graph_height + theme.px(2 * margin_px))
+        return {};
     const glm::vec2 graph_at = at + theme.px(margin_px) + glm::vec2(0, theme.px(row_px));
-    const Rect graph = rect_at(graph_at, {theme.px(width_px - 2 * margin_px), theme.px(graph_px)});
+    const Rect graph = rect_at(graph_at, {width - theme.px(2 * margin_px), theme.px(graph_px)});
 
     // What is shown has to be known before the card is drawn under it.
     ImGui::SetCursorScreenPos({graph.lo.x, graph.lo.y});
@@ -137,9 +144,9 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
             add("Picture while moving", s.history.pictures().back().passes, c.gpu);
         add("Picture at rest", s.at_rest, c.gpu);
     }
-    const float ways_height =
+    float ways_height =
         s.ways.empty() ? 0 : theme.px(row_px) * static_cast<float>(s.ways.size() + 1);
-    const float drawn_height = s.drawn.empty() ? 0 : theme.px(row_px);
+    float drawn_height = s.drawn.empty() ? 0 : theme.px(row_px);
     const auto height = [&] {
         float sum =
             drawn_height + ways_height + graph_height + foot_height + theme.px(2 * margin_px);
@@ -147,27 +154,38 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
         return sum;
     };
     for (std::size_t i = groups.size(); i-- > 0 && height() > max_height;) groups[i].folded = true;
+    for (float* part : {&ways_height, &drawn_height, &foot_height})
+        if (height() > max_height) *part = 0;
+    while (!groups.empty() && height() > max_height) groups.pop_back();
 
-    const Rect card = rect_at(at, {theme.px(width_px), std::min(height(), max_height)});
+    const Rect card = rect_at(at, {width, std::min(height(), max_height)});
     paint_box(card, faded(c.raised, 0.94f), theme.size.rounding_card);
     paint_rim(card, c.raised_rim, theme.size.rounding_card, theme.size.hairline);
     lower_area("card", card);
     ImGui::PushClipRect({card.lo.x, card.lo.y}, {card.hi.x, card.hi.y}, true);
     Rows rows{theme, card.lo.y + theme.px(margin_px - 4), graph.lo.x, graph.hi.x};
     const Rect head = rows.next();
-    paint_text(theme.font.strong, head, c.text,
-               chosen > 0 ? fmt::format("{} before the newest", s.history.count() - chosen)
-                          : "Last pictures");
-    paint_text(theme.font.small, head, c.text_2,
-               chosen > 0 && chosen == view.held ? "held, click to let go" : "16.7 and 33 ms",
-               Align::right);
+    const std::string title = chosen > 0
+                                  ? fmt::format("{} before the newest", s.history.count() - chosen)
+                                  : "Last pictures";
+    const char* note =
+        chosen > 0 && chosen == view.held ? "held, click to let go" : "16.7 and 33 ms";
+    paint_text(theme.font.strong, head, c.text, title);
+    if (text_width(theme.font.strong, title) + text_width(theme.font.small, note) <
+        head.width() - theme.px(8))
+        paint_text(theme.font.small, head, c.text_2, note, Align::right);
     draw_timing_graph(theme, s.history, graph, chosen);
     rows.y = graph.hi.y + theme.px(gap_px);
-    if (!s.drawn.empty()) paint_text(theme.font.small, rows.next(), c.text_2, s.drawn);
-    if (!s.ways.empty())
+    if (drawn_height > 0) {
+        const Rect row = rows.next();
+        paint_text(theme.font.small, row, c.text_2, elided(theme.font.small, s.drawn, row.width()));
+    }
+    if (ways_height > 0)
         draw_ways(s.ways, rows, view); // first: what is below has more or less rows
     for (const Group& group : groups) draw_group(group, rows);
 
+    ImGui::PopClipRect();
+    if (foot_height == 0) return card;
     const Rect foot{{rows.left, card.hi.y - foot_height - theme.px(margin_px - 4)},
                     {rows.right, card.hi.y - theme.px(margin_px - 4)}};
     std::string facts = megabytes(s.program_bytes) + ", " + megabytes(s.uploaded_bytes) + " drawn";
@@ -176,19 +194,22 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
             facts = fmt::format("{:.1f} M vertices/s, ",
                                 static_cast<double>(stage.vertices) / stage.time_ms / 1000) +
                     facts;
-    paint_text(theme.font.small, foot, c.text_2, facts);
+    const float words = foot.width() - button_width(theme, "Copy");
+    paint_text(theme.font.small, foot, c.text_2, elided(theme.font.small, facts, words));
     ImGui::SetCursorScreenPos({foot.hi.x - button_width(theme, "Copy"), foot.lo.y});
     if (button(theme, "Copy", ButtonKind::quiet, {0, foot.height()}))
         ImGui::SetClipboardText(timing_text(s).c_str());
     tooltip({"Copy as text", {}, "All of these times, with the names --timings writes."});
-    ImGui::PopClipRect();
+    return card;
 }
 
 } // namespace
 
-void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
-                 TimingView& view, const std::string& key)
+std::optional<Rect> draw_timing(const Theme& theme, const Rect& room, const TimingSources& sources,
+                                TimingView& view, const std::string& key)
 {
+    const glm::vec2 at = room.lo;
+    std::optional<Rect> card;
     view.other_way.reset();
     view.measure_ways = false;
     const double median = sources.history.median_ms();
@@ -200,8 +221,9 @@ void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const Timin
     tooltip({"Timing", key, "Median frame time while something moved, with what was drawn."});
     paint_chip(theme, at, pill);
     if (view.open)
-        draw_card(theme, at + glm::vec2(0, theme.px(28)), max_height - theme.px(28), sources, view);
+        card = draw_card(theme, {at + glm::vec2(0, theme.px(28)), room.hi}, sources, view);
     ImGui::PopID();
+    return card;
 }
 
 } // namespace trivar::ui

@@ -37,9 +37,10 @@ struct TimingView {
 
 // Draws a pill with the median; pressed, it opens a card with a bar for each of the last pictures,
 // and with the stages of one picture with their times and shares: the newest, the one under the
-// mouse, or the one that was clicked. `key` opens and closes it as well.
-void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
-                 TimingView& view, const std::string& key);
+// mouse, or the one that was clicked. `key` opens and closes it as well. The card leaves out what
+// has no room; returns where it is, if there is room for any of it.
+std::optional<Rect> draw_timing(const Theme& theme, const Rect& room, const TimingSources& sources,
+                                TimingView& view, const std::string& key);
 
 // The whole card as text, with the names that `--timings` writes.
 std::string timing_text(const TimingSources& sources);

@@ -6,9 +6,42 @@
 #include <imgui.h>
 
 namespace trivar {
+namespace {
+
+constexpr float strip_pad_px = 6, least_pad_px = 2, tool_gap_px = 4;
+
+// Puts the tools into columns of a height; returns how many there are.
+int arrange_tools(Layout& l, const ui::Theme& theme, float height, int tools)
+{
+    const float button = theme.size.tool_button, count = static_cast<float>(tools);
+    l.tool_pad = std::clamp(std::floor((height - count * button) / 2), theme.px(least_pad_px),
+                            theme.px(strip_pad_px));
+    const float room = height - 2 * l.tool_pad;
+    const auto fit = [&](float gap) {
+        return std::max(1, static_cast<int>((room + gap) / (button + gap)));
+    };
+    // Before there are two columns, buttons stand closer.
+    const float close = std::floor((room - count * button) / std::max(count - 1, 1.0f));
+    l.tool_gap = std::min(close >= 0 ? close : theme.px(tool_gap_px), theme.px(tool_gap_px));
+    const int columns = (tools + fit(l.tool_gap) - 1) / fit(l.tool_gap);
+    l.tool_rows = (tools + columns - 1) / columns;
+    return columns;
+}
+
+} // namespace
+
+ui::Rect Layout::tool_place(const ui::Theme& theme, std::size_t tool) const
+{
+    const auto rows = static_cast<std::size_t>(tool_rows);
+    const float button = theme.size.tool_button;
+    const glm::vec2 pitch(button + theme.px(tool_gap_px), button + tool_gap);
+    return ui::rect_at(strip.lo + glm::vec2(theme.px(strip_pad_px), tool_pad) +
+                           pitch * glm::vec2(tool / rows, tool % rows),
+                       glm::vec2(button));
+}
 
 Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
-                 bool only_view)
+                 std::size_t tools, bool only_view)
 {
     const ui::Metrics& m = theme.size;
     const float line = m.hairline, width = size_px.x, height = size_px.y;
@@ -19,15 +52,18 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
         l.view = {{0, 0}, {width, l.status.lo.y - line}};
         return l;
     }
+    const float y0 = m.top_bar + line, y1 = height - m.status_bar - line;
+    const int columns = arrange_tools(l, theme, y1 - y0, std::max(1, static_cast<int>(tools)));
+    const float strip =
+        m.tool_strip + static_cast<float>(columns - 1) * (m.tool_button + theme.px(tool_gap_px));
     // What a person asked for, as far as a small window has room.
     const float dock = std::round(std::min(theme.px(static_cast<float>(preferences.dock)),
                                            std::max(theme.px(256), width * 0.34f)));
-    l.dock = preferences.show_dock && width > dock + m.tool_strip + theme.px(160);
+    l.dock = preferences.show_dock && width > dock + strip + theme.px(160);
     const float right = l.dock ? width - dock : width;
-    const float y0 = m.top_bar + line, y1 = height - m.status_bar - line;
     l.top = {{0, 0}, {width, m.top_bar}};
-    l.strip = {{0, y0}, {m.tool_strip, y1}};
-    const float left = m.tool_strip + line, view_right = l.dock ? right - line : right;
+    l.strip = {{0, y0}, {strip, y1}};
+    const float left = strip + line, view_right = l.dock ? right - line : right;
     l.options = {{left, y0}, {view_right, y0 + m.options_bar}};
     // The picture keeps as much as a hand can work in.
     const float kept = std::min(theme.px(least_view), (y1 - y0) / 3) + m.options_bar + 2 * line;

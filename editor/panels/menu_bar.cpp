@@ -144,8 +144,11 @@ std::string asked_menu(const Editor& editor, const std::vector<char>& letters)
     return {};
 }
 
-// `below`: where the bar ends.
-void menus(Editor& editor, const ui::Theme& theme, float below)
+// Pixels at scale 1, where there is room: before the first name, and half of what is between two.
+constexpr float menus_begin_px = 18, half_between_px = 10;
+
+// `below`: where the bar ends; `between`: half of what is between two names.
+void menus(Editor& editor, const ui::Theme& theme, float below, float between)
 {
     const std::vector<std::string>& names = menu_names();
     const std::vector<char> letters = menu_letters(names, taken_with_alt(editor));
@@ -163,7 +166,7 @@ void menus(Editor& editor, const ui::Theme& theme, float below)
         at.y += theme.px(12);
         if (ImGui::GetIO().KeyAlt)
             underline(*ImGui::GetForegroundDrawList(), theme, at, menu, letters[i]);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, theme.px(8)});
         // One that is higher than the window scrolls: over its own title a click would run an item.
         const float room = ImGui::GetIO().DisplaySize.y - below - theme.px(4);
         ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, room});
@@ -194,19 +197,32 @@ void menu_item(Editor& editor, const Action& each)
         each.run(editor);
 }
 
-float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
+MenuBarWidths menu_bar_widths(const ui::Theme& theme)
 {
-    ImGui::SetCursorScreenPos({bar.lo.x + theme.px(44), bar.lo.y});
+    MenuBarWidths out{0, theme.px(menus_begin_px)};
+    for (const std::string& each : menu_names()) {
+        out.names += ui::text_width(theme.font.body, each);
+        out.between += 2 * theme.px(half_between_px);
+    }
+    return out;
+}
+
+float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar, float spread)
+{
+    ImGui::SetCursorScreenPos({bar.lo.x + theme.px(menus_left_px), bar.lo.y});
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.px(8), theme.px(12)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(18), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {std::floor(spread * theme.px(menus_begin_px)), 0});
     ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
     // ImGui keeps a menu bar inside a window of its own kind; a child gives it one.
-    ImGui::BeginChild("menus", {theme.px(460), bar.height()}, false,
+    const MenuBarWidths widths = menu_bar_widths(theme);
+    const float width = widths.names + spread * widths.between;
+    ImGui::BeginChild("menus", {std::ceil(width), bar.height()}, false,
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float end = 0;
     if (ImGui::BeginMenuBar()) {
-        menus(editor, theme, bar.hi.y);
+        menus(editor, theme, bar.hi.y, std::floor(spread * theme.px(half_between_px)));
         end = ImGui::GetCursorScreenPos().x;
         ImGui::EndMenuBar();
     }

@@ -15,19 +15,29 @@ struct OwnModel;
 struct Layout {
     ui::Rect top, strip, options, view, timeline, outliner, tabs, inspector, status;
     bool dock = true; // whether the right column is there
+    // The buttons of the tools stand in as few columns as have room for them, from the top down.
+    int tool_rows = 1;
+    float tool_gap = 0, tool_pad = 0; // between them, and above the first
+    ui::Rect tool_place(const ui::Theme& theme, std::size_t tool) const; // of its button
 };
 // Pixels at scale 1; the outliner takes at most 60 % of the dock.
 inline constexpr float narrowest_dock = 280, widest_dock = 480, lowest_outliner = 120,
                        lowest_timeline = 160, least_view = 200;
 Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
-                 bool only_view = false);
+                 std::size_t tools, bool only_view = false);
 
 // An undecorated window of a place; `scrolls` up and down. End with ImGui::End().
 void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls = false);
 
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
-// At the left of the bar; returns where it ends.
-float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar);
+// At the left of the bar; returns where it ends. `spread`: of the names, 1 where there is room.
+float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar, float spread);
+// Width of the names of the menus, and of all between them where there is room; pixels.
+struct MenuBarWidths {
+    float names = 0, between = 0;
+};
+MenuBarWidths menu_bar_widths(const ui::Theme& theme);
+inline constexpr float menus_left_px = 44; // where they begin, at scale 1
 void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_options_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout);
@@ -57,7 +67,10 @@ class FootCards;
 // Of the colours of values in the picture. Cards at the foot return where they lie, if they do.
 std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& theme,
                                     const FootCards& foot);
-void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+bool has_room_for_axes(const ui::Theme& theme, const ui::Rect& view); // beside the labels
+// `card`: at the top left; what would lie on it is not drawn.
+void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view,
+                     const std::optional<ui::Rect>& card);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
 std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,

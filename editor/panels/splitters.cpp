@@ -37,7 +37,7 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout)
         p.timeline_open = wanted > lowest_timeline / 2;
         if (p.timeline_open) { // no more than the window has room for
             p.timeline = std::max<double>(wanted, lowest_timeline);
-            const Layout got = layout_of(theme, frame.size_px, p, false);
+            const Layout got = layout_of(theme, frame.size_px, p, editor.tools.size());
             p.timeline = std::clamp<double>(got.timeline.height() / theme.scale, lowest_timeline,
                                             p.timeline);
         }

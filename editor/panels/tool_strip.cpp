@@ -10,16 +10,14 @@ void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layou
 {
     const ui::Rect& r = layout.strip;
     begin_panel("tool strip", r, theme.color.panel);
-    const glm::vec2 square(theme.size.tool_button);
-    float y = r.lo.y + theme.px(6);
     for (std::size_t i = 0; i < editor.tools.size(); ++i) {
         const Tool& tool = *editor.tools[i];
-        ImGui::SetCursorScreenPos({r.lo.x + theme.px(6), y});
-        if (ui::icon_button(theme, tool.name(), tool.icon(), square,
+        const ui::Rect place = layout.tool_place(theme, i);
+        ImGui::SetCursorScreenPos({place.lo.x, place.lo.y});
+        if (ui::icon_button(theme, tool.name(), tool.icon(), place.size(),
                             tip_of(editor, action(editor, tool.name()), tool.help()),
                             {.on = i == editor.tool}))
             editor.choose_tool(i);
-        y += square.y + theme.px(4);
     }
     ImGui::End();
 }

@@ -91,12 +91,23 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const ui::Rect& r = layout.top;
     begin_panel("top bar", r, c.header);
     paint_mark(theme, {theme.px(13), theme.px(12)});
-    const float menus_end = draw_menu_bar(editor, theme, r);
+    const glm::vec2 square(theme.size.icon_button);
+    const float search = search_button(editor, theme, r);
+    // Where there is little room menus stand closer, and then buttons that have a key leave.
+    const MenuBarWidths menus = menu_bar_widths(theme);
+    constexpr float least_spread = 0.35f;
+    const float least_end =
+        r.lo.x + theme.px(menus_left_px) + menus.names + least_spread * menus.between;
+    float buttons = search - theme.px(24) - 3 * square.x - theme.px(4);
+    const bool steps = least_end <= buttons;
+    if (!steps) buttons = search - theme.px(12) - square.x;
+    const bool record = least_end <= buttons;
+    if (!record) buttons = search - theme.px(8);
+    const float room_of_menus = buttons - r.lo.x - theme.px(menus_left_px);
+    const float menus_end = draw_menu_bar(
+        editor, theme, r, std::clamp((room_of_menus - menus.names) / menus.between, 0.1f, 1.0f));
 
     const State state = state_of(editor, c);
-    const glm::vec2 square(theme.size.icon_button);
-    const float buttons =
-        search_button(editor, theme, r) - theme.px(24) - 3 * square.x - theme.px(4);
     const float left = menus_end + theme.px(16);
     const float words = ui::text_width(theme.font.small, state.words);
     const float room = buttons - left - words - theme.px(28);
@@ -112,6 +123,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
                        state.words);
     float at = buttons;
     for (const char* what : {"Undo", "Redo"}) {
+        if (!steps) break;
         ImGui::SetCursorScreenPos({at, r.lo.y + theme.px(8)});
         const Action& each = action(editor, what);
         const char* icon = each.name == "Undo" ? ui::icon::undo : ui::icon::redo;
@@ -122,7 +134,8 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
             each.run(editor);
         at += square.x + theme.px(4);
     }
-    draw_record_button(editor, theme, {at + theme.px(4), r.lo.y + theme.px(8)});
+    if (record)
+        draw_record_button(editor, theme, {steps ? at + theme.px(4) : at, r.lo.y + theme.px(8)});
     ImGui::End();
 }
 

@@ -13,6 +13,8 @@
 namespace trivar {
 namespace {
 
+constexpr float labels_px = 130; // of the picture's width, at its left
+
 struct Axis {
     glm::dvec3 direction;
     ui::Color color;
@@ -21,12 +23,24 @@ struct Axis {
 
 } // namespace
 
-void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+bool has_room_for_axes(const ui::Theme& theme, const ui::Rect& view)
 {
+    return view.width() >= theme.px(labels_px + 112);
+}
+
+void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view,
+                     const std::optional<ui::Rect>& card)
+{
+    const auto on_card = [&](const ui::Rect& r) {
+        return card && r.lo.x < card->hi.x && r.hi.x > card->lo.x && r.lo.y < card->hi.y &&
+               r.hi.y > card->lo.y;
+    };
     const ui::Palette& c = theme.color;
     Camera& camera = editor.session.view.camera;
     const glm::vec2 middle{view.hi.x - theme.px(56), view.lo.y + theme.px(56)};
     const float reach = theme.px(32);
+    if (!has_room_for_axes(theme, view) || on_card({middle - theme.px(44), middle + theme.px(44)}))
+        return;
     ui::paint_dot(middle, theme.px(44), ui::rgb(0x0E0F11, 0.22f));
     ui::lower_area("axes", {middle - theme.px(44), middle + theme.px(44)});
     std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X"},
@@ -71,6 +85,8 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     if (bar.hi.y > view.hi.y - theme.px(8)) // a low picture has room beside the axes
         bar = ui::rect_at({middle.x - theme.px(56) - square.x, middle.y - square.y},
                           {square.x, 2 * square.y});
+    // What it does is in the menu View, too; the labels at the left are nowhere else.
+    if (on_card(bar) || bar.lo.x < view.lo.x + theme.px(labels_px)) return;
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
     ui::lower_area("bar", bar);
     ui::Theme on_chip = theme; // which is dark whatever the panels are

@@ -117,8 +117,11 @@ gpu::DeformBy deform_by(const Preferences& preferences)
     return gpu::deform_named(preferences.deform).value_or(gpu::usual_deform_by());
 }
 
-void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::Rect& view)
+// Returns where the card of times lies, if it does.
+std::optional<ui::Rect> labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame,
+                               const FootCards& foot)
 {
+    const ui::Rect& view = foot.view();
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
     const Camera& camera = session.view.camera;
@@ -141,7 +144,8 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     if (const std::string words = editor.viewport.refined().words(frame.time_s); !words.empty())
         add(words);
     glm::vec2 at = view.lo + theme.px(12);
-    const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
+    // The axes stand at the right.
+    const float room = view.width() - theme.px(has_room_for_axes(theme, view) ? 12 + 130 : 40);
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
     at.y += theme.px(28);
     if (const std::string words = hidden_here_words(editor); !words.empty()) {
@@ -154,8 +158,8 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
             ui::paint_chip(theme, at, {ui::elided(theme.font.small, mark.words, room), mark.color});
             at.y += theme.px(28);
         }
-    if (shown.drafts().count() == 0) return;
-    if (!editor.preferences.show_timing && !editor.timing.open) return;
+    if (shown.drafts().count() == 0) return {};
+    if (!editor.preferences.show_timing && !editor.timing.open) return {};
     ui::TimingSources sources{shown.drafts(), session.timings(), shown.full_timings()};
     if (const gpu::Renderer* renderer = shown.renderer()) {
         sources.uploaded_bytes = renderer->uploaded_bytes();
@@ -165,13 +169,17 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
         sources.program_bytes = resident_bytes();
         sources.ways = shown.ways().rows(session.evaluated(), deform_by(editor.preferences));
     }
-    ui::draw_timing(theme, at, view.hi.y - at.y - theme.px(40), sources, editor.timing,
-                    key_text(action(editor, "Timing")));
+    const float edge = theme.px(12);
+    const ui::Rect above_cards = foot.above(at.x, at.x + theme.px(340));
+    const std::optional<ui::Rect> card =
+        ui::draw_timing(theme, {at, above_cards.hi - edge}, sources, editor.timing,
+                        key_text(action(editor, "Timing")));
     if (editor.timing.other_way)
         editor.preferences.deform = gpu::deform_names[*editor.timing.other_way];
     if (editor.timing.measure_ways) shown.ways().begin();
     shown.ways().advance(session.evaluated(), session.document(), shown.shaders());
     if (shown.ways().running() || editor.timing.measure_ways) frame.again_in(0);
+    return card;
 }
 
 // The notice about what is wrong with the picture, as long as it is.
@@ -336,8 +344,6 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_object_menu(editor, theme, viewport_menu);
     draw_add_menu(editor, theme);
     const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
-    if (!welcome) labels(editor, theme, frame, view);
-    if (editor.preferences.show_axes && !welcome) draw_navigation(editor, theme, view);
     FootCards foot(view);
     if (editor.tutorial.runs(session))
         foot.add(draw_tutorial(editor, frame, view));
@@ -357,6 +363,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (!welcome) foot.add(draw_tile_library(editor, theme, foot));
     foot.add(draw_legend(session, theme, foot));
     draw_adjustment(editor, theme, foot);
+    std::optional<ui::Rect> times;
+    if (!welcome) times = labels(editor, theme, frame, foot);
+    if (editor.preferences.show_axes && !welcome) draw_navigation(editor, theme, view, times);
     if (session.auto_key) ui::paint_rim(view, theme.color.bad, 0, 2 * theme.scale);
     ImGui::End();
     const float notices = ui::Notices::left_of(theme, view); // cover no card's buttons

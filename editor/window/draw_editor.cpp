@@ -182,7 +182,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     meet_scene(editor);
 
     const auto arranged = [&] {
-        return layout_of(theme, frame.size_px, editor.preferences, editor.only_view);
+        return layout_of(theme, frame.size_px, editor.preferences, editor.tools.size(),
+                         editor.only_view);
     };
     drag_splitters(editor, frame, arranged());
     const Layout layout = arranged();

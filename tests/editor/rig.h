@@ -102,7 +102,8 @@ struct Rig {
     }
     Layout layout() const
     {
-        return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences);
+        return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences,
+                         editor.tools.size());
     }
     std::size_t steps() const { return editor.session.scene().history().position(); }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/headless.h"
 #include "ui/timing_graph.h"
 #include "ui/timing_overlay.h"
 
@@ -44,6 +45,34 @@ TEST(TimingGraph, TheNewestPictureIsAtTheRight)
     EXPECT_EQ(picture_at(history, graph, graph.hi.x - 39), 1);
     EXPECT_EQ(picture_at(history, graph, graph.hi.x - 41), 0);
     EXPECT_EQ(picture_at(history, graph, graph.hi.x + 1), 0);
+}
+
+TEST(TimingCard, StaysInTheRoomThatItHasAndLeavesOutTheRest)
+{
+    HeadlessFrames screen({600, 500});
+    const TimingHistory history = pictures_of(20);
+    Timings evaluation;
+    for (const char* stage : {"lift", "springs", "deform"}) evaluation.add(stage, 2);
+    const std::vector<TimedWay> ways{{"Processor", "", true, 2.0, 100'000, ""}};
+    TimingView view;
+    view.open = true;
+    float highest = 0;
+    for (const glm::vec2 size :
+         {glm::vec2(500, 40), {100, 400}, {500, 150}, {260, 220}, {500, 400}}) {
+        const Rect room = rect_at({20, 20}, size);
+        std::optional<Rect> card;
+        screen.frames(2, [&](Frame& frame) {
+            card = draw_timing(frame.theme, room,
+                               {history, evaluation, {}, 1, 1, ways, "3 of 5 tiles seen"}, view,
+                               "F10");
+        });
+        EXPECT_EQ(card.has_value(), size.x > 150 && size.y > 100);
+        if (!card) continue;
+        EXPECT_TRUE(room.contains(card->lo) && room.contains(card->hi - 1.0f)) << size.y;
+        EXPECT_GE(card->height(), highest);
+        highest = card->height();
+    }
+    EXPECT_GT(highest, 220);
 }
 
 TEST(TimingText, NamesEveryStageAndItsThroughput)

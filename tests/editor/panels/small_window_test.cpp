@@ -39,19 +39,50 @@ TEST(SmallWindow, NoMenuCoversTheMenuBarOrScrolls)
     }
 }
 
-TEST(SmallWindow, AtTwiceTheScaleNoButtonLiesOnAMenu)
+TEST(SmallWindow, EveryToolHasAPlaceOfItsOwnAtAnyScale)
 {
-    Rig rig({1280, 800}, twice_the_scale);
+    for (const float scale : {1.0f, 2.0f, 2.5f, 3.0f}) {
+        Rig rig({1280, 800}, {.scale = scale});
+        rig.frames();
+        const Layout layout = rig.layout();
+        const std::size_t count = rig.editor.tools.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const ui::Rect own = layout.tool_place(rig.screen.theme(), i);
+            EXPECT_TRUE(layout.strip.contains(own.lo) && layout.strip.contains(own.hi - 1.0f))
+                << scale;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(layout.tool_place(rig.screen.theme(), k).contains(own.center()));
+            rig.click(own.center());
+            EXPECT_EQ(rig.editor.tool, i) << scale;
+        }
+        EXPECT_GT(layout.view.lo.x, layout.strip.hi.x);
+        EXPECT_EQ(layout.strip.width() > 60 * scale,
+                  scale > 2); // one column, as far as it has room
+    }
+}
+
+class ScaledMenus : public ::testing::TestWithParam<float> {};
+INSTANTIATE_TEST_SUITE_P(SmallWindow, ScaledMenus, ::testing::Values(2.0f, 2.5f, 3.0f));
+
+TEST_P(ScaledMenus, HaveNoButtonOnThem)
+{
+    Rig rig({1280, 800}, {.scale = GetParam()});
     rig.two_objects();
-    const ImGuiWindow& help = opened(rig, "Help");
-    const float left = help.Pos.x, y = rig.layout().top.center().y;
-    rig.key({ui::key_escape});
-    const float width = ImGui::CalcTextSize("Help").x;
-    for (const float share : {0.1f, 0.5f, 0.9f}) {
-        rig.click({left + share * width, y});
-        EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "Help") << share;
+    const auto& windows = GImGui->Windows;
+    const auto menus = std::find_if(windows.begin(), windows.end(), [](const ImGuiWindow* each) {
+        return std::string_view(each->Name).find("/menus_") != std::string_view::npos;
+    });
+    ASSERT_NE(menus, windows.end());
+    const float end = (*menus)->Pos.x + (*menus)->Size.x, step = 12 * GetParam();
+    const float y = rig.layout().top.center().y;
+    std::set<std::string> opened;
+    for (float x = (*menus)->Pos.x + step; x < end - 2; x += step) {
+        rig.click({x, y});
+        opened.insert(rig.editor.memory.of<MenuBar>().open);
         rig.key({ui::key_escape});
     }
+    opened.erase("");
+    EXPECT_EQ(opened.size(), 8u);
     EXPECT_EQ(rig.steps(), 2u);
 }
 

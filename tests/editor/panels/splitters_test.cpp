@@ -45,7 +45,8 @@ TEST(Splitters, LetTheTimelineGrowAsFarAsThePictureKeepsRoom)
     drag(rig, {400, highest.timeline.lo.y - 1}, {400, highest.timeline.lo.y + 59});
     EXPECT_NEAR(rig.layout().timeline.height(), highest.timeline.height() - 60, 2)
         << "it follows at once: no more than there was room for is remembered";
-    const Layout low = layout_of(rig.screen.theme(), {1024, 420}, rig.editor.preferences, false);
+    const Layout low =
+        layout_of(rig.screen.theme(), {1024, 420}, rig.editor.preferences, rig.editor.tools.size());
     EXPECT_GE(low.view.height(), 100);
 }
 
