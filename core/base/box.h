@@ -22,6 +22,11 @@ struct Box {
         lo = glm::min(lo, other.lo);
         hi = glm::max(hi, other.hi);
     }
+    // Whether the two have no point in common. True where one is empty.
+    bool apart(const Box& other) const
+    {
+        return glm::any(glm::greaterThan(lo, other.hi)) || glm::any(glm::lessThan(hi, other.lo));
+    }
     std::array<glm::dvec3, 8> corners() const // meaningless for an empty box
     {
         return {{lo,

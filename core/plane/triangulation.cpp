@@ -37,6 +37,30 @@ bool has_longer_edge(Face f, double length)
     return false;
 }
 
+bool on_fixed_edge(Face f, const Delaunay::Point& p)
+{
+    for (int i = 0; i < 3; ++i)
+        if (f->is_constrained(i) && CGAL::collinear(f->vertex(Delaunay::ccw(i))->point(),
+                                                    f->vertex(Delaunay::cw(i))->point(), p))
+            return true;
+    return false;
+}
+
+// The middle of the longest edge that need not stay and is longer than `shortest`.
+std::optional<Delaunay::Point> middle_of_longest(Face f, double shortest)
+{
+    double longest = shortest * shortest;
+    std::optional<Delaunay::Point> middle;
+    for (int i = 0; i < 3; ++i) {
+        const Delaunay::Point a = f->vertex(Delaunay::ccw(i))->point();
+        const Delaunay::Point b = f->vertex(Delaunay::cw(i))->point();
+        if (f->is_constrained(i) || CGAL::squared_distance(a, b) <= longest) continue;
+        longest = CGAL::squared_distance(a, b);
+        middle = CGAL::midpoint(a, b);
+    }
+    return middle;
+}
+
 glm::ivec2 on_grid(const Delaunay::Point& p)
 {
     return glm::ivec2(glm::round(glm::dvec2(p.x(), p.y())));
@@ -167,7 +191,7 @@ void Triangulation::refine(double longest, const std::function<bool(const Corner
             if (!(std::hypot(centre.x(), centre.y()) < most_units)) continue; // of a sliver
             const glm::ivec2 p = on_grid(centre);
             const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
-            if (!in) continue;
+            if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
             const Corners round = corners_of(*in);
             if (!may_split(round)) continue;
             const int point = plane_->put(p, *in);
@@ -175,6 +199,34 @@ void Triangulation::refine(double longest, const std::function<bool(const Corner
             points_.push_back(p);
             plane_->mark_round(point);
             added(point, round);
+            changed = true;
+        }
+    }
+}
+
+void Triangulation::halve(double shortest, const std::function<bool(const Corners&)>& too_coarse,
+                          const std::function<void(int point)>& added)
+{
+    constexpr std::size_t most = 1000000; // points
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<Corners> open;
+        for (const Face f : plane_->delaunay.finite_face_handles())
+            if (f->info()) open.push_back(corners_of(f));
+        for (const Corners& v : open) {
+            if (points_.size() >= most) return;
+            const std::optional<Face> f = plane_->face(v);
+            if (!f || !too_coarse(v)) continue;
+            const std::optional<Delaunay::Point> middle = middle_of_longest(*f, shortest);
+            if (!middle) continue;
+            const glm::ivec2 p = on_grid(*middle);
+            const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
+            if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
+            const int point = plane_->put(p, *in);
+            if (point < static_cast<int>(points_.size())) continue; // the point exists already
+            points_.push_back(p);
+            plane_->mark_round(point);
+            added(point);
             changed = true;
         }
     }

@@ -31,6 +31,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/ffd"},
     {"core/refinement"},
     {"core/placement", "core/limit"},
+    {"core/split"},
     {"core/tiles"},
     {"core/document"},
     {"core/commands", "core/evaluation"},

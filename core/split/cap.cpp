@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/cap.h"
+
+#include "core/plane/triangulation.h"
+#include "core/split/rim_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+// Triangles between places and points inside; the latter are numbered from the number of places up.
+struct FlatCap {
+    std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise in the parameters
+    std::vector<glm::dvec2> inside;
+};
+
+// Triangulates the region to the left of loops. Returns false, with nothing added, where edges
+// cross or meet on the grid.
+bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
+{
+    glm::dvec2 lo(1e300), hi(-1e300);
+    for (const RimLoop* loop : loops)
+        for (const std::uint32_t place : *loop) {
+            lo = glm::min(lo, options.places[place]);
+            hi = glm::max(hi, options.places[place]);
+        }
+    const double size = std::max({hi.x - lo.x, hi.y - lo.y, 1e-300});
+    const double scale = 2.0 * (most_units - 8) / size;
+    const auto on_grid = [&](const glm::dvec2& p) {
+        return glm::ivec2(glm::round((p - (lo + hi) / 2.0) * scale));
+    };
+    Triangulation plane;
+    std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
+    std::vector<std::pair<int, int>> edges;
+    for (const RimLoop* loop : loops) {
+        std::vector<int> points;
+        for (const std::uint32_t place : *loop) {
+            const glm::ivec2 at = on_grid(options.places[place]);
+            // Two places at one point of the grid: one of them goes a step aside
+            constexpr std::array<glm::ivec2, 9> steps{
+                {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+            int point = -1;
+            for (const glm::ivec2& step : steps) {
+                point = plane.insert(at + step);
+                if (point == static_cast<int>(number.size())) break;
+                point = -1;
+            }
+            if (point < 0) return false;
+            number.push_back(place);
+            points.push_back(point);
+        }
+        for (std::size_t i = 0; i < points.size(); ++i)
+            edges.emplace_back(points[i], points[(i + 1) % points.size()]);
+    }
+    for (const auto& [a, b] : edges)
+        if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
+    plane.fill(edges);
+    std::vector<glm::dvec2> inside;
+    if (options.too_coarse) {
+        const std::size_t first_inside = options.places.size() + cap.inside.size();
+        const auto parameters = [&](int point) {
+            const std::uint32_t n = number[static_cast<std::size_t>(point)];
+            return n < first_inside ? options.places[n] : inside[n - first_inside];
+        };
+        plane.halve(
+            scale * size / 1000,
+            [&](const Triangulation::Corners& t) {
+                return options.too_coarse({parameters(t[0]), parameters(t[1]), parameters(t[2])});
+            },
+            [&](int point) {
+                number.push_back(static_cast<std::uint32_t>(first_inside + inside.size()));
+                inside.push_back((lo + hi) / 2.0 +
+                                 glm::dvec2(plane.points()[static_cast<std::size_t>(point)]) / scale);
+            });
+    }
+    for (const Triangulation::Corners& t : plane.inside())
+        cap.triangles.push_back({number[static_cast<std::size_t>(t[0])],
+                                 number[static_cast<std::size_t>(t[1])],
+                                 number[static_cast<std::size_t>(t[2])]});
+    cap.inside.insert(cap.inside.end(), inside.begin(), inside.end());
+    return true;
+}
+
+// Closes a loop by triangles round its middle: closed, if not without overlaps.
+void close_by_fan(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
+{
+    if (loop.size() < 3) return;
+    if (loop.size() == 3) {
+        cap.triangles.push_back({loop[0], loop[1], loop[2]});
+        return;
+    }
+    glm::dvec2 middle(0);
+    for (const std::uint32_t place : loop) middle += options.places[place];
+    const auto at = static_cast<std::uint32_t>(options.places.size() + cap.inside.size());
+    cap.inside.push_back(middle / static_cast<double>(loop.size()));
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        cap.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], at});
+}
+
+// Appends the vertices of one half's caps. Returns the first one.
+std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const FlatCap& flat, bool up)
+{
+    Mesh& mesh = cut.mesh;
+    const std::size_t first = mesh.vertex_count();
+    const std::size_t count = options.places.size() + flat.inside.size();
+    const auto first_inside = static_cast<std::uint32_t>(point_count(mesh));
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool on_rim = i < options.places.size();
+        const glm::dvec2 at = on_rim ? options.places[i] : flat.inside[i - options.places.size()];
+        mesh.positions.push_back(on_rim ? cut.places[i] : glm::vec3(options.point(at)));
+        mesh.points.push_back(
+            on_rim ? cut.point(static_cast<std::uint32_t>(i), up)
+                   : first_inside + static_cast<std::uint32_t>(i - options.places.size()));
+        if (!mesh.normals.empty())
+            mesh.normals.push_back(glm::vec3((up ? -1.0 : 1.0) * options.normal(at)));
+        for (std::size_t set = 0; set < mesh.uvs.size(); ++set) mesh.uvs[set].emplace_back(at);
+        cut.above.push_back(up);
+    }
+    const auto filled = [&](auto& values, const auto& value) {
+        if (!values.empty()) values.resize(mesh.vertex_count(), value);
+    };
+    filled(mesh.tangents, glm::vec4(1, 0, 0, 1));
+    filled(mesh.colors, glm::vec4(1));
+    filled(mesh.influences, Mesh::Influences{});
+    for (Mesh::MorphTarget& target : mesh.morph_targets) {
+        filled(target.positions, glm::vec3(0));
+        filled(target.normals, glm::vec3(0));
+        filled(target.tangents, glm::vec3(0));
+    }
+    return first;
+}
+
+} // namespace
+
+Caps cap(CutMesh& cut, const CapOptions& options)
+{
+    Caps out;
+    out.first_vertex = cut.mesh.vertex_count();
+    out.first_face = cut.mesh.face_count();
+    if (cut.rim.empty()) return out;
+    const RimLoops loops = loops_of(cut.rim, cut.places.size());
+    for (const RimLoop& way : loops.open) out.open += way.size() - 1;
+    std::vector<const RimLoop*> all;
+    for (const RimLoop& loop : loops.closed)
+        if (loop.size() > 2) all.push_back(&loop);
+    FlatCap flat;
+    if (!all.empty() && !triangulate(all, options, flat)) {
+        // Loops of bodies that run through each other are closed one by one
+        for (const std::vector<std::size_t>& group : nested(loops.closed, options.places)) {
+            std::vector<const RimLoop*> some;
+            for (const std::size_t i : group)
+                if (loops.closed[i].size() > 2) some.push_back(&loops.closed[i]);
+            if (some.empty() || triangulate(some, options, flat)) continue;
+            for (const RimLoop* loop : some) {
+                close_by_fan(*loop, options, flat);
+                ++out.fans;
+            }
+        }
+    }
+    for (const bool up : {false, true}) {
+        const auto first =
+            static_cast<std::uint32_t>(add_cap_vertices(cut, options, flat, up));
+        for (const auto& [a, b, c] : flat.triangles)
+            add_face(cut.mesh, std::array{first + a, first + (up ? c : b), first + (up ? b : c)});
+    }
+    const std::size_t faces = cut.mesh.face_count();
+    if (options.material != 0 && cut.mesh.face_material.empty())
+        cut.mesh.face_material.resize(out.first_face, 0);
+    if (!cut.mesh.face_material.empty()) cut.mesh.face_material.resize(faces, options.material);
+    if (!cut.mesh.face_group.empty()) cut.mesh.face_group.resize(faces, 0);
+    for (int half = 0; half < 2; ++half) {
+        out.parameters.insert(out.parameters.end(), options.places.begin(), options.places.end());
+        out.parameters.insert(out.parameters.end(), flat.inside.begin(), flat.inside.end());
+    }
+    return out;
+}
+
+} // namespace trivar

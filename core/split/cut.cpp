@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/cut.h"
+
+#include "core/base/parallel.h"
+#include "core/refinement/born_vertices.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+constexpr double least_share = 1e-4; // of an edge, between its end and a place on it
+constexpr std::size_t faces_per_block = 1 << 15;
+
+// The numbers of the faces whose corners are not all on one side, ascending.
+std::vector<std::uint32_t> faces_across(const Mesh& mesh, const std::vector<char>& above)
+{
+    const std::size_t faces = mesh.face_count();
+    std::vector<std::vector<std::uint32_t>> found(faces / faces_per_block + 1);
+    const bool triangles_only = mesh.corners.size() == 3 * faces;
+    parallel_blocks(faces, faces_per_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& out = found[begin / faces_per_block];
+        if (triangles_only) {
+            const std::uint32_t* c = mesh.corners.data() + 3 * begin;
+            for (std::size_t f = begin; f < end; ++f, c += 3)
+                if (above[c[0]] != above[c[1]] || above[c[0]] != above[c[2]])
+                    out.push_back(static_cast<std::uint32_t>(f));
+            return;
+        }
+        for (std::size_t f = begin; f < end; ++f) {
+            const char first = above[mesh.corners[mesh.face_begin[f]]];
+            for (std::uint32_t c = mesh.face_begin[f] + 1; c < mesh.face_begin[f + 1]; ++c)
+                if (above[mesh.corners[c]] != first) {
+                    out.push_back(static_cast<std::uint32_t>(f));
+                    break;
+                }
+        }
+    });
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& each : found)
+        all.insert(all.end(), each.begin(), each.end());
+    return all;
+}
+
+struct CutTriangle {
+    glm::uvec3 vertices;
+    std::uint32_t face; // of the mesh that is cut
+};
+
+std::vector<CutTriangle> triangles_of(const Mesh& mesh, const std::vector<std::uint32_t>& faces)
+{
+    std::vector<CutTriangle> out;
+    out.reserve(faces.size());
+    Mesh one; // a face by itself, to be cut by ears
+    for (const std::uint32_t f : faces) {
+        const std::uint32_t* const c = mesh.corners.data() + mesh.face_begin[f];
+        const std::uint32_t count = mesh.face_begin[f + 1] - mesh.face_begin[f];
+        if (count == 3) {
+            out.push_back({{c[0], c[1], c[2]}, f});
+            continue;
+        }
+        one.positions.clear();
+        one.corners.resize(count);
+        std::iota(one.corners.begin(), one.corners.end(), 0u);
+        one.face_begin = {0, count};
+        for (std::uint32_t i = 0; i < count; ++i) one.positions.push_back(mesh.positions[c[i]]);
+        for (const glm::uvec3& t : triangles(one)) out.push_back({{c[t.x], c[t.y], c[t.z]}, f});
+    }
+    return out;
+}
+
+// An edge that is cut, by its vertices; that with the smaller point is the first.
+struct CutEdge {
+    std::uint32_t a, b;
+    bool operator==(const CutEdge&) const = default;
+    auto operator<=>(const CutEdge&) const = default;
+};
+
+// Gives the edges that are cut their copies and places.
+class Crossings {
+public:
+    Crossings(const Mesh& mesh, const std::vector<char>& above,
+              const std::vector<CutTriangle>& across)
+        : mesh_(mesh)
+    {
+        edges_.reserve(2 * across.size());
+        for (const CutTriangle& t : across)
+            for (int i = 0; i < 3; ++i) {
+                const std::uint32_t a = t.vertices[i], b = t.vertices[(i + 1) % 3];
+                if (above[a] != above[b]) edges_.push_back(ordered(a, b));
+            }
+        std::ranges::sort(edges_);
+        edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+        for (const CutEdge& e : edges_) places_.push_back(by_points(e));
+        std::ranges::sort(places_);
+        places_.erase(std::ranges::unique(places_).begin(), places_.end());
+    }
+    const std::vector<CutEdge>& edges() const { return edges_; }
+    std::size_t place_count() const { return places_.size(); }
+    std::uint32_t edge(std::uint32_t a, std::uint32_t b) const
+    {
+        return index_of(edges_, ordered(a, b));
+    }
+    std::uint32_t place(const CutEdge& edge) const { return index_of(places_, by_points(edge)); }
+
+private:
+    CutEdge ordered(std::uint32_t a, std::uint32_t b) const
+    {
+        return mesh_.point(a) < mesh_.point(b) ? CutEdge{a, b} : CutEdge{b, a};
+    }
+    CutEdge by_points(const CutEdge& e) const { return {mesh_.point(e.a), mesh_.point(e.b)}; }
+    static std::uint32_t index_of(const std::vector<CutEdge>& sorted, const CutEdge& edge)
+    {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(sorted, edge) - sorted.begin());
+    }
+
+    const Mesh& mesh_;
+    std::vector<CutEdge> edges_, places_; // places: edges between points
+};
+
+// Appends the faces of a mesh other than those in `left_out` (ascending), in their order.
+void append_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out)
+{
+    std::vector<std::uint32_t> corners, begins{0}, materials, groups;
+    corners.reserve(mesh.corners.size() + 6 * left_out.size());
+    begins.reserve(mesh.face_begin.size() + 2 * left_out.size());
+    materials.reserve(mesh.face_material.size());
+    groups.reserve(mesh.face_group.size());
+    const auto copy = [](const std::vector<std::uint32_t>& from, std::size_t begin, std::size_t end,
+                         std::vector<std::uint32_t>& to) {
+        if (from.empty()) return;
+        to.insert(to.end(), from.begin() + static_cast<long>(begin),
+                  from.begin() + static_cast<long>(end));
+    };
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k <= left_out.size(); ++k) {
+        const std::size_t end = k < left_out.size() ? left_out[k] : mesh.face_count();
+        const std::uint32_t first = mesh.face_begin[begin], last = mesh.face_begin[end];
+        const auto shift = static_cast<std::uint32_t>(corners.size()) - first;
+        copy(mesh.corners, first, last, corners);
+        for (std::size_t f = begin + 1; f <= end; ++f) begins.push_back(mesh.face_begin[f] + shift);
+        copy(mesh.face_material, begin, end, materials);
+        copy(mesh.face_group, begin, end, groups);
+        begin = end + 1;
+    }
+    out.corners = std::move(corners);
+    out.face_begin = std::move(begins);
+    out.face_material = std::move(materials);
+    out.face_group = std::move(groups);
+}
+
+// A copy of the mesh but for its faces.
+Mesh without_faces(const Mesh& mesh)
+{
+    Mesh out;
+    out.positions = mesh.positions;
+    out.normals = mesh.normals;
+    out.tangents = mesh.tangents;
+    out.colors = mesh.colors;
+    out.uvs = mesh.uvs;
+    out.points = mesh.points;
+    out.group_names = mesh.group_names;
+    out.creases = mesh.creases;
+    out.influences = mesh.influences;
+    out.morph_targets = mesh.morph_targets;
+    return out;
+}
+
+// The faces that a triangle across the cut becomes: one on the side of its single corner, two on
+// the other side.
+class FaceMaker {
+public:
+    FaceMaker(CutMesh& out, const Mesh& mesh, const Crossings& crossings,
+              const std::vector<std::uint32_t>& place_of_edge)
+        : out_(out), mesh_(mesh), crossings_(crossings), place_of_edge_(place_of_edge)
+    {
+    }
+    void operator()(const CutTriangle& t)
+    {
+        if (above(t, 0) == above(t, 1) && above(t, 0) == above(t, 2)) { // of a larger face
+            add(t, {t.vertices.x, t.vertices.y, t.vertices.z});
+            return;
+        }
+        int lone = 0; // the corner that is alone on its side
+        for (int i = 0; i < 3; ++i)
+            if (above(t, i) != above(t, i + 1) && above(t, i) != above(t, i + 2)) lone = i;
+        const std::uint32_t x = corner(t, lone), y = corner(t, lone + 1), z = corner(t, lone + 2);
+        const bool up = out_.above[x];
+        const std::uint32_t xy = crossings_.edge(x, y), xz = crossings_.edge(x, z);
+        add(t, {x, copy(xy, up), copy(xz, up)});
+        // The shorter diagonal of the rest
+        const glm::dvec3 p(out_.mesh.positions[copy(xy, !up)]);
+        const glm::dvec3 q(out_.mesh.positions[copy(xz, !up)]);
+        if (glm::distance(p, glm::dvec3(mesh_.positions[z])) <
+            glm::distance(q, glm::dvec3(mesh_.positions[y]))) {
+            add(t, {copy(xy, !up), y, z});
+            add(t, {copy(xy, !up), z, copy(xz, !up)});
+        } else {
+            add(t, {copy(xy, !up), y, copy(xz, !up)});
+            add(t, {y, z, copy(xz, !up)});
+        }
+        const std::uint32_t from = place_of_edge_[xy], to = place_of_edge_[xz];
+        out_.rim.push_back(up ? glm::uvec2(from, to) : glm::uvec2(to, from));
+    }
+
+private:
+    static std::uint32_t corner(const CutTriangle& t, int i) { return t.vertices[i % 3]; }
+    bool above(const CutTriangle& t, int i) const { return out_.above[corner(t, i)]; }
+    std::uint32_t copy(std::uint32_t edge, bool up) const
+    {
+        return out_.first_vertex + 2 * edge + (up ? 1 : 0);
+    }
+    void add(const CutTriangle& t, const std::array<std::uint32_t, 3>& vertices)
+    {
+        add_face(out_.mesh, vertices);
+        if (!mesh_.face_material.empty())
+            out_.mesh.face_material.push_back(mesh_.face_material[t.face]);
+        if (!mesh_.face_group.empty()) out_.mesh.face_group.push_back(mesh_.face_group[t.face]);
+    }
+
+    CutMesh& out_;
+    const Mesh& mesh_;
+    const Crossings& crossings_;
+    const std::vector<std::uint32_t>& place_of_edge_;
+};
+
+} // namespace
+
+CutMesh cut(const Mesh& mesh, std::span<const double> heights)
+{
+    assert(heights.size() == mesh.vertex_count());
+    CutMesh out;
+    out.above.resize(heights.size());
+    for (std::size_t v = 0; v < heights.size(); ++v) out.above[v] = heights[v] >= 0;
+    const std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
+    out.first_new_face = mesh.face_count() - faces.size();
+    if (faces.empty()) {
+        out.mesh = mesh;
+        return out;
+    }
+    const std::vector<CutTriangle> across = triangles_of(mesh, faces);
+    const Crossings crossings(mesh, out.above, across);
+
+    out.mesh = without_faces(mesh);
+    if (out.mesh.points.empty()) {
+        out.mesh.points.resize(mesh.vertex_count());
+        std::iota(out.mesh.points.begin(), out.mesh.points.end(), 0u);
+    }
+    out.first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
+    out.first_point = static_cast<std::uint32_t>(point_count(mesh));
+    std::vector<BornVertex> born;
+    born.reserve(2 * crossings.edges().size());
+    std::vector<std::uint32_t> place_of_edge;
+    out.edge_of_place.resize(crossings.place_count());
+    for (const CutEdge& e : crossings.edges()) {
+        const double share = heights[e.a] / (heights[e.a] - heights[e.b]);
+        const auto t = static_cast<float>(std::clamp(share, least_share, 1 - least_share));
+        place_of_edge.push_back(crossings.place(e));
+        out.edge_of_place[place_of_edge.back()] = static_cast<std::uint32_t>(out.edges.size());
+        out.edges.emplace_back(e.a, e.b);
+        for (const bool up : {false, true}) {
+            born.push_back({e.a, e.b, t, out.point(place_of_edge.back(), up)});
+            out.above.push_back(up);
+        }
+    }
+    add_vertices(out.mesh, born);
+    out.places.resize(crossings.place_count());
+    for (std::size_t e = 0; e < place_of_edge.size(); ++e)
+        out.places[place_of_edge[e]] = out.mesh.positions[out.first_vertex + 2 * e];
+
+    append_other_faces(out.mesh, mesh, faces);
+    FaceMaker make(out, mesh, crossings, place_of_edge);
+    for (const CutTriangle& t : across) make(t);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/finer.h"
+
+#include "core/base/parallel.h"
+#include "core/refinement/born_vertices.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+constexpr int most_rounds = 16;
+constexpr std::size_t triangles_per_block = 1 << 14;
+
+// An edge between two vertices; that with the smaller point is the first.
+struct VertexEdge {
+    std::uint32_t a, b;
+    bool operator==(const VertexEdge&) const = default;
+    auto operator<=>(const VertexEdge&) const = default;
+};
+
+Mesh as_triangles(const Mesh& mesh)
+{
+    if (mesh.corners.size() == 3 * mesh.face_count()) return mesh;
+    Mesh out = mesh;
+    const std::vector<glm::uvec3> all = triangles(mesh);
+    out.corners.clear();
+    out.face_begin = {0};
+    out.face_material.clear();
+    out.face_group.clear();
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::size_t t = mesh.face_begin[f] - 2 * f; t < mesh.face_begin[f + 1] - 2 * (f + 1);
+             ++t) {
+            add_face(out, std::array{all[t].x, all[t].y, all[t].z});
+            if (!mesh.face_material.empty()) out.face_material.push_back(mesh.face_material[f]);
+            if (!mesh.face_group.empty()) out.face_group.push_back(mesh.face_group[f]);
+        }
+    return out;
+}
+
+// Splits triangles round by round.
+class Rounds {
+public:
+    Rounds(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance)
+        : mesh_(std::move(mesh)), field_(field), error_(error), tolerance_(tolerance)
+    {
+        take_places(0);
+        open_.resize(mesh_.face_count(), 1);
+    }
+    // Returns whether any edge is to be split.
+    bool mark()
+    {
+        const std::size_t faces = mesh_.face_count();
+        std::vector<std::vector<VertexEdge>> found(faces / triangles_per_block + 1);
+        const Box reach = field_.reach();
+        parallel_blocks(faces, triangles_per_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                if (!open_[f]) continue;
+                const std::array<glm::dvec3, 3> p{uvw_[corner(f, 0)], uvw_[corner(f, 1)],
+                                                  uvw_[corner(f, 2)]};
+                Box box;
+                for (const glm::dvec3& each : p) box.add(each);
+                open_[f] = 0;
+                if (box.apart(reach)) continue;
+                const std::array<double, 3> off = error_.edges(p);
+                for (std::size_t i = 0; i < 3; ++i)
+                    if (off[i] > tolerance_)
+                        found[begin / triangles_per_block].push_back(
+                            ordered(corner(f, i), corner(f, (i + 1) % 3)));
+            }
+        });
+        marked_.clear();
+        for (const std::vector<VertexEdge>& each : found)
+            for (const VertexEdge& e : each) marked_.push_back(by_points(e));
+        std::ranges::sort(marked_);
+        marked_.erase(std::ranges::unique(marked_).begin(), marked_.end());
+        return !marked_.empty();
+    }
+    void split()
+    {
+        std::vector<char> touched(point_count(mesh_), 0);
+        for (const VertexEdge& e : marked_) touched[e.a] = touched[e.b] = 1;
+        struct Split {
+            std::uint32_t face;
+            std::array<bool, 3> edges;
+        };
+        std::vector<Split> splits;
+        std::vector<VertexEdge> edges; // by vertices
+        for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+            const std::array<bool, 3> near{at_touched(touched, f, 0), at_touched(touched, f, 1),
+                                           at_touched(touched, f, 2)};
+            if (near[0] + near[1] + near[2] < 2) continue;
+            Split each{static_cast<std::uint32_t>(f), {}};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const VertexEdge e = ordered(corner(f, i), corner(f, (i + 1) % 3));
+                each.edges[i] = std::ranges::binary_search(marked_, by_points(e));
+                if (each.edges[i]) edges.push_back(e);
+            }
+            if (each.edges[0] || each.edges[1] || each.edges[2]) splits.push_back(each);
+        }
+        std::ranges::sort(edges);
+        edges.erase(std::ranges::unique(edges).begin(), edges.end());
+        const auto first_point = static_cast<std::uint32_t>(point_count(mesh_));
+        const std::size_t first_vertex = mesh_.vertex_count();
+        std::vector<BornVertex> born;
+        for (const VertexEdge& e : edges)
+            born.push_back({e.a, e.b, 0.5f,
+                            first_point + static_cast<std::uint32_t>(
+                                              std::ranges::lower_bound(marked_, by_points(e)) -
+                                              marked_.begin())});
+        add_vertices(mesh_, born);
+        take_places(first_vertex);
+        const auto middle = [&](std::size_t f, std::size_t i) {
+            return static_cast<std::uint32_t>(first_vertex) +
+                   static_cast<std::uint32_t>(
+                       std::ranges::lower_bound(
+                           edges, ordered(corner(f, i), corner(f, (i + 1) % 3))) -
+                       edges.begin());
+        };
+        for (const Split& each : splits) {
+            const std::size_t f = each.face;
+            const std::size_t count =
+                std::size_t{each.edges[0]} + each.edges[1] + each.edges[2];
+            // Turned so that the marked edges are the first ones
+            std::size_t turn = 0;
+            while (!(each.edges[turn % 3] &&
+                     (count != 2 || each.edges[(turn + 1) % 3])))
+                ++turn;
+            const std::array<std::uint32_t, 3> c{corner(f, turn), corner(f, (turn + 1) % 3),
+                                                 corner(f, (turn + 2) % 3)};
+            const std::uint32_t m0 = middle(f, turn);
+            if (count == 1) {
+                put(f, {c[0], m0, c[2]}, true);
+                put(f, {m0, c[1], c[2]}, false);
+            } else {
+                const std::uint32_t m1 = middle(f, (turn + 1) % 3);
+                if (count == 2) {
+                    put(f, {m0, c[1], m1}, true);
+                    if (glm::distance(uvw_[m0], uvw_[c[2]]) < glm::distance(uvw_[c[0]], uvw_[m1])) {
+                        put(f, {m0, m1, c[2]}, false);
+                        put(f, {c[0], m0, c[2]}, false);
+                    } else {
+                        put(f, {c[0], m0, m1}, false);
+                        put(f, {c[0], m1, c[2]}, false);
+                    }
+                } else {
+                    const std::uint32_t m2 = middle(f, (turn + 2) % 3);
+                    put(f, {m0, m1, m2}, true);
+                    put(f, {c[0], m0, m2}, false);
+                    put(f, {m0, c[1], m1}, false);
+                    put(f, {m2, m1, c[2]}, false);
+                }
+            }
+        }
+    }
+    Mesh take() { return std::move(mesh_); }
+    std::size_t triangle_count() const { return mesh_.face_count(); }
+
+private:
+    std::uint32_t corner(std::size_t f, std::size_t i) const
+    {
+        return mesh_.corners[3 * f + i % 3];
+    }
+    bool at_touched(const std::vector<char>& touched, std::size_t f, std::size_t i) const
+    {
+        return touched[mesh_.point(corner(f, i))];
+    }
+    VertexEdge ordered(std::uint32_t a, std::uint32_t b) const
+    {
+        return mesh_.point(a) < mesh_.point(b) ? VertexEdge{a, b} : VertexEdge{b, a};
+    }
+    VertexEdge by_points(const VertexEdge& e) const { return {mesh_.point(e.a), mesh_.point(e.b)}; }
+    void take_places(std::size_t first)
+    {
+        uvw_.resize(mesh_.vertex_count());
+        for (std::size_t v = first; v < uvw_.size(); ++v)
+            uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
+    }
+    // In place of triangle f, or as another one of the same face.
+    void put(std::size_t f, const std::array<std::uint32_t, 3>& vertices, bool in_place)
+    {
+        if (in_place) {
+            std::ranges::copy(vertices, mesh_.corners.begin() + static_cast<long>(3 * f));
+            open_[f] = 1;
+            return;
+        }
+        add_face(mesh_, vertices);
+        if (!mesh_.face_material.empty())
+            mesh_.face_material.push_back(mesh_.face_material[f]);
+        if (!mesh_.face_group.empty()) mesh_.face_group.push_back(mesh_.face_group[f]);
+        open_.push_back(1);
+    }
+
+    Mesh mesh_;
+    const SplitField& field_;
+    const SplitError& error_;
+    double tolerance_;
+    std::vector<glm::dvec3> uvw_; // #V
+    std::vector<char> open_;      // #F: not yet known to be fine enough
+    std::vector<VertexEdge> marked_; // by points
+};
+
+} // namespace
+
+Mesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
+                 double tolerance, std::size_t most_triangles)
+{
+    Mesh start = as_triangles(mesh);
+    if (start.points.empty()) {
+        start.points.resize(start.vertex_count());
+        std::iota(start.points.begin(), start.points.end(), 0u);
+    }
+    Rounds rounds(std::move(start), field, error, tolerance);
+    int round = 0;
+    while (round < most_rounds && rounds.triangle_count() < most_triangles && rounds.mark()) {
+        rounds.split();
+        ++round;
+    }
+    return round == 0 ? mesh : rounds.take();
+}
+
+} // namespace trivar

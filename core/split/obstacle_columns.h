@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/box.h"
+#include "core/placement/ray_scene.h"
+
+#include <optional>
+
+namespace trivar {
+
+// A SplitFrame is where a split is computed: u is the direction in which the halves part, v the way
+// on which the model passes the obstacle, w = u x v. Metres.
+struct SplitFrame {
+    glm::dvec3 origin{0};
+    glm::dmat3 axes{1}; // columns u, v, w: orthonormal and right-handed
+
+    glm::dvec3 uvw(const glm::dvec3& p_world) const
+    {
+        return glm::transpose(axes) * (p_world - origin);
+    }
+    glm::dvec3 world(const glm::dvec3& uvw) const { return origin + axes * uvw; }
+    bool operator==(const SplitFrame&) const = default;
+};
+
+// ObstacleColumns says from where to where an obstacle reaches along lines parallel to u. Pockets,
+// which a line leaves and enters again, count as filled.
+class ObstacleColumns {
+public:
+    // Throws Rejected for bodies without extent in the frame.
+    ObstacleColumns(const std::vector<RayScene::Entry>& bodies, const SplitFrame& frame);
+
+    // Least and greatest u at (v, w); none: the line misses the obstacle. In parallel.
+    std::vector<std::optional<glm::dvec2>> at(std::span<const glm::dvec2> vw) const;
+    const Box& box() const { return box_; }                              // in uvw
+    const std::vector<glm::dvec3>& vertices() const { return vertices_; } // in uvw
+
+private:
+    RayScene scene_;
+    SplitFrame frame_;
+    Box box_;
+    std::vector<glm::dvec3> vertices_;
+};
+
+} // namespace trivar

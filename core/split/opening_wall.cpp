@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/opening_wall.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr int along = 26, across = 14; // control points by v and by w
+constexpr int grid = 160;              // columns along either axis
+constexpr double lift_rest = 1e-6;     // metres, added so that the lift ends
+constexpr int most_sweeps = 400;
+
+// What a wall must reach at one place: metres below and above the cut surface.
+struct Need {
+    glm::dvec2 vw;
+    std::array<double, 2> height;
+};
+
+std::vector<Need> needs(const ObstacleColumns& columns, const CutSurface& surface,
+                        double clearance, const std::vector<glm::dvec2>& at)
+{
+    const std::vector<std::optional<glm::dvec2>> extents = columns.at(at);
+    std::vector<Need> out;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+        if (!extents[k]) continue;
+        const double phi = evaluate(surface, at[k]).value;
+        out.push_back({at[k], {phi - extents[k]->x + clearance, extents[k]->y - phi + clearance}});
+    }
+    return out;
+}
+
+bool fixed(int i, int j)
+{
+    return i == 0 || i == along - 1 || j == 0 || j == across - 1;
+}
+
+// Raises control points, each by as much as the neediest sample asks of it, until none is short.
+// A sample that is short by r would be lifted enough by r b / sum b^2 alone; the largest of these
+// only adds.
+void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t side)
+{
+    struct Row {
+        std::array<double, 16> weight;
+        std::array<std::size_t, 16> index;
+        double squares, target;
+    };
+    std::vector<Row> rows(samples.size());
+    parallel_blocks(samples.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t s = begin; s < end; ++s) {
+            const Basis a = basis(wall.axes[0], samples[s].vw.x);
+            const Basis b = basis(wall.axes[1], samples[s].vw.y);
+            Row& row = rows[s];
+            row.squares = 0;
+            row.target = samples[s].height[side] + lift_rest;
+            for (std::size_t k = 0; k < 16; ++k) {
+                const int i = a.first + static_cast<int>(k / 4), j = b.first + static_cast<int>(k % 4);
+                row.weight[k] = a.value[k / 4] * b.value[k % 4];
+                row.index[k] = wall.index(i, j);
+                if (!fixed(i, j)) row.squares += row.weight[k] * row.weight[k];
+            }
+        }
+    });
+    std::vector<double> more(wall.points.size());
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        std::ranges::fill(more, 0.0);
+        bool short_of = false;
+        for (const Row& row : rows) {
+            double value = 0;
+            for (std::size_t k = 0; k < 16; ++k) value += row.weight[k] * wall.points[row.index[k]];
+            const double missing = row.target - value;
+            if (missing <= 1e-9 || row.squares <= 0) continue;
+            short_of = true;
+            for (std::size_t k = 0; k < 16; ++k)
+                more[row.index[k]] =
+                    std::max(more[row.index[k]], missing * row.weight[k] / row.squares);
+        }
+        if (!short_of) break;
+        for (int i = 1; i + 1 < along; ++i)
+            for (int j = 1; j + 1 < across; ++j)
+                wall.points[wall.index(i, j)] += more[wall.index(i, j)];
+    }
+}
+
+} // namespace
+
+std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
+                                         double clearance, double margin)
+{
+    const Box& box = columns.box();
+    const double more = margin * box.size().y + clearance;
+    const std::array<Knots, 2> axes{
+        Knots::uniform(4, along, box.lo.y - more, box.hi.y + more),
+        Knots::uniform(4, across, box.lo.z - more, box.hi.z + more)};
+    std::vector<glm::dvec2> at;
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j <= grid; ++j)
+            at.emplace_back(box.lo.y + box.size().y * (i + 0.5) / grid,
+                            box.lo.z + box.size().z * j / double{grid});
+    for (const glm::dvec3& p : columns.vertices()) at.emplace_back(p.y, p.z);
+    std::vector<Need> samples = needs(columns, surface, clearance, at);
+    // A ray may slip past a vertex on the rim of the shadow
+    for (const glm::dvec3& p : columns.vertices()) {
+        const double phi = evaluate(surface, {p.y, p.z}).value;
+        samples.push_back({{p.y, p.z}, {phi - p.x + clearance, p.x - phi + clearance}});
+    }
+    std::vector<glm::dvec2> sites;
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j < across; ++j) sites.emplace_back(axes[0].greville(i), axes[1].greville(j));
+    const std::vector<std::optional<glm::dvec2>> extents = columns.at(sites);
+
+    std::array<OpeningWall, 2> out{
+        OpeningWall{{axes, std::vector<double>(sites.size())}, 0},
+        OpeningWall{{axes, std::vector<double>(sites.size())}, 0}};
+    for (std::size_t side = 0; side < 2; ++side) {
+        Surface<double>& wall = out[side].height;
+        for (int i = 1; i + 1 < along; ++i)
+            for (int j = 1; j + 1 < across; ++j) {
+                const std::size_t k = wall.index(i, j);
+                if (!extents[k]) continue;
+                const double phi = evaluate(surface, sites[k]).value;
+                wall.points[k] = std::max(
+                    0.0, (side == 0 ? phi - extents[k]->x : extents[k]->y - phi) + clearance);
+            }
+        lift(wall, samples, side);
+        out[side].most = *std::ranges::max_element(wall.points);
+    }
+    return out;
+}
+
+} // namespace trivar

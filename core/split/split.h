@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/split/split_field.h"
+
+#include <optional>
+
+namespace trivar {
+
+struct SplitOptions {
+    // Metres: no triangle of the result is further from where the field takes it, as long as there
+    // are at most that number of triangles.
+    double tolerance = 1e-3;
+    std::size_t most_triangles = 4000000;
+    bool capped = true;         // closed with caps; otherwise the halves are open
+    std::uint32_t material = 0; // face_material of the caps
+};
+
+// A SplitMesh is a mesh that was parted by the openings of a field.
+struct SplitMesh {
+    Mesh rest; // cut and capped, before anything is moved
+    Mesh mesh; // the same after the field: other positions and normals
+    // The first face of those of caps and of triangles that were cut; all later ones are such.
+    std::size_t first_new_face = 0;
+    std::size_t fans = 0; // see Caps
+    std::size_t open = 0; // edges of the cut where the mesh was open
+    double off = 0;       // metres: bound of the distance of its triangles from the true surface
+};
+
+// Parts a mesh in the world: makes it fine enough near the openings, cuts it along each cut
+// surface, closes both halves with caps, and moves its vertices by the field. A closed mesh becomes
+// closed parts; none of its vertices lies in an obstacle. None: the field moves nothing of the mesh.
+// Vertices that the field does not move keep their bits.
+std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
+                               const SplitOptions& options);
+
+} // namespace trivar

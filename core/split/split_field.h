@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/split/opening_wall.h"
+#include "core/split/split_kernel.h"
+
+#include <string>
+
+namespace trivar {
+
+// A SplitObstacle is what a model is parted by.
+struct SplitObstacle {
+    std::string name; // for sentences
+    std::vector<RayScene::Entry> bodies;
+    double clearance = 0.005; // metres between the obstacle and the walls, at least
+    double reach = 0;         // metres from the cut surface; 0, or too small: what the kernel needs
+    SplitKernel kernel = SplitKernel::quadratic;
+};
+
+// An Opening is the gap that an obstacle asks for. Below the cut surface is 0, above it 1.
+struct Opening {
+    CutSurface surface;
+    std::array<OpeningWall, 2> walls;
+    std::array<double, 2> reach{0, 0}; // metres
+    SplitKernel kernel = SplitKernel::quadratic;
+    std::string name;
+
+    double height(const glm::dvec3& uvw) const // above the cut surface
+    {
+        return uvw.x - evaluate(surface, {uvw.y, uvw.z}).value;
+    }
+};
+
+// A SplitField is the function with discontinuities that parts a model:
+//
+//   X(u, v, w) = u + sum_i s_i W_i(v, w) K(|u - phi_i(v, w)| / R_i),
+//
+// s_i = -1 below and +1 above cut surface i; v and w stay. A line along u is mapped into itself,
+// and X grows along it, so nothing folds and parts on both sides never overlap; a point above the
+// surface comes to lie at or above phi + W. Beyond the reaches and the rectangles of the walls
+// nothing is moved. [Schein, thesis, chapter 6, with sheared cut surfaces in place of planes]
+struct SplitField {
+    SplitFrame frame;
+    std::vector<Opening> openings; // ascending along u
+
+    // What happens to a point: its u afterwards, and the derivative of that by (u, v, w).
+    struct Moved {
+        double u;
+        glm::dvec3 gradient{1, 0, 0};
+    };
+    // `sides` (per opening) says on which side the point is counted, `on` whether it is a point of
+    // the cut surface, where the distance is exactly 0.
+    Moved moved(const glm::dvec3& uvw, std::span<const char> sides, std::span<const char> on) const;
+    Box reach() const; // in uvw: nothing beyond it is moved
+};
+
+// The field of several obstacles. Obstacles whose cut surfaces would meet are parted by as one; the
+// names of these are joined. Reaches are widened, and a kernel replaced by the hat, where that
+// takes it; throws Rejected, with the names, where there is too little room between two.
+SplitField split_field(const std::vector<SplitObstacle>& obstacles, const SplitFrame& frame);
+
+} // namespace trivar

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/split.h"
+
+#include "core/base/rejected.h"
+#include "core/split/cap.h"
+#include "core/mesh/primitives.h"
+#include "tests/split/bodies.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace trivar::testing {
+namespace {
+
+struct Plane {
+    glm::dvec3 normal;
+    double offset;
+};
+
+struct CutInTwo {
+    CutMesh cut;
+    Caps caps;
+};
+
+CutInTwo cut_by(const Mesh& mesh, const Plane& plane, double longest = 0)
+{
+    const glm::dvec3 n = glm::normalize(plane.normal);
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 y = glm::cross(n, x);
+    std::vector<double> heights;
+    for (const glm::vec3& p : mesh.positions)
+        heights.push_back(glm::dot(n, glm::dvec3(p)) - plane.offset);
+    CutInTwo out{cut(mesh, heights), {}};
+    CapOptions options;
+    for (const glm::vec3& p : out.cut.places)
+        options.places.emplace_back(glm::dot(x, glm::dvec3(p)), glm::dot(y, glm::dvec3(p)));
+    options.point = [=](const glm::dvec2& at) { return plane.offset * n + at.x * x + at.y * y; };
+    options.normal = [=](const glm::dvec2&) { return n; };
+    if (longest > 0)
+        options.too_coarse = [=](const std::array<glm::dvec2, 3>& t) {
+            return glm::distance(t[0], t[1]) > longest || glm::distance(t[1], t[2]) > longest ||
+                   glm::distance(t[2], t[0]) > longest;
+        };
+    out.caps = cap(out.cut, options);
+    return out;
+}
+
+void expect_two_closed_halves(const Mesh& mesh, const CutInTwo& halves)
+{
+    double sum = 0;
+    for (const bool above : {false, true}) {
+        const Mesh half = half_of(halves.cut.mesh, halves.cut.above, above);
+        const Closedness closed = closedness(half);
+        EXPECT_EQ(closed.open, 0u);
+        EXPECT_EQ(closed.twice, 0u);
+        EXPECT_EQ(closed.euler % 2, 0);
+        EXPECT_GT(half.face_count(), 0u);
+        EXPECT_GT(volume_of(half), 0);
+        sum += volume_of(half);
+    }
+    EXPECT_NEAR(sum, volume_of(mesh), 2e-7 * volume_of(mesh));
+}
+
+TEST(Cut, PartsATorusIntoClosedHalves)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {120, 60}));
+    expect_two_closed_halves(torus, cut_by(torus, {{1, 0.2, 0.1}, 0.05}));    // two discs
+    expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03}));   // a ring
+    expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03}, 0.02));
+    expect_two_closed_halves(torus, cut_by(torus, {{0, 0, 1}, 0}));           // through vertices
+}
+
+TEST(Cut, PartsHalvesOfTheTorusThatAreEqualEqually)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {100, 50}));
+    const CutInTwo halves = cut_by(torus, {{0, 0, 1}, 0});
+    EXPECT_NEAR(volume_of(half_of(halves.cut.mesh, halves.cut.above, true)),
+                volume_of(torus) / 2, 2e-4 * volume_of(torus));
+}
+
+TEST(Cut, ClosesHalvesByRandomPlanes)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const Mesh torus = welded(torus_mesh(1, 0.4, {40, 20}));
+    for (int i = 0; i < 300; ++i) {
+        const CutInTwo halves =
+            cut_by(torus, {{uniform(random), uniform(random), uniform(random)}, 0.9 * uniform(random)},
+                   i % 3 ? 0 : 0.1);
+        if (halves.cut.rim.empty()) continue;
+        expect_two_closed_halves(torus, halves);
+        EXPECT_EQ(halves.caps.fans, 0u);
+    }
+}
+
+TEST(Cut, LeavesWhatItDoesNotTouchAsItIs)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {40, 20}));
+    const CutInTwo none = cut_by(torus, {{0, 0, 1}, 5});
+    EXPECT_EQ(none.cut.mesh, torus);
+    const CutInTwo some = cut_by(torus, {{1, 0, 0}, 1.3});
+    for (std::size_t v = 0; v < torus.vertex_count(); ++v)
+        EXPECT_EQ(some.cut.mesh.positions[v], torus.positions[v]);
+}
+
+TEST(Cut, LeavesAnOpenSheetOpenAndSaysSo)
+{
+    Mesh sheet = welded(torus_mesh(1, 0.4, {40, 20}));
+    const std::size_t faces = sheet.face_count() / 2;
+    ASSERT_GT(faces, 0u);
+    sheet.corners.resize(sheet.face_begin[faces]);
+    sheet.face_begin.resize(faces + 1);
+    const CutInTwo halves = cut_by(sheet, {{0.1, 0.1, 1}, 0.1});
+    EXPECT_GT(halves.cut.rim.size(), 0u);
+    EXPECT_GT(halves.caps.open, 0u);
+}
+
+TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
+{
+    for (const SplitKernel kernel : {SplitKernel::quadratic, SplitKernel::smooth,
+                                     SplitKernel::gaussian, SplitKernel::hat}) {
+        EXPECT_EQ(kernel_at(kernel, 0).value, 1);
+        EXPECT_EQ(kernel_at(kernel, 0).first, 0);
+        EXPECT_NEAR(kernel_at(kernel, 1).value, 0, 1e-15);
+        constexpr double h = 1e-5;
+        for (double x = h; x < 1.2; x += 0.001) {
+            const KernelValue at = kernel_at(kernel, x);
+            EXPECT_LE(at.first, 0);
+            EXPECT_LE(-at.first, steepest(kernel));
+            EXPECT_NEAR(at.first,
+                        (kernel_at(kernel, x + h).value - kernel_at(kernel, x - h).value) / (2 * h),
+                        3e-4);
+            EXPECT_LE(std::abs(kernel_at(kernel, x + h).first - at.first) / h,
+                      most_bent(kernel) * (1 + 1e-6));
+        }
+    }
+}
+
+SplitObstacle obstacle(const std::string& name, Mesh mesh)
+{
+    SplitObstacle out;
+    out.name = name;
+    out.bodies = {{std::make_shared<const RayMesh>(make_ref(std::move(mesh))), glm::dmat4(1), 1}};
+    out.clearance = 0.004;
+    return out;
+}
+
+struct Named {
+    std::string name;
+    std::vector<SplitObstacle> obstacles;
+};
+
+std::vector<Named> scenes()
+{
+    const auto leaning = [](const glm::dvec3& at, const glm::dvec3& lean) {
+        return [=](double s) { return at + lean * (4 * s - 2) + glm::dvec3(0, 0, 4 * s - 2); };
+    };
+    std::vector<Named> out;
+    out.push_back({"upright bar", {obstacle("bar", bar(leaning({0.1, 0, 0}, {}), 0.18))}});
+    out.push_back({"leaning bar", {obstacle("bar", bar(leaning({}, {0.84, 0.36, 0}), 0.18))}});
+    out.push_back({"bent bar", {obstacle("bar", bar(
+                                                  [](double s) {
+                                                      const double z = 4 * s - 2;
+                                                      return glm::dvec3(0.35 * std::sin(3 * z), 0, z);
+                                                  },
+                                                  0.15, 48))}});
+    out.push_back({"ball", {obstacle("ball", ball({0.1, 0, 0.05}, 0.3, 48))}});
+    Named three{"three leaning bars", {}};
+    for (int k = -1; k <= 1; ++k)
+        three.obstacles.push_back(obstacle(
+            "bar " + std::to_string(k + 2), bar(leaning({0.75 * k, 0.2 * k, 0}, {0.3, 0.25, 0}), 0.12)));
+    out.push_back(three);
+    return out;
+}
+
+// Whether a point in the world lies in any obstacle: a ray to the outside leaves more often than it
+// enters.
+bool inside(const RayScene& scene, const glm::dvec3& p)
+{
+    const std::optional<Hit> hit = scene.hit({p, glm::normalize(glm::dvec3(0.31, 0.93, 0.2))});
+    return hit && hit->back_face;
+}
+
+RayScene scene_of(const std::vector<SplitObstacle>& obstacles)
+{
+    std::vector<RayScene::Entry> entries;
+    for (const SplitObstacle& each : obstacles)
+        entries.insert(entries.end(), each.bodies.begin(), each.bodies.end());
+    return RayScene(entries);
+}
+
+TEST(SplitField, MovesNothingIntoAnObstacleAndFoldsNothing)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (const Named& named : scenes()) {
+        SCOPED_TRACE(named.name);
+        const SplitField field = split_field(named.obstacles, {});
+        EXPECT_EQ(field.openings.size(), named.obstacles.size());
+        const RayScene scene = scene_of(named.obstacles);
+        const std::vector<char> on(field.openings.size(), 0);
+        for (int k = 0; k < 20000; ++k) {
+            const glm::dvec3 p(2.5 * uniform(random), 1.5 * uniform(random), 1.1 * uniform(random));
+            std::vector<char> sides;
+            for (const Opening& o : field.openings) sides.push_back(o.height(p) >= 0);
+            const SplitField::Moved moved = field.moved(p, sides, on);
+            EXPECT_GT(moved.gradient.x, 0.01);
+            EXPECT_FALSE(inside(scene, {moved.u, p.y, p.z}));
+            // The derivative is that of differences
+            constexpr double h = 1e-6;
+            for (int axis = 1; axis < 3; ++axis) {
+                glm::dvec3 q = p;
+                q[axis] += h;
+                EXPECT_NEAR(moved.gradient[axis], (field.moved(q, sides, on).u - moved.u) / h, 1e-3);
+            }
+        }
+    }
+}
+
+TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
+{
+    for (const Named& named : scenes()) {
+        SCOPED_TRACE(named.name);
+        const SplitField field = split_field(named.obstacles, {});
+        const RayScene scene = scene_of(named.obstacles);
+        for (int frame = 0; frame < 9; ++frame) {
+            SCOPED_TRACE(frame);
+            const Mesh model = ball({0.05, -2 + 0.5 * frame, 0}, 0.9, 40);
+            const std::optional<SplitMesh> parted = split(model, field, {.tolerance = 2e-3});
+            if (!parted) continue;
+            const Closedness closed = closedness(parted->mesh);
+            EXPECT_EQ(closed.open, 0u);
+            EXPECT_EQ(closed.twice, 0u);
+            EXPECT_EQ(parted->fans, 0u);
+            EXPECT_EQ(parted->open, 0u);
+            EXPECT_LE(parted->off, 2e-3);
+            EXPECT_NEAR(volume_of(parted->rest), volume_of(model), 1e-5);
+            for (const glm::vec3& p : parted->mesh.positions)
+                EXPECT_FALSE(inside(scene, glm::dvec3(p)));
+        }
+    }
+}
+
+TEST(Split, LeavesAModelBeforeAndBehindAsItIs)
+{
+    const SplitField field = split_field(scenes()[0].obstacles, {});
+    EXPECT_FALSE(split(ball({0, -3, 0}, 0.9, 40), field, {}));
+    EXPECT_FALSE(split(ball({0, 3, 0}, 0.9, 40), field, {}));
+}
+
+TEST(SplitField, TakesInterlockedObstaclesAsOne)
+{
+    const Mesh first = bar([](double s) { return glm::dvec3(2 * s - 1, 0, 0.1); }, 0.1);
+    Mesh second = bar([](double s) { return glm::dvec3(0, 0, 2 * s - 1); }, 0.1);
+    const SplitField field =
+        split_field({obstacle("a", first), obstacle("b", std::move(second))}, {});
+    ASSERT_EQ(field.openings.size(), 1u);
+    EXPECT_EQ(field.openings[0].name, "a and b");
+}
+
+TEST(SplitField, RefusesObstaclesWithoutRoomBetweenThem)
+{
+    const auto upright = [](double x) {
+        return bar([=](double s) { return glm::dvec3(x, 0, 2 * s - 1); }, 0.2);
+    };
+    EXPECT_THROW(
+        split_field({obstacle("a", upright(0)), obstacle("b", upright(0.42))}, {}), Rejected);
+}
+
+} // namespace
+} // namespace trivar::testing
