@@ -24,6 +24,7 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *lock = "\uf023", *open_lock = "\uf09c", *more = "\uf141",
                             *travel = "\uf018", *first = "\uf048", *back = "\uf04a",
                             *play = "\uf04b", *pause = "\uf04c", *forward = "\uf04e",
-                            *last = "\uf051", *again = "\uf079", *mask = "\uf042";
+                            *last = "\uf051", *again = "\uf079", *mask = "\uf042",
+                            *split = "\uf127";
 
 } // namespace trivar::ui::icon

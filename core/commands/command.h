@@ -19,6 +19,7 @@
 #include "core/commands/refine.h"
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
+#include "core/commands/split.h"
 #include "core/commands/text.h"
 #include "core/commands/tiles.h"
 #include "core/commands/travel.h"
@@ -50,7 +51,8 @@ using AnyCommand =
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
-                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap>;
+                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap,
+                 Split, ClearSplit>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -12,6 +12,7 @@
 #include "core/commands/refine.h"
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
+#include "core/commands/split.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 #include "core/commands/unwrap.h"
@@ -30,6 +31,13 @@ struct CopiedPlacement {
     std::optional<Attachment> attach = {};
     std::optional<glm::dvec3> normal = {};
     bool operator==(const CopiedPlacement&) const = default;
+};
+
+// A CopiedSplitting names obstacles by what they were called, beside their numbers.
+struct CopiedSplitting {
+    Splitting splitting;
+    std::vector<KnownObject> known; // in the order of its obstacles
+    bool operator==(const CopiedSplitting&) const = default;
 };
 
 // A CopiedObject is an object by itself, with its number in the scene from which it was copied.
@@ -60,6 +68,7 @@ struct CopiedObject {
     std::optional<Simplifying> simplifying;
     std::optional<Unwrapping> unwrapping = {};
     std::optional<CopiedTiling> tiling = {};
+    std::optional<CopiedSplitting> splitting = {};
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
 };
@@ -76,6 +85,14 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("normal", p.normal, "of the plane that cuts that object; left out: none does");
         field("attach", p.attach,
               "the hosts among onto that it is attached to, by the same numbers");
+    }
+};
+template <> struct FieldsOf<CopiedSplitting> {
+    static constexpr std::string_view told_as = "values of [split](#split), and `known`";
+    static void fields(auto& s, auto&& field)
+    {
+        FieldsOf<Splitting>::fields(s.splitting, field);
+        field("known", s.known, "the obstacles: other copies, or objects of the scene");
     }
 };
 template <> struct FieldsOf<CopiedObject> {
@@ -111,6 +128,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("simplifying", c.simplifying, "how its triangles are reduced");
         field("unwrapping", c.unwrapping, "how its texture coordinates are made");
         field("tiling", c.tiling, "how copies of it are painted on another object");
+        field("splitting", c.splitting, "what parts it, and how its halves are closed");
         field("tracks", c.tracks, "its animated parameters with their keys", later);
     }
 };

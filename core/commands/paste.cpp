@@ -189,6 +189,22 @@ Document painted(Document document, Id id, const CopiedTiling& copied, const Doc
     return with_morph(std::move(document), id, copied.into ? here(*copied.into, before, made) : 0);
 }
 
+// Lets a copy be parted by those of its obstacles that were copied too or are in the scene.
+Document parted(Document document, Id id, const CopiedSplitting& copied, const Document& before,
+                const CopiedIds& made)
+{
+    Splitting splitting = copied.splitting;
+    splitting.obstacles.clear();
+    for (std::size_t i = 0; i < std::min(copied.known.size(), copied.splitting.obstacles.size());
+         ++i)
+        if (const Id obstacle = here(copied.known[i], before, made); obstacle != 0) {
+            splitting.obstacles.push_back(copied.splitting.obstacles[i]);
+            splitting.obstacles.back().object = obstacle;
+        }
+    if (splitting.obstacles.empty()) return document;
+    return applied(std::move(document), Split{{id}, std::move(splitting)});
+}
+
 // Adds tracks, except those of parameters that the copy does not have.
 Document animated(Document document, Id id, std::vector<Track> tracks)
 {
@@ -244,6 +260,11 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                 copy.tiling->others.push_back(
                     {{mixed.object, object(document, mixed.object).name}, mixed.weight});
     }
+    if (each.splitting) {
+        copy.splitting = CopiedSplitting{*each.splitting, {}};
+        for (const ObstacleUse& by : each.splitting->obstacles)
+            copy.splitting->known.push_back({by.object, object(document, by.object).name});
+    }
     if (!each.stroke) return copy;
     copy.placement = {each.stroke->sketch,
                       each.stroke->parameters,
@@ -287,6 +308,10 @@ Document applied(Document document, const Paste& command)
         if (copy.tiling)
             document =
                 painted(std::move(document), made.at(copy.object), *copy.tiling, before, made);
+    for (const CopiedObject& copy : command.copies)
+        if (copy.splitting)
+            document =
+                parted(std::move(document), made.at(copy.object), *copy.splitting, before, made);
     for (const auto& [copied_id, id] : made)
         if (const Object& o = object(document, id);
             o.refining && !o.stroke && lattices_round(document, id).empty())

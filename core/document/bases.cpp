@@ -7,6 +7,8 @@ std::vector<Id> bases_of(const Object& object)
 {
     std::vector<Id> out;
     if (object.stroke) out = object.stroke->onto;
+    if (object.splitting)
+        for (const ObstacleUse& each : object.splitting->obstacles) out.push_back(each.object);
     if (!object.tiles) return out;
     if (object.tiles->base != 0) out.push_back(object.tiles->base);
     for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
@@ -26,6 +28,12 @@ Object with_bases(Object object, const std::function<Id(Id)>& other)
         if (object.tiles->into != 0) object.tiles->into = other(object.tiles->into);
         for (TileMask& each : object.tiles->masks)
             if (each.curve != 0) each.curve = other(each.curve);
+    }
+    if (object.splitting) {
+        std::vector<ObstacleUse>& obstacles = object.splitting->obstacles;
+        for (ObstacleUse& each : obstacles) each.object = other(each.object);
+        std::erase_if(obstacles, [](const ObstacleUse& each) { return each.object == 0; });
+        if (obstacles.empty()) object.splitting.reset();
     }
     if (!object.stroke) return object;
     std::vector<Id>& onto = object.stroke->onto;

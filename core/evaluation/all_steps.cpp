@@ -6,6 +6,7 @@
 #include "core/evaluation/refining.h"
 #include "core/evaluation/riding.h"
 #include "core/evaluation/simplifying.h"
+#include "core/evaluation/splitting.h"
 #include "core/evaluation/tiling.h"
 #include "core/evaluation/unwrapping.h"
 
@@ -43,6 +44,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
     steps.push_back(std::make_unique<RefiningStep>());
+    steps.push_back(std::make_unique<SplittingStep>());
     return steps;
 }
 

@@ -7,6 +7,7 @@
 #include "core/evaluation/walk.h"
 #include "core/placement/shaper.h"
 #include "core/refinement/refine.h"
+#include "core/split/split_field.h"
 #include "core/unwrap/unwrap.h"
 
 #include <limits>
@@ -75,6 +76,12 @@ struct UnwrappingEffects {
     Ref<UnwrapFacts> unwrapped; // null: its texture coordinates are those of its file
 };
 
+struct SplittingEffects {
+    // The field that parts it, where it stands at this frame; null: it is parted by nothing.
+    Ref<SplitField> split_field;
+    double split_off = 0; // metres: bound of the distance of its triangles from the true walls
+};
+
 // A Stage is what some of an object's steps have made of it. A step changes a copy and returns
 // that, so that a stage never changes once another step has seen it.
 struct Stage : SimplifyingEffects,
@@ -84,7 +91,8 @@ struct Stage : SimplifyingEffects,
                CarriageEffects,
                TravelEffects,
                RefiningEffects,
-               TilingEffects {
+               TilingEffects,
+               SplittingEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be empty
     std::vector<CurvePart> curves;    // in the world; may be empty

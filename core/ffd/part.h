@@ -46,6 +46,9 @@ struct Part {
         return tiles ? tiles->vertex_count() : rest->vertex_count();
     }
     std::size_t face_count() const { return tiles ? tiles->face_count() : rest->face_count(); }
+    // Where the vertices of a mesh that was split are before that, as patterns that fill a body
+    // follow them; null: that mesh is `rest`.
+    Ref<Mesh> before_split = nullptr;
     bool operator==(const Part& other) const // bounds and tiles follow from the other members
     {
         return rest == other.rest && to_world == other.to_world && posed == other.posed &&

@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 constexpr int most_rounds = 16;
-constexpr std::size_t triangles_per_block = 1 << 14;
+constexpr std::size_t triangles_per_block = 1 << 12, vertices_per_turn = 1 << 12;
 
 // An edge between two vertices; that with the smaller point is the first.
 struct VertexEdge {
@@ -53,7 +53,9 @@ public:
     {
         const std::size_t faces = mesh_.face_count();
         std::vector<std::vector<VertexEdge>> found(faces / triangles_per_block + 1);
+        std::vector<double> most(found.size(), 0);
         const Box reach = field_.reach();
+        const std::size_t openings = field_.openings.size();
         parallel_blocks(faces, triangles_per_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f) {
                 if (!open_[f]) continue;
@@ -63,13 +65,21 @@ public:
                 for (const glm::dvec3& each : p) box.add(each);
                 open_[f] = 0;
                 if (box.apart(reach)) continue;
-                const std::array<double, 3> off = error_.edges(p);
+                const std::array<double, 3> off =
+                    error_.edges(p, {&heights_[openings * corner(f, 0)],
+                                     &heights_[openings * corner(f, 1)],
+                                     &heights_[openings * corner(f, 2)]});
+                double& worst = most[begin / triangles_per_block];
+                worst = std::max({worst, off[0], off[1], off[2]});
                 for (std::size_t i = 0; i < 3; ++i)
                     if (off[i] > tolerance_)
                         found[begin / triangles_per_block].push_back(
                             ordered(corner(f, i), corner(f, (i + 1) % 3)));
             }
         });
+        // Those that are not open any more are within the tolerance
+        off_ = std::ranges::max(most);
+        fine_off_ = std::max(fine_off_, std::min(off_, tolerance_));
         marked_.clear();
         for (const std::vector<VertexEdge>& each : found)
             for (const VertexEdge& e : each) marked_.push_back(by_points(e));
@@ -154,7 +164,10 @@ public:
             }
         }
     }
-    Mesh take() { return std::move(mesh_); }
+    FineMesh take()
+    {
+        return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)};
+    }
     std::size_t triangle_count() const { return mesh_.face_count(); }
 
 private:
@@ -174,8 +187,12 @@ private:
     void take_places(std::size_t first)
     {
         uvw_.resize(mesh_.vertex_count());
-        for (std::size_t v = first; v < uvw_.size(); ++v)
-            uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
+        parallel_blocks(uvw_.size() - first, vertices_per_turn, [&](std::size_t begin,
+                                                                    std::size_t end) {
+            for (std::size_t v = first + begin; v < first + end; ++v)
+                uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
+        });
+        add_heights(heights_, mesh_, field_);
     }
     // In place of triangle f, or as another one of the same face.
     void put(std::size_t f, const std::array<std::uint32_t, 3>& vertices, bool in_place)
@@ -197,14 +214,31 @@ private:
     const SplitError& error_;
     double tolerance_;
     std::vector<glm::dvec3> uvw_; // #V
+    std::vector<double> heights_; // #V x #openings
+    double off_ = 0;              // of the last round
+    double fine_off_ = 0;         // of triangles that were fine enough before
     std::vector<char> open_;      // #F: not yet known to be fine enough
     std::vector<VertexEdge> marked_; // by points
 };
 
 } // namespace
 
-Mesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
-                 double tolerance, std::size_t most_triangles)
+void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitField& field)
+{
+    const std::size_t openings = field.openings.size(), first = heights.size() / openings;
+    heights.resize(openings * mesh.vertex_count());
+    parallel_blocks(mesh.vertex_count() - first, vertices_per_turn, [&](std::size_t begin,
+                                                                        std::size_t end) {
+        for (std::size_t v = first + begin; v < first + end; ++v) {
+            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(mesh.positions[v]));
+            for (std::size_t i = 0; i < openings; ++i)
+                heights[openings * v + i] = field.openings[i].height(uvw);
+        }
+    });
+}
+
+FineMesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
+                     double tolerance, std::size_t most_triangles)
 {
     Mesh start = as_triangles(mesh);
     if (start.points.empty()) {
@@ -212,12 +246,11 @@ Mesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& er
         std::iota(start.points.begin(), start.points.end(), 0u);
     }
     Rounds rounds(std::move(start), field, error, tolerance);
-    int round = 0;
-    while (round < most_rounds && rounds.triangle_count() < most_triangles && rounds.mark()) {
+    for (int round = 0; rounds.mark(); ++round) {
+        if (round >= most_rounds || rounds.triangle_count() >= most_triangles) break;
         rounds.split();
-        ++round;
     }
-    return round == 0 ? mesh : rounds.take();
+    return rounds.take();
 }
 
 } // namespace trivar

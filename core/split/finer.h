@@ -5,12 +5,22 @@
 
 namespace trivar {
 
-// The mesh with the triangles near the openings of a field split, at the middles of their edges,
-// until none is off by more than the tolerance (metres), or until `most_triangles` are there.
-// Positions are in the world. Faces are triangles then; triangles that were not split keep their
-// order and stand first. The mesh itself where nothing needs it. No cracks: an edge is split for
-// both of its triangles.
-Mesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
-                 double tolerance, std::size_t most_triangles);
+// A FineMesh is a mesh that is fine enough to be parted.
+struct FineMesh {
+    Mesh mesh;
+    std::vector<double> heights; // #V x #openings: over each cut surface
+    double off = 0;              // metres: bound of the distance of its triangles from the true ones
+};
+
+// Splits the triangles near the openings of a field, at the middles of their edges, until none is
+// off by more than the tolerance (metres), or until `most_triangles` are there. Positions are in
+// the world. Faces are triangles then; those that were not split keep their order and stand
+// first. No cracks: an edge is split for both of
+// its triangles. O(#V + #C) and the work at the openings.
+FineMesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
+                     double tolerance, std::size_t most_triangles);
+
+// Computes the heights of the vertices that have none yet.
+void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitField& field);
 
 } // namespace trivar

@@ -102,19 +102,19 @@ void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps,
 void move(SplitMesh& out, const SplitField& field, VertexSides& all)
 {
     const Box reach = field.reach();
-    out.mesh = out.rest;
-    parallel_blocks(out.rest.vertex_count(), vertices_per_block, [&](std::size_t begin,
+    out.rest_positions = out.mesh.positions;
+    parallel_blocks(out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
                                                                      std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(out.rest.positions[v]));
+            const glm::dvec3 rest(out.rest_positions[v]);
+            const glm::dvec3 uvw = field.frame.uvw(rest);
             if (glm::any(glm::lessThan(uvw, reach.lo)) ||
                 glm::any(glm::greaterThan(uvw, reach.hi)))
                 continue;
             const SplitField::Moved moved =
                 field.moved(uvw, {&all.side(v, 0), all.openings}, {&all.is_on(v, 0), all.openings});
             if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-            out.mesh.positions[v] = glm::vec3(glm::dvec3(out.rest.positions[v]) +
-                                              field.frame.axes[0] * (moved.u - uvw.x));
+            out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
             const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
                 glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
                 d.x = glm::dot(moved.gradient, d);
@@ -123,45 +123,20 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
             if (!out.mesh.normals.empty()) {
                 // By the cofactors of the derivative, whose last two rows are those of the identity
                 const glm::dvec3 n =
-                    glm::transpose(field.frame.axes) * glm::dvec3(out.rest.normals[v]);
+                    glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
                 const glm::dvec3& g = moved.gradient;
                 out.mesh.normals[v] = glm::vec3(
                     field.frame.axes *
                     glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x, g.x * n.z - g.z * n.x)));
             }
             if (!out.mesh.tangents.empty()) {
-                const glm::dvec3 t = mapped(glm::dvec3(out.rest.tangents[v]));
+                const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
                 if (glm::length(t) > 0)
                     out.mesh.tangents[v] =
-                        glm::vec4(glm::vec3(glm::normalize(t)), out.rest.tangents[v].w);
+                        glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
             }
         }
     });
-}
-
-// The greatest of the bounds of the first triangles, up to `end`.
-double bound_of(const Mesh& rest, std::size_t end_face, const SplitField& field,
-                const SplitError& error)
-{
-    const Box reach = field.reach();
-    std::vector<double> most(end_face / vertices_per_block + 1, 0);
-    parallel_blocks(end_face, vertices_per_block, [&](std::size_t begin, std::size_t end) {
-        double& own = most[begin / vertices_per_block];
-        for (std::size_t f = begin; f < end; ++f) {
-            if (rest.face_begin[f + 1] - rest.face_begin[f] != 3) continue;
-            std::array<glm::dvec3, 3> p;
-            Box box;
-            for (std::size_t i = 0; i < 3; ++i) {
-                p[i] = field.frame.uvw(
-                    glm::dvec3(rest.positions[rest.corners[rest.face_begin[f] + i]]));
-                box.add(p[i]);
-            }
-            if (box.apart(reach)) continue;
-            const std::array<double, 3> off = error.edges(p);
-            own = std::max({own, off[0], off[1], off[2]});
-        }
-    });
-    return *std::ranges::max_element(most);
 }
 
 // The greatest of the bounds of the triangles of caps.
@@ -192,20 +167,20 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
     SplitMesh out;
     // An edge of the cut may be worse than the edges of the triangle that it runs through
     constexpr double share = 0.6;
-    out.rest = fine_enough(mesh, field, error, share * options.tolerance, options.most_triangles);
-    out.off = bound_of(out.rest, out.rest.face_count(), field, error);
-    out.first_new_face = out.rest.face_count();
-    VertexSides all{field.openings.size(), {}, {}};
-    all.resize(out.rest.vertex_count());
+    FineMesh fine =
+        fine_enough(mesh, field, error, share * options.tolerance, options.most_triangles);
+    out.off = fine.off;
+    out.mesh = std::move(fine.mesh);
+    out.first_new_face = out.mesh.face_count();
+    const std::size_t openings = field.openings.size();
+    VertexSides all{openings, {}, {}};
+    all.resize(out.mesh.vertex_count());
     for (std::size_t i = 0; i < field.openings.size(); ++i) {
-        std::vector<double> heights(out.rest.vertex_count());
-        parallel_blocks(heights.size(), vertices_per_block, [&](std::size_t begin,
-                                                                std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v)
-                heights[v] = field.openings[i].height(
-                    field.frame.uvw(glm::dvec3(out.rest.positions[v])));
-        });
-        CutMesh cut_mesh = cut(out.rest, heights);
+        add_heights(fine.heights, out.mesh, field);
+        std::vector<double> heights(out.mesh.vertex_count());
+        for (std::size_t v = 0; v < heights.size(); ++v)
+            heights[v] = fine.heights[openings * v + i];
+        CutMesh cut_mesh = cut(out.mesh, heights);
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
@@ -222,7 +197,7 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
         out.fans += caps.fans;
         out.open += caps.open;
         out.first_new_face = std::min(out.first_new_face, cut_mesh.first_new_face);
-        out.rest = std::move(cut_mesh.mesh);
+        out.mesh = std::move(cut_mesh.mesh);
     }
     move(out, field, all);
     return out;

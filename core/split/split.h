@@ -18,8 +18,8 @@ struct SplitOptions {
 
 // A SplitMesh is a mesh that was parted by the openings of a field.
 struct SplitMesh {
-    Mesh rest; // cut and capped, before anything is moved
-    Mesh mesh; // the same after the field: other positions and normals
+    Mesh mesh;                             // cut, capped and moved by the field
+    std::vector<glm::vec3> rest_positions; // #V, before they were moved
     // The first face of those of caps and of triangles that were cut; all later ones are such.
     std::size_t first_new_face = 0;
     std::size_t fans = 0; // see Caps

@@ -18,7 +18,7 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 
 } // namespace
 
-SplitError::SplitError(const SplitField& field) : field_(&field)
+SplitError::SplitError(const SplitField& field)
 {
     for (const Opening& o : field.openings)
         all_.push_back({SurfaceBounds(o.surface, false),
@@ -31,7 +31,8 @@ SplitError::SplitError(const SplitField& field) : field_(&field)
                         most_bent(o.kernel)});
 }
 
-std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw) const
+std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
+                                        const std::array<const double*, 3>& all_heights) const
 {
     std::array<double, 3> out{};
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
@@ -44,8 +45,8 @@ std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw) co
         if (apart(lo2, hi2, each.lo - beyond, each.hi + beyond)) continue;
         // The surface over the triangle: its values at the corners and how it bends between them
         const JetBound phi = each.surface.over(lo2, hi2);
-        std::array<double, 3> heights{};
-        for (std::size_t i = 0; i < 3; ++i) heights[i] = field_->openings[k].height(uvw[i]);
+        const std::array<double, 3> heights{all_heights[0][k], all_heights[1][k],
+                                            all_heights[2][k]};
         double bend = 0;
         for (std::size_t i = 0; i < 3; ++i)
             bend = std::max(bend, phi.second(glm::dvec2(uvw[(i + 1) % 3].y - uvw[i].y,

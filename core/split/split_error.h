@@ -15,8 +15,10 @@ public:
     explicit SplitError(const SplitField& field);
 
     // Metres, for each edge (corner i to the next); the largest of them bounds the triangle, for
-    // the points of either side. 0 where nothing is moved.
-    std::array<double, 3> edges(const std::array<glm::dvec3, 3>& uvw) const;
+    // the points of either side. 0 where nothing is moved. `heights` holds, corner by corner, the
+    // heights over the cut surfaces.
+    std::array<double, 3> edges(const std::array<glm::dvec3, 3>& uvw,
+                                const std::array<const double*, 3>& heights) const;
     // Metres, for a flat triangle of a cap of an opening, whose corners have these (v, w).
     double cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
 
@@ -29,7 +31,6 @@ private:
         double steepest, most_bent;
     };
     std::vector<Each> all_;
-    SplitField const* field_;
 };
 
 } // namespace trivar

@@ -12,6 +12,7 @@
 #include "editor/actions/placement_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
+#include "editor/actions/split_actions.h"
 #include "editor/actions/tile_actions.h"
 #include "editor/actions/time_actions.h"
 #include "editor/actions/unwrap_actions.h"
@@ -51,6 +52,7 @@ std::vector<Action> all_actions()
     add_edit_actions(a);
     add_tile_actions(a);
     add_unwrap_actions(a);
+    add_split_actions(a);
     add_mask_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);

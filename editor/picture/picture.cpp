@@ -58,9 +58,11 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
             } else if (by != gpu::DeformBy::processor) {
                 instance.mesh = part.rest;
                 instance.posed = part.posed;
+                instance.rest = part.before_split;
                 if (part.bent) instance.stages = {{part.bent->volume, part.bent->embedding}};
             } else {
                 instance.mesh = part.mesh();
+                instance.rest = part.before_split;
                 if (part.bent || part.posed) instance.rest = part.rest;
             }
             instance.values = values_of(*ref, p, document, values);

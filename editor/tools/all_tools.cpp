@@ -6,6 +6,7 @@
 #include "editor/tools/place.h"
 #include "editor/tools/press.h"
 #include "editor/tools/select.h"
+#include "editor/tools/split.h"
 #include "editor/tools/tiles.h"
 #include "editor/tools/transform.h"
 
@@ -23,6 +24,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     tools.push_back(std::make_unique<PressTool>());
     tools.push_back(std::make_unique<TilesTool>());
     tools.push_back(std::make_unique<MaskTool>());
+    tools.push_back(std::make_unique<SplitTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;
 }

@@ -189,7 +189,9 @@ std::vector<Command> fitting_commands()
             SetHeights{.object = 9, .shape = {.image = "dunes.png"}},
             Displace{.base = 2, .shape = {.image = "hills.png"}},
             Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
-            ClearUnwrap{.objects = {1}}};
+            ClearUnwrap{.objects = {1}},
+            Split{.objects = {1}, .splitting = {.obstacles = {{2}}}},
+            ClearSplit{.objects = {1}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -97,6 +97,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Displace Ball by hills.png",
         "Unwrap Table",
         "Give Table its own UVs back",
+        "Split Table at Ball",
+        "Close Table",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

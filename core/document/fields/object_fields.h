@@ -10,6 +10,7 @@
 #include "core/document/fields/refining_fields.h"
 #include "core/document/fields/shaping_fields.h"
 #include "core/document/fields/simplifying_fields.h"
+#include "core/document/fields/splitting_fields.h"
 #include "core/document/fields/surfacing_fields.h"
 #include "core/document/fields/text_fields.h"
 #include "core/document/fields/tiles_fields.h"
@@ -74,6 +75,8 @@ template <> struct FieldsOf<Object> {
         field("unwrapping", o.unwrapping, "how its texture coordinates are made",
               any_value.counts(Counting::marked).without_keys());
         field("tiles", o.tiles, "how copies of it are painted on another object",
+              any_value.counts(Counting::marked));
+        field("splitting", o.splitting, "what parts it, and how its halves are closed",
               any_value.counts(Counting::marked));
         field("tracks", o.tracks, "its animated parameters with their keys", later.without_keys());
     }

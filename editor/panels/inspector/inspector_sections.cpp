@@ -3,6 +3,7 @@
 
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
+#include "editor/panels/inspector/inspector_split.h"
 #include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/panels/inspector/inspector_unwrap.h"
 #include "editor/panels/panels.h"
@@ -38,6 +39,11 @@ bool has_triangles(const Document& document, Id id)
     return !holds_others(object(document, id).source);
 }
 
+bool is_parted(const Document& document, Id id)
+{
+    return object(document, id).splitting.has_value();
+}
+
 bool always(const Document&, Id)
 {
     return true;
@@ -50,6 +56,7 @@ const std::vector<InspectorSection>& inspector_sections()
     static const std::vector<InspectorSection> all{
         {is_placed, draw_placement},
         {is_tile_layer, draw_tiles},
+        {is_parted, draw_split},
         {is_made_of<LatticeShape>, draw_lattice},
         {has_a_volume, draw_shaping},
         {is_made_of<ImportedFile>,

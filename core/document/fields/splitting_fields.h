@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+#include "core/split/splitting.h"
+
+namespace trivar {
+
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<SplitKernel>{"quadratic", "smooth",
+                                                                          "gaussian", "hat"};
+
+template <> struct FieldsOf<ObstacleUse> {
+    static constexpr std::string_view told_as = "[obstacle](#obstacle)";
+    static void fields(auto& o, auto&& field)
+    {
+        field("object", o.object, "id of what parts it", required);
+        field("clearance", o.clearance, "metres that stay free round the obstacle, at least",
+              in_range(0, 1000).called("Clearance").in(Unit::metres));
+        field("reach", o.reach,
+              "metres over which the opening fades away; widened to what is needed",
+              in_range(0, 100000).called("Reach").in(Unit::metres));
+        field("kernel", o.kernel, "how the opening fades", any_value.called("Fades"));
+    }
+};
+
+template <> struct FieldsOf<Splitting> {
+    static constexpr std::string_view told_as = "values of [split](#split)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("obstacles", s.obstacles, "what parts it", required.without_keys());
+        field("opening", s.opening, "direction in the world in which the halves part",
+              any_value.called("Opens along").without_keys());
+        field("way", s.way, "direction in the world in which it passes the obstacles",
+              any_value.called("Passes along").without_keys());
+        field("capped", s.capped, "the halves are closed, so that they stay solid",
+              any_value.called("Closed"));
+        field("inside", s.inside,
+              "a pattern that fills it, seen where it opens; none: its own material",
+              any_value.called("Inside"));
+        field("tolerance", s.tolerance,
+              "metres; its triangles are split until none is further from the true walls",
+              in_range(1e-6, 1000).called("Tolerance").in(Unit::metres));
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/splitting.h"
+
+#include "core/base/rejected.h"
+#include "core/split/split.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+SplitFrame frame_of(const Splitting& splitting)
+{
+    const glm::dvec3 u = glm::normalize(splitting.opening);
+    const glm::dvec3 v = glm::normalize(splitting.way - u * glm::dot(u, splitting.way));
+    return {glm::dvec3(0), glm::dmat3(u, v, glm::cross(u, v))};
+}
+
+// The materials beside those of the shape, and the number of the one of the insides.
+struct InsideMaterial {
+    Ref<std::vector<Material>> beside;
+    std::uint32_t number = 0;
+};
+
+InsideMaterial inside_material(const Stage& stage, Filling filling)
+{
+    InsideMaterial out{stage.mixed_materials, 0};
+    if (filling == Filling::none) return out;
+    std::vector<Material> all;
+    if (stage.mixed_materials) all = *stage.mixed_materials;
+    out.number = static_cast<std::uint32_t>(stage.shape->materials->size() + all.size());
+    Material inside;
+    inside.name = "inside";
+    inside.filling = filling;
+    all.push_back(inside);
+    out.beside = make_ref(std::move(all));
+    return out;
+}
+
+Part parted(const Part& part, const SplitMesh& made, bool filled)
+{
+    Part out;
+    out.rest = make_ref(made.mesh);
+    out.key = part.key;
+    for (const glm::vec3& p : made.mesh.positions) out.bounds.add(glm::dvec3(p));
+    if (!filled) return out;
+    // Patterns stay with the body while it moves
+    Mesh before = made.mesh;
+    before.positions = made.rest_positions;
+    out.before_split = make_ref(transformed(before, glm::inverse(part.to_world)));
+    return out;
+}
+
+Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_filled,
+                  const Ref<SplitField>& field)
+{
+    Stage out = before;
+    out.split_field = field;
+    const InsideMaterial inside = inside_material(before, splitting.inside);
+    SplitOptions options;
+    options.tolerance = splitting.tolerance;
+    options.capped = splitting.capped;
+    options.material = inside.number;
+    std::size_t open = 0, fans = 0;
+    bool any = false;
+    const auto is_filled = [](const Material& m) { return m.filling != Filling::none; };
+    const bool filled = splitting.inside != Filling::none || surface_filled ||
+                        std::ranges::any_of(*before.shape->materials, is_filled);
+    for (Part& part : out.parts) {
+        Mesh world = part.to_world == glm::dmat4(1) ? *part.mesh()
+                                                    : transformed(*part.mesh(), part.to_world);
+        // Where a file gives each face vertices of its own, what lies at one place is one point
+        if (world.points.empty()) world.points = points_by_position(world.positions);
+        const std::optional<SplitMesh> made = split(world, *field, options);
+        if (!made) continue;
+        any = true;
+        open += made->open;
+        fans += made->fans;
+        out.split_off = std::max(out.split_off, made->off);
+        part = parted(part, *made, filled);
+    }
+    if (!any) return out;
+    out.mixed_materials = inside.beside;
+    if (open > 0 && splitting.capped)
+        out.notices.push_back(fmt::format("its surface is open where it is cut, so that it stays "
+                                          "open there ({} edges)",
+                                          open));
+    if (fans > 0)
+        out.notices.push_back(fmt::format("its surface runs through itself where it is cut: {} "
+                                          "openings are closed by triangles that overlap",
+                                          fans));
+    if (out.split_off > splitting.tolerance)
+        out.notices.push_back(fmt::format("its triangles are up to {:.3g} m from the true walls, "
+                                          "more than its tolerance",
+                                          out.split_off));
+    return out;
+}
+
+} // namespace
+
+Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    const std::optional<Splitting>& splitting = input.object.splitting;
+    if (!splitting || before->parts.empty()) return before;
+    FieldKey key{{}, *splitting};
+    std::vector<std::string> names;
+    std::optional<glm::dvec3> origin;
+    for (std::size_t i = 0; i < splitting->obstacles.size(); ++i) {
+        const Id id = splitting->obstacles[i].object;
+        names.push_back(object(input.document, id).name);
+        const auto found = input.done.find(id);
+        if (found == input.done.end()) continue;
+        for (const Part& part : found->second->parts) {
+            if (!origin) origin = glm::dvec3(part.to_world[3]);
+            glm::dmat4 to_origin = part.to_world;
+            to_origin[3] -= glm::dvec4(*origin, 0);
+            key.bodies.push_back({input.ray_meshes(mesh_of(part, input.timings), input.timings),
+                                  to_origin, i});
+        }
+    }
+    if (key.bodies.empty()) {
+        Stage out = *before;
+        out.notices.push_back("nothing of its obstacles is there, so it is parted by nothing");
+        return make_ref(std::move(out));
+    }
+    const std::optional<Surfacing>& surfacing = input.object.surfacing;
+    const bool filled = surfacing && surfacing->filling != Filling::none;
+    try {
+        return timed(input.timings, "split", [&] {
+            const Ref<SplitField> field = fields_(key, [&] {
+                std::vector<SplitObstacle> obstacles;
+                for (std::size_t i = 0; i < splitting->obstacles.size(); ++i) {
+                    const ObstacleUse& use = splitting->obstacles[i];
+                    SplitObstacle each{names[i], {}, use.clearance, use.reach, use.kernel};
+                    for (const Body& body : key.bodies)
+                        if (body.obstacle == i) each.bodies.push_back({body.mesh, body.to_origin});
+                    if (!each.bodies.empty()) obstacles.push_back(std::move(each));
+                }
+                return make_ref(split_field(obstacles, frame_of(*splitting)));
+            });
+            return known_({before, field, *origin, *splitting, filled}, [&] {
+                SplitField there = *field;
+                there.frame.origin += *origin;
+                return make_ref(split_stage(*before, *splitting, filled, make_ref(std::move(there))));
+            });
+        });
+    } catch (const Rejected& error) {
+        Stage out = *before;
+        out.notices.push_back(std::string("it is not parted: ") + error.what());
+        return make_ref(std::move(out));
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/split_actions.h"
+
+#include "core/commands/split.h"
+#include "editor/editor.h"
+#include "editor/tools/split.h"
+
+namespace trivar {
+namespace {
+
+// The selection as who is parted, the active object, by which obstacles, all others. Nothing where
+// it does not say that.
+std::optional<Split> split_wish(const Session& session)
+{
+    const Id active = session.selected;
+    std::optional<Split> out;
+    for (const Id id : session.selected.ids()) {
+        if (id == active) continue;
+        std::optional<Split> one = split_at(session, {active}, id);
+        if (!one) return {};
+        if (!out)
+            out = std::move(one);
+        else
+            out->splitting.obstacles.push_back({.object = id});
+    }
+    return out;
+}
+
+std::vector<Id> selected_parted(const Editor& e)
+{
+    std::vector<Id> out;
+    for (const Id id : e.session.selected.ids())
+        if (object(e.session.document(), id).splitting) out.push_back(id);
+    return out;
+}
+
+} // namespace
+
+void add_split_actions(std::vector<Action>& actions)
+{
+    actions.push_back({"Tools",
+                       "Split at obstacles",
+                       {},
+                       [](Editor& e) {
+                           if (const std::optional<Split> wish = split_wish(e.session))
+                               e.session.run(*wish);
+                       },
+                       {[](const Editor& e) { return split_wish(e.session).has_value(); },
+                        "select the obstacles and, last, what is to be parted by them"}});
+    actions.back().group_begins = true;
+    actions.push_back({"Tools",
+                       "Clear split",
+                       {},
+                       [](Editor& e) { e.session.run(ClearSplit{selected_parted(e)}); },
+                       {[](const Editor& e) { return !selected_parted(e).empty(); },
+                        "select an object that is parted by obstacles first"}});
+}
+
+} // namespace trivar

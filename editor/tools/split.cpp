@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/split.h"
+
+#include "core/base/rejected.h"
+#include "core/base/rounded.h"
+#include "editor/session/scene_names.h"
+#include "editor/session/topics.h"
+#include "editor/tools/select.h"
+#include "editor/tools/split_picture.h"
+#include "ui/icons.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+const EvaluatedObject* shown_object(const Session& session, Id id)
+{
+    const auto found = session.evaluated().objects.find(id);
+    return found == session.evaluated().objects.end() ? nullptr : found->second.get();
+}
+
+// The axis of the world along which a box is longest.
+glm::dvec3 longest_axis(const glm::dvec3& size)
+{
+    if (size.z >= size.x && size.z >= size.y) return {0, 0, 1};
+    return size.x >= size.y ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+}
+
+glm::dvec3 rounded_direction(const glm::dvec3& d)
+{
+    return {rounded(d.x, 4), rounded(d.y, 4), rounded(d.z, 4)};
+}
+
+// Sets the directions of an object that meets an obstacle.
+void give_directions(const Session& session, Id id, Id obstacle, Splitting& splitting)
+{
+    const EvaluatedObject *own = shown_object(session, id), *other = shown_object(session, obstacle);
+    if (!own || !other) return;
+    const glm::dvec3 upright = longest_axis(other->bounds->size());
+    glm::dvec3 way = other->bounds->center() - own->bounds->center();
+    way -= upright * glm::dot(way, upright);
+    // What stands in the obstacle already goes away from the eye
+    if (glm::length(way) < 0.05 * glm::length(own->bounds->size())) {
+        const Camera& camera = session.view.camera;
+        way = camera.target - camera.eye;
+        way -= upright * glm::dot(way, upright);
+    }
+    if (glm::length(way) < 1e-9) way = glm::dvec3(upright.y, upright.z, upright.x);
+    splitting.way = rounded_direction(glm::normalize(way));
+    splitting.opening = rounded_direction(glm::normalize(glm::cross(way, upright)));
+}
+
+} // namespace
+
+std::optional<Split> split_at(const Session& session, const std::vector<Id>& objects, Id obstacle,
+                              std::string* why)
+{
+    if (objects.empty() || obstacle == 0) return {};
+    Split out{objects, {}};
+    const Object& first = object(session.document(), objects.front());
+    if (first.splitting)
+        out.splitting = *first.splitting;
+    else
+        give_directions(session, objects.front(), obstacle, out.splitting);
+    std::erase_if(out.splitting.obstacles,
+                  [&](const ObstacleUse& each) { return each.object == obstacle; });
+    out.splitting.obstacles.push_back({.object = obstacle});
+    try {
+        for (const Id id : objects) check_splitting(session.document(), id, out.splitting);
+    } catch (const Rejected& error) {
+        if (why) *why = error.what();
+        return {};
+    }
+    return out;
+}
+
+const char* SplitTool::icon() const
+{
+    return ui::icon::split;
+}
+
+std::vector<Id> SplitTool::chosen(const Session& session)
+{
+    std::vector<Id> out;
+    for (const Id id : session.selected.ids())
+        if (session.document().objects.contains(id) &&
+            !holds_others(object(session.document(), id).source))
+            out.push_back(id);
+    return out;
+}
+
+void SplitTool::use(Session& session, const ViewportInput& input)
+{
+    if (session.committing()) return;
+    const std::vector<Id> objects = chosen(session);
+    const Id seen = input.hovered && input.seen_at ? input.seen_at(input.mouse) : Id{0};
+    const bool other = seen != 0 && std::ranges::find(objects, seen) == objects.end();
+    // What it would do is proposed while the mouse rests on an obstacle
+    if (shown_ != 0 && (!other || seen != shown_) && !input.pressed) {
+        shown_ = 0;
+        session.cancel();
+    }
+    const auto with_settings = [&](Split command) {
+        ObstacleUse& last = command.splitting.obstacles.back();
+        last = {last.object, use_.clearance, use_.reach, use_.kernel};
+        command.splitting.capped = settings_.capped;
+        command.splitting.inside = settings_.inside;
+        return command;
+    };
+    if (input.pressed) {
+        if (objects.empty() || !other) {
+            cancel(session);
+            select_by_click(session, input.under);
+            return;
+        }
+        cancel(session);
+        std::string why;
+        const std::optional<Split> command = split_at(session, objects, seen, &why);
+        if (!command)
+            session.notices.say(ui::NoticeKind::warning, "This cannot part it", why, of_a_step);
+        else if (session.propose(with_settings(*command)))
+            session.commit();
+        return;
+    }
+    if (shown_ != 0 || !other || objects.empty() || !session.up_to_date()) return;
+    if (const std::optional<Split> command = split_at(session, objects, seen)) {
+        shown_ = seen;
+        session.propose_quietly(with_settings(*command));
+    }
+}
+
+void SplitTool::cancel(Session& session)
+{
+    if (shown_ == 0) return;
+    shown_ = 0;
+    session.cancel();
+}
+
+std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme& theme) const
+{
+    std::vector<gpu::Line> out;
+    for (const Id id : chosen(session))
+        if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
+            for (gpu::Line& line : lines_of(*each->split_field, theme)) out.push_back(std::move(line));
+    return out;
+}
+
+std::vector<gpu::Translucent> SplitTool::veils(const Session& session, const ui::Theme& theme) const
+{
+    std::vector<gpu::Translucent> out;
+    for (const Id id : chosen(session))
+        if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
+            for (gpu::Translucent& veil : walls_of(*each->split_field, theme))
+                out.push_back(std::move(veil));
+    return out;
+}
+
+void SplitTool::options(Session&, const ui::Theme& theme, float width)
+{
+    std::vector<ui::Option> options;
+    options.push_back({"Clearance", 84,
+                       [&](float field) {
+                           ui::number_field(theme, "clearance", use_.clearance,
+                                            {.lo = 0, .hi = 1000, .unit = "m"}, field);
+                       },
+                       "How much stays free round the obstacle."});
+    options.push_back({"Reach", 84,
+                       [&](float field) {
+                           ui::number_field(
+                               theme, "reach", use_.reach,
+                               {.lo = 0, .hi = 100000, .unit = "m", .zero = "auto"}, field);
+                       },
+                       "Over what distance the opening fades away."});
+    options.push_back({"Fades", 100,
+                       [&](float field) {
+                           int kernel = static_cast<int>(use_.kernel);
+                           ui::choice(theme, "fades", kernel,
+                                      {"Quadratic", "Smooth", "Gaussian", "Hat"}, field);
+                           use_.kernel = static_cast<SplitKernel>(kernel);
+                       },
+                       "How the opening fades."});
+    options.push_back({"Inside", 84,
+                       [&](float field) {
+                           int inside = static_cast<int>(settings_.inside);
+                           ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh"}, field);
+                           settings_.inside = static_cast<Filling>(inside);
+                       },
+                       "What fills it, seen where it opens."});
+    options.push_back({"Closed", 24,
+                       [&](float) { ui::check_box(theme, "closed", settings_.capped, ""); },
+                       "Close both halves, so that they stay solid."});
+    ui::option_bar(theme, options, width);
+}
+
+std::vector<Hint> SplitTool::hints(const Session& session) const
+{
+    if (chosen(session).empty())
+        return {{{"left"}, "Select what is to be parted"}, {{"Esc"}, "Select"}};
+    return {{{"left"}, "Click an obstacle"}, {{"middle"}, "Orbit"}, {{"Esc"}, "Select"}};
+}
+
+} // namespace trivar
