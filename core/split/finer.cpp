@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/refinement/born_vertices.h"
+#include "core/split/edge_numbers.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,8 +17,6 @@ constexpr std::size_t triangles_per_block = 1 << 12, vertices_per_turn = 1 << 12
 // An edge between two vertices; that with the smaller point is the first.
 struct VertexEdge {
     std::uint32_t a, b;
-    bool operator==(const VertexEdge&) const = default;
-    auto operator<=>(const VertexEdge&) const = default;
 };
 
 Mesh as_triangles(const Mesh& mesh)
@@ -26,7 +25,9 @@ Mesh as_triangles(const Mesh& mesh)
     Mesh out = mesh;
     const std::vector<glm::uvec3> all = triangles(mesh);
     out.corners.clear();
+    out.corners.reserve(3 * all.size());
     out.face_begin = {0};
+    out.face_begin.reserve(all.size() + 1);
     out.face_material.clear();
     out.face_group.clear();
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
@@ -80,71 +81,66 @@ public:
         // Those that are not open any more are within the tolerance
         off_ = std::ranges::max(most);
         fine_off_ = std::max(fine_off_, std::min(off_, tolerance_));
-        marked_.clear();
+        std::size_t about = 0;
+        for (const std::vector<VertexEdge>& each : found) about += each.size();
+        marked_ = EdgeNumbers(about);
+        touched_.assign(point_count(mesh_), 0);
         for (const std::vector<VertexEdge>& each : found)
-            for (const VertexEdge& e : each) marked_.push_back(by_points(e));
-        std::ranges::sort(marked_);
-        marked_.erase(std::ranges::unique(marked_).begin(), marked_.end());
-        return !marked_.empty();
+            for (const VertexEdge& e : each) {
+                const std::uint32_t a = mesh_.point(e.a), b = mesh_.point(e.b);
+                marked_.add(a, b);
+                touched_[a] = touched_[b] = 1;
+            }
+        return marked_.count() > 0;
     }
     void split()
     {
-        std::vector<char> touched(point_count(mesh_), 0);
-        for (const VertexEdge& e : marked_) touched[e.a] = touched[e.b] = 1;
         struct Split {
             std::uint32_t face;
-            std::array<bool, 3> edges;
+            std::array<std::uint32_t, 3> middles; // by edge, among those that are split
         };
         std::vector<Split> splits;
-        std::vector<VertexEdge> edges; // by vertices
-        for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-            const std::array<bool, 3> near{at_touched(touched, f, 0), at_touched(touched, f, 1),
-                                           at_touched(touched, f, 2)};
-            if (near[0] + near[1] + near[2] < 2) continue;
-            Split each{static_cast<std::uint32_t>(f), {}};
-            for (std::size_t i = 0; i < 3; ++i) {
-                const VertexEdge e = ordered(corner(f, i), corner(f, (i + 1) % 3));
-                each.edges[i] = std::ranges::binary_search(marked_, by_points(e));
-                if (each.edges[i]) edges.push_back(e);
-            }
-            if (each.edges[0] || each.edges[1] || each.edges[2]) splits.push_back(each);
-        }
-        std::ranges::sort(edges);
-        edges.erase(std::ranges::unique(edges).begin(), edges.end());
-        const auto first_point = static_cast<std::uint32_t>(point_count(mesh_));
-        const std::size_t first_vertex = mesh_.vertex_count();
+        EdgeNumbers edges(marked_.count()); // by vertices
         std::vector<BornVertex> born;
-        for (const VertexEdge& e : edges)
-            born.push_back({e.a, e.b, 0.5f,
-                            first_point + static_cast<std::uint32_t>(
-                                              std::ranges::lower_bound(marked_, by_points(e)) -
-                                              marked_.begin())});
+        const auto first_point = static_cast<std::uint32_t>(point_count(mesh_));
+        for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+            if (touched(f, 0) + touched(f, 1) + touched(f, 2) < 2) continue;
+            Split each{static_cast<std::uint32_t>(f), {}};
+            bool any = false;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t a = corner(f, i), b = corner(f, i + 1);
+                const std::uint32_t marked = marked_.number(mesh_.point(a), mesh_.point(b));
+                each.middles[i] = EdgeNumbers::none;
+                if (marked == EdgeNumbers::none) continue;
+                any = true;
+                each.middles[i] = edges.add(a, b);
+                if (each.middles[i] < born.size()) continue;
+                const VertexEdge e = ordered(a, b);
+                born.push_back({e.a, e.b, 0.5f, first_point + marked});
+            }
+            if (any) splits.push_back(each);
+        }
+        const auto first_vertex = static_cast<std::uint32_t>(mesh_.vertex_count());
         add_vertices(mesh_, born);
         take_places(first_vertex);
-        const auto middle = [&](std::size_t f, std::size_t i) {
-            return static_cast<std::uint32_t>(first_vertex) +
-                   static_cast<std::uint32_t>(
-                       std::ranges::lower_bound(
-                           edges, ordered(corner(f, i), corner(f, (i + 1) % 3))) -
-                       edges.begin());
-        };
         for (const Split& each : splits) {
             const std::size_t f = each.face;
-            const std::size_t count =
-                std::size_t{each.edges[0]} + each.edges[1] + each.edges[2];
-            // Turned so that the marked edges are the first ones
+            const auto split_at = [&](std::size_t i) {
+                return each.middles[i % 3] != EdgeNumbers::none;
+            };
+            const auto middle = [&](std::size_t i) { return first_vertex + each.middles[i % 3]; };
+            const int count = split_at(0) + split_at(1) + split_at(2);
+            // Turned so that the split edges are the first ones
             std::size_t turn = 0;
-            while (!(each.edges[turn % 3] &&
-                     (count != 2 || each.edges[(turn + 1) % 3])))
-                ++turn;
-            const std::array<std::uint32_t, 3> c{corner(f, turn), corner(f, (turn + 1) % 3),
-                                                 corner(f, (turn + 2) % 3)};
-            const std::uint32_t m0 = middle(f, turn);
+            while (!split_at(turn) || (count == 2 && !split_at(turn + 1))) ++turn;
+            const std::array<std::uint32_t, 3> c{corner(f, turn), corner(f, turn + 1),
+                                                 corner(f, turn + 2)};
+            const std::uint32_t m0 = middle(turn);
             if (count == 1) {
                 put(f, {c[0], m0, c[2]}, true);
                 put(f, {m0, c[1], c[2]}, false);
             } else {
-                const std::uint32_t m1 = middle(f, (turn + 1) % 3);
+                const std::uint32_t m1 = middle(turn + 1);
                 if (count == 2) {
                     put(f, {m0, c[1], m1}, true);
                     if (glm::distance(uvw_[m0], uvw_[c[2]]) < glm::distance(uvw_[c[0]], uvw_[m1])) {
@@ -155,7 +151,7 @@ public:
                         put(f, {c[0], m1, c[2]}, false);
                     }
                 } else {
-                    const std::uint32_t m2 = middle(f, (turn + 2) % 3);
+                    const std::uint32_t m2 = middle(turn + 2);
                     put(f, {m0, m1, m2}, true);
                     put(f, {c[0], m0, m2}, false);
                     put(f, {m0, c[1], m1}, false);
@@ -175,15 +171,14 @@ private:
     {
         return mesh_.corners[3 * f + i % 3];
     }
-    bool at_touched(const std::vector<char>& touched, std::size_t f, std::size_t i) const
+    bool touched(std::size_t f, std::size_t i) const
     {
-        return touched[mesh_.point(corner(f, i))];
+        return touched_[mesh_.point(corner(f, i))];
     }
     VertexEdge ordered(std::uint32_t a, std::uint32_t b) const
     {
         return mesh_.point(a) < mesh_.point(b) ? VertexEdge{a, b} : VertexEdge{b, a};
     }
-    VertexEdge by_points(const VertexEdge& e) const { return {mesh_.point(e.a), mesh_.point(e.b)}; }
     void take_places(std::size_t first)
     {
         uvw_.resize(mesh_.vertex_count());
@@ -218,7 +213,8 @@ private:
     double off_ = 0;              // of the last round
     double fine_off_ = 0;         // of triangles that were fine enough before
     std::vector<char> open_;      // #F: not yet known to be fine enough
-    std::vector<VertexEdge> marked_; // by points
+    EdgeNumbers marked_;        // by points
+    std::vector<char> touched_; // #points: ends of these
 };
 
 } // namespace

@@ -13,12 +13,6 @@ struct OpeningWall {
 
     glm::dvec2 lo() const { return {height.axes[0].begin(), height.axes[1].begin()}; }
     glm::dvec2 hi() const { return {height.axes[0].end(), height.axes[1].end()}; }
-    SurfaceJet<double> at(const glm::dvec2& vw, int derivatives) const
-    {
-        const glm::dvec2 a = lo(), b = hi();
-        if (!(vw.x > a.x && vw.x < b.x && vw.y > a.y && vw.y < b.y)) return {};
-        return evaluate(height, vw, derivatives);
-    }
 };
 
 // The walls below (0) and above (1) a cut surface. Each is interpolated at the Greville points and

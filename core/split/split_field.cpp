@@ -48,11 +48,16 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
     try {
         const ObstacleColumns columns(obstacle.bodies, frame);
         const CutSurface surface = middle_surface(columns);
-        return {surface,
-                opening_walls(columns, surface, obstacle.clearance),
-                {obstacle.reach, obstacle.reach},
-                obstacle.kernel,
-                obstacle.name};
+        Opening out{surface,
+                    opening_walls(columns, surface, obstacle.clearance),
+                    {obstacle.reach, obstacle.reach},
+                    obstacle.kernel,
+                    obstacle.name,
+                    BicubicCells(surface),
+                    {}};
+        for (std::size_t side = 0; side < 2; ++side)
+            out.wall_cells[side] = BicubicCells(out.walls[side].height);
+        return out;
     } catch (const Rejected& error) {
         throw Rejected(obstacle.name + ": " + error.what());
     }
@@ -145,13 +150,14 @@ SplitField::Moved SplitField::moved(const glm::dvec3& uvw, std::span<const char>
     const glm::dvec2 vw(uvw.y, uvw.z);
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const Opening& o = openings[i];
+        if (o.beyond_walls(vw)) continue;
         const std::size_t side = sides[i] ? 1 : 0;
-        const SurfaceJet<double> wall = o.walls[side].at(vw, 1);
-        if (wall.value == 0) continue;
-        const SurfaceJet<double> phi = evaluate(o.surface, vw, 1);
+        const BicubicCells::Jet phi = o.surface_cells.jet(vw);
         const double sign = side == 1 ? 1 : -1, reach = o.reach[side];
         // On its own side a point is at or beyond the surface, whatever rounding says
         const double distance = on[i] ? 0 : std::max(0.0, sign * (uvw.x - phi.value));
+        if (distance >= reach) continue;
+        const BicubicCells::Jet wall = o.wall_cells[side].jet(vw);
         const KernelValue k = kernel_at(o.kernel, distance / reach);
         const double slope = wall.value * k.first / reach; // sign * sign = 1
         out.u += sign * wall.value * k.value;

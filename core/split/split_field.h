@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/split/bicubic_cells.h"
 #include "core/split/opening_wall.h"
 #include "core/split/split_kernel.h"
 
@@ -24,10 +25,18 @@ struct Opening {
     std::array<double, 2> reach{0, 0}; // metres
     SplitKernel kernel = SplitKernel::quadratic;
     std::string name;
+    // the same, to be evaluated fast
+    BicubicCells surface_cells;
+    std::array<BicubicCells, 2> wall_cells;
 
     double height(const glm::dvec3& uvw) const // above the cut surface
     {
-        return uvw.x - evaluate(surface, {uvw.y, uvw.z}).value;
+        return uvw.x - surface_cells.value({uvw.y, uvw.z});
+    }
+    bool beyond_walls(const glm::dvec2& vw) const
+    {
+        const glm::dvec2 lo = walls[0].lo(), hi = walls[0].hi();
+        return !(vw.x > lo.x && vw.x < hi.x && vw.y > lo.y && vw.y < hi.y);
     }
 };
 

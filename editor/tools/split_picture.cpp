@@ -12,8 +12,10 @@ glm::dvec3 point_on(const SplitField& field, const Opening& opening, double side
 {
     const OpeningWall& wall = opening.walls[side > 0 ? 1 : 0];
     const glm::dvec2 vw = glm::mix(wall.lo(), wall.hi(), share);
-    const double phi = evaluate(opening.surface, vw).value;
-    return field.frame.world({phi + side * wall.at(vw, 0).value, vw.x, vw.y});
+    const double phi = opening.surface_cells.value(vw);
+    const double open =
+        side == 0 || opening.beyond_walls(vw) ? 0 : opening.wall_cells[side > 0 ? 1 : 0].value(vw);
+    return field.frame.world({phi + side * open, vw.x, vw.y});
 }
 
 } // namespace
