@@ -11,15 +11,12 @@ namespace {
 constexpr int surface_points = 9;    // control points along either axis
 constexpr int shadow_columns = 64;         // columns along either axis of the obstacle's shadow
 constexpr double smoothness = 1e-3; // weight of the penalty, per sample
-// The domain is wider than the shadow by that share of its length along v, on every side: more than
-// the rectangles of walls are.
-constexpr double beyond = 0.3;
 
-std::array<Knots, 2> axes_over(const Box& box)
+std::array<Knots, 2> axes_over(const SplitRectangle& rectangle)
 {
-    const double more = beyond * box.size().y;
-    return {Knots::uniform(4, surface_points, box.lo.y - more, box.hi.y + more),
-            Knots::uniform(4, surface_points, box.lo.z - more, box.hi.z + more)};
+    const glm::dvec2 more = 0.05 * (rectangle.hi - rectangle.lo);
+    return {Knots::uniform(4, surface_points, rectangle.lo.x - more.x, rectangle.hi.x + more.x),
+            Knots::uniform(4, surface_points, rectangle.lo.y - more.y, rectangle.hi.y + more.y)};
 }
 
 struct Middle {
@@ -53,16 +50,10 @@ double mean_of(const std::vector<Middle>& all)
 
 } // namespace
 
-CutSurface middle_plane(const ObstacleColumns& columns)
-{
-    return {axes_over(columns.box()),
-            std::vector<double>(std::size_t{surface_points} * surface_points, mean_of(middles(columns)))};
-}
-
-CutSurface middle_surface(const ObstacleColumns& columns)
+CutSurface middle_surface(const ObstacleColumns& columns, const SplitRectangle& over)
 {
     const std::vector<Middle> all = middles(columns);
-    CutSurface out{axes_over(columns.box()), {}};
+    CutSurface out{axes_over(over), {}};
     constexpr int unknowns = surface_points * surface_points;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(unknowns, unknowns) * 1e-12;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);

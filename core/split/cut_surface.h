@@ -11,11 +11,14 @@ namespace trivar {
 // goes on as it is at the border.
 using CutSurface = Surface<double>;
 
-// The least-squares fit, with a small penalty on second differences, to the middles of an
-// obstacle's columns; by the penalty it extends smoothly beyond the obstacle's shadow. About 10 ms.
-CutSurface middle_surface(const ObstacleColumns& columns);
+// A rectangle of (v, w), metres.
+struct SplitRectangle {
+    glm::dvec2 lo{0}, hi{0};
+};
 
-// The plane u = const through the mean of those middles, over the same domain.
-CutSurface middle_plane(const ObstacleColumns& columns);
+// The least-squares fit, with a small penalty on second differences, to the middles of an
+// obstacle's columns; by the penalty it extends smoothly beyond the obstacle's shadow, over the
+// whole rectangle and a little further. About 10 ms.
+CutSurface middle_surface(const ObstacleColumns& columns, const SplitRectangle& over);
 
 } // namespace trivar

@@ -8,10 +8,18 @@
 namespace trivar {
 namespace {
 
-constexpr int along = 26, across = 14; // control points by v and by w
+constexpr int along = 26;                 // control points by v
+constexpr int fewest = 14, most_across = 72; // by w
 constexpr int grid = 160;              // columns along either axis
 constexpr double lift_rest = 1e-6;     // metres, added so that the lift ends
 constexpr int most_sweeps = 400;
+
+// A long obstacle has more of them.
+int points_across(const Box& box)
+{
+    return static_cast<int>(
+        std::clamp(6 * box.size().z / box.size().y + 7, double{fewest}, double{most_across}));
+}
 
 // What a wall must reach at one place: metres below and above the cut surface.
 struct Need {
@@ -32,9 +40,9 @@ std::vector<Need> needs(const ObstacleColumns& columns, const CutSurface& surfac
     return out;
 }
 
-bool fixed(int i, int j)
+bool fixed(const Surface<double>& wall, int i, int j)
 {
-    return i == 0 || i == along - 1 || j == 0 || j == across - 1;
+    return i == 0 || i == wall.axes[0].count() - 1 || j == 0 || j == wall.axes[1].count() - 1;
 }
 
 // Raises control points, each by as much as the neediest sample asks of it, until none is short.
@@ -59,7 +67,7 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
                 const int i = a.first + static_cast<int>(k / 4), j = b.first + static_cast<int>(k % 4);
                 row.weight[k] = a.value[k / 4] * b.value[k % 4];
                 row.index[k] = wall.index(i, j);
-                if (!fixed(i, j)) row.squares += row.weight[k] * row.weight[k];
+                if (!fixed(wall, i, j)) row.squares += row.weight[k] * row.weight[k];
             }
         }
     });
@@ -78,22 +86,31 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
                     std::max(more[row.index[k]], missing * row.weight[k] / row.squares);
         }
         if (!short_of) break;
-        for (int i = 1; i + 1 < along; ++i)
-            for (int j = 1; j + 1 < across; ++j)
+        for (int i = 1; i + 1 < wall.axes[0].count(); ++i)
+            for (int j = 1; j + 1 < wall.axes[1].count(); ++j)
                 wall.points[wall.index(i, j)] += more[wall.index(i, j)];
     }
 }
 
 } // namespace
 
-std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
-                                         double clearance, double margin)
+SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance, double margin)
 {
     const Box& box = columns.box();
     const double more = margin * box.size().y + clearance;
-    const std::array<Knots, 2> axes{
-        Knots::uniform(4, along, box.lo.y - more, box.hi.y + more),
-        Knots::uniform(4, across, box.lo.z - more, box.hi.z + more)};
+    // Along w the wall falls to 0 over two cells, so that its control points need not be high
+    const double more_w =
+        std::max(more, 2 * box.size().z / (points_across(box) - 7) + clearance);
+    return {{box.lo.y - more, box.lo.z - more_w}, {box.hi.y + more, box.hi.z + more_w}};
+}
+
+std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
+                                         const SplitRectangle& over, double clearance)
+{
+    const Box& box = columns.box();
+    const int across = points_across(box);
+    const std::array<Knots, 2> axes{Knots::uniform(4, along, over.lo.x, over.hi.x),
+                                    Knots::uniform(4, across, over.lo.y, over.hi.y)};
     std::vector<glm::dvec2> at;
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j <= grid; ++j)

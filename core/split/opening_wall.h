@@ -15,13 +15,17 @@ struct OpeningWall {
     glm::dvec2 hi() const { return {height.axes[0].end(), height.axes[1].end()}; }
 };
 
-// The walls below (0) and above (1) a cut surface. Each is interpolated at the Greville points and
+// Where an obstacle opens a model: its shadow and, along v, `margin` times the length of that on
+// both sides, so that the round ends of an obstacle, of infinite slope, are cleared as well.
+SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance,
+                                 double margin = 0.12);
+
+// The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the Greville points and
 // then lifted until it is at least `clearance` beyond the obstacle at a grid of columns and at the
-// obstacle's vertices. Its rectangle is wider than the obstacle's shadow by `margin` times its
-// length along v, so that the round ends of an obstacle, of infinite slope, are cleared as well.
+// obstacle's vertices.
 // [Schein, thesis, 6.3, but fitted and lifted instead of control points on the profile.]
 // About 30 ms.
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
-                                         double clearance, double margin = 0.12);
+                                         const SplitRectangle& over, double clearance);
 
 } // namespace trivar

@@ -13,12 +13,7 @@ namespace {
 constexpr double least_stretch = 0.02; // least dX/du
 constexpr int checks = 41;             // along either axis, for the distance of cut surfaces
 
-struct Rectangle {
-    glm::dvec2 lo, hi;
-    bool empty() const { return !(lo.x < hi.x && lo.y < hi.y); }
-};
-
-Rectangle common(const Opening& a, const Opening& b)
+SplitRectangle common(const Opening& a, const Opening& b)
 {
     return {glm::max(a.walls[0].lo(), b.walls[0].lo()), glm::min(a.walls[0].hi(), b.walls[0].hi())};
 }
@@ -27,8 +22,8 @@ Rectangle common(const Opening& a, const Opening& b)
 double least_distance(const Opening& a, const Opening& b)
 {
     double least = std::numeric_limits<double>::infinity();
-    const Rectangle where = common(a, b);
-    if (where.empty()) return least;
+    const SplitRectangle where = common(a, b);
+    if (!(where.lo.x < where.hi.x && where.lo.y < where.hi.y)) return least;
     for (int i = 0; i < checks; ++i)
         for (int j = 0; j < checks; ++j) {
             const glm::dvec2 at =
@@ -47,9 +42,10 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
 {
     try {
         const ObstacleColumns columns(obstacle.bodies, frame);
-        const CutSurface surface = middle_surface(columns);
+        const SplitRectangle over = opening_rectangle(columns, obstacle.clearance);
+        const CutSurface surface = middle_surface(columns, over);
         Opening out{surface,
-                    opening_walls(columns, surface, obstacle.clearance),
+                    opening_walls(columns, surface, over, obstacle.clearance),
                     {obstacle.reach, obstacle.reach},
                     obstacle.kernel,
                     obstacle.name,
