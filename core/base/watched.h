@@ -22,8 +22,8 @@ template <class Work> auto watched(Work work, const Progress& progress)
 {
     using Made = decltype(work(progress));
     const auto made = std::make_shared<std::optional<Made>>();
-    run_watched(
-        [made, work = std::move(work)](const Progress& inner) { *made = work(inner); }, progress);
+    run_watched([made, work = std::move(work)](const Progress& inner) { *made = work(inner); },
+                progress);
     return std::move(**made);
 }
 

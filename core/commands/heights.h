@@ -37,9 +37,10 @@ StepTitle title(const SetHeights& c, const StepDocuments& step);
 struct Displace {
     static constexpr std::string_view
         verb = "displace",
-        summary = "Displace an object by a picture, over each of its faces or over its UVs: cover it "
-                  "with a sheet of heights, each point P of it at P + h N. The object itself is "
-                  "hidden.";
+        summary =
+            "Displace an object by a picture, over each of its faces or over its UVs: cover it "
+            "with a sheet of heights, each point P of it at P + h N. The object itself is "
+            "hidden.";
     static constexpr CommandNature nature{.icon = CommandIcon::add,
                                           .asked = Invocation::by_actions};
     Id base = 0;

@@ -27,11 +27,11 @@ Document with_picture(Document document, const RelinkedPicture& picture)
     const Object& before = object(document, picture.object);
     const auto used = pictures_of(before);
     if (std::ranges::find(used, picture.mask, &UsedPicture::mask) == used.end())
-        throw Rejected(picture.mask == 0
-                           ? fmt::format("field \"pictures\": {} is no sheet of heights",
-                                         picture.object)
-                           : fmt::format("field \"pictures\": {} has no mask {} by a picture",
-                                         picture.object, picture.mask));
+        throw Rejected(
+            picture.mask == 0
+                ? fmt::format("field \"pictures\": {} is no sheet of heights", picture.object)
+                : fmt::format("field \"pictures\": {} has no mask {} by a picture", picture.object,
+                              picture.mask));
     return with_changed(std::move(document), picture.object, [&](Object& o) {
         if (picture.mask == 0) {
             auto& heights = std::get<HeightShape>(o.source);

@@ -71,7 +71,7 @@ struct HeightShape {
     double height = 0.1;                     // metres from black to white
     double level = 0;                        // the brightness that stays on the ground
     int segments = 64;                       // along each side
-    bool repeats = true; // the picture goes on over its border, so that copies fit
+    bool repeats = true;  // the picture goes on over its border, so that copies fit
     HeightsLie lies = {}; // what the picture lies over where it covers: each tile, or all UVs
     bool operator==(const HeightShape&) const = default;
 };

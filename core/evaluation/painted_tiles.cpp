@@ -48,8 +48,7 @@ bool stands_alike(const Tile& a, const Tile& b)
 
 std::size_t LaidKinds::kind(std::size_t i, const Tile& tile) const
 {
-    return kinds.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph,
-                    tile.mirrored);
+    return kinds.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph, tile.mirrored);
 }
 
 bool LaidKinds::has(std::size_t i, const Tile& tile) const

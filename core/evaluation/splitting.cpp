@@ -115,8 +115,8 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
             if (!origin) origin = glm::dvec3(part.to_world[3]);
             glm::dmat4 to_origin = part.to_world;
             to_origin[3] -= glm::dvec4(*origin, 0);
-            key.bodies.push_back({input.ray_meshes(mesh_of(part, input.timings), input.timings),
-                                  to_origin, i});
+            key.bodies.push_back(
+                {input.ray_meshes(mesh_of(part, input.timings), input.timings), to_origin, i});
         }
     }
     if (key.bodies.empty()) {
@@ -142,7 +142,8 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
             return known_({before, field, *origin, *splitting, filled}, [&] {
                 SplitField there = *field;
                 there.frame.origin += *origin;
-                return make_ref(split_stage(*before, *splitting, filled, make_ref(std::move(there))));
+                return make_ref(
+                    split_stage(*before, *splitting, filled, make_ref(std::move(there))));
             });
         });
     } catch (const Rejected& error) {

@@ -82,8 +82,8 @@ GuardedStrands guarded_strands(const StrandLayout& layout, std::span<const Stran
 {
     constexpr int most_rounds = 6;
     const std::size_t count = layout.cells.size();
-    GuardedStrands out{std::move(heights), std::vector<char>(count, 0),
-                       std::vector<char>(count, 0), std::vector<double>(count, 0)};
+    GuardedStrands out{std::move(heights), std::vector<char>(count, 0), std::vector<char>(count, 0),
+                       std::vector<double>(count, 0)};
     for (int round = 0; round < most_rounds; ++round) {
         std::vector<double> factors(count, 1);
         parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
@@ -177,9 +177,8 @@ std::vector<double> random_shares(const StrandLayout& layout)
     std::vector<double> out(layout.stations.size(), 0);
     for (const StrandCell& cell : layout.cells) {
         const auto with = [&](int other) {
-            return other < 0
-                       ? own(cell)
-                       : (own(cell) + own(layout.cells[static_cast<std::size_t>(other)])) / 2;
+            return other < 0 ? own(cell)
+                             : (own(cell) + own(layout.cells[static_cast<std::size_t>(other)])) / 2;
         };
         const double a = with(cell.before), b = with(cell.behind);
         for (std::size_t k = 0; k < 4; ++k) out[cell.stations[k]] = glm::mix(a, b, patch_nodes[k]);
@@ -191,9 +190,8 @@ std::vector<double> heights_now(const StrandInput& input, const std::vector<Stra
 {
     const TileLook& look = input.tiling.look;
     const StrandLayout& layout = input.layout->strands;
-    TileLook wave{.wave = look.wave,
-                  .wave_length = look.wave_length,
-                  .wave_direction = look.wave_direction};
+    TileLook wave{
+        .wave = look.wave, .wave_length = look.wave_length, .wave_direction = look.wave_direction};
     const std::vector<double> shares = random_shares(layout);
     std::vector<double> out = station_heights(layout, nodes);
     for (std::size_t s = 0; s < out.size(); ++s) {
@@ -234,8 +232,8 @@ TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<Statio
     const std::vector<char> none(layout.cells.size(), 0);
     GuardedStrands guarded{now.heights, none, none, std::vector<double>(none.size(), 0)};
     if (look.guard)
-        guarded = guarded_strands(layout, now.nodes, now.heights, mirrored, places.top,
-                                  places.reach);
+        guarded =
+            guarded_strands(layout, now.nodes, now.heights, mirrored, places.top, places.reach);
     const auto cut = [&](std::uint32_t cell) {
         return std::ranges::any_of(laid[cell].stations, [&](std::uint32_t station) {
             return charts[station].cut > most_cut;

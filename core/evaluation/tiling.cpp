@@ -190,9 +190,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const TileLook& look = tiling.look;
     const Ref<TileLayout> laid_out = strokes.layout ? strokes.layout : make_ref(TileLayout{});
     const TileKinds of_layer = kinds_of_(*before, input,
-                                         tiling.into != 0
-                                             ? painted_morphs(*laid_out, look.phases)
-                                             : std::vector<double>{0},
+                                         tiling.into != 0 ? painted_morphs(*laid_out, look.phases)
+                                                          : std::vector<double>{0},
                                          std::any_of(laid_out->tiles.begin(), laid_out->tiles.end(),
                                                      [](const Tile& t) { return t.mirrored; }));
     return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {

@@ -54,11 +54,10 @@ Ref<Stage> UnwrappingStep::operator()(const Ref<Stage>& before, const StepInput&
                 try {
                     Unwrapped flat = unwrapped(all, options_of(*unwrapping), input.progress);
                     for (std::size_t m = 0; m < all.size(); ++m)
-                        out.to[all[m].mesh] = watched(
-                            [mesh = all[m].mesh, uvs = std::move(flat.uvs[m])](const Progress&) {
-                                return make_ref(with_uvs(*mesh, uvs));
-                            },
-                            input.progress);
+                        out.to[all[m].mesh] =
+                            watched([mesh = all[m].mesh, uvs = std::move(flat.uvs[m])](
+                                        const Progress&) { return make_ref(with_uvs(*mesh, uvs)); },
+                                    input.progress);
                     out.facts = flat.facts;
                 } catch (const Rejected& error) {
                     out.trouble = std::string("it is not unwrapped: ") + error.what();

@@ -11,9 +11,7 @@ Mesh height_sheet(const GreyImage& image, const HeightSheet& sheet)
     if (image.values.empty()) throw Rejected("the picture of its heights has no pixels");
     const int n = sheet.segments;
     const double step = 1.0 / n;
-    const auto height = [&](double i, double j) {
-        return sheet.at(image, {i * step, j * step});
-    };
+    const auto height = [&](double i, double j) { return sheet.at(image, {i * step, j * step}); };
     const auto vertex_at = [&](int i, int j) {
         const double x = sheet.size * (2 * i - n) / (2.0 * n),
                      y = sheet.size * (2 * j - n) / (2.0 * n), width = 2 * step * sheet.size;

@@ -38,8 +38,8 @@ public:
     void refine(double longest, const std::function<bool(const Corners&)>& may_split,
                 const std::function<void(int point, const Corners&)>& added);
     // Inserts the middles of the longest edges that need not stay of triangles inside that are
-    // `too_coarse`, as long as these edges are longer than `shortest` units; `added` is told of each
-    // new point. Edges that must stay are never split.
+    // `too_coarse`, as long as these edges are longer than `shortest` units; `added` is told of
+    // each new point. Edges that must stay are never split.
     void halve(double shortest, const std::function<bool(const Corners&)>& too_coarse,
                const std::function<void(int point)>& added);
 

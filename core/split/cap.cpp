@@ -72,7 +72,8 @@ bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& opt
             [&](int point) {
                 number.push_back(static_cast<std::uint32_t>(first_inside + inside.size()));
                 inside.push_back((lo + hi) / 2.0 +
-                                 glm::dvec2(plane.points()[static_cast<std::size_t>(point)]) / scale);
+                                 glm::dvec2(plane.points()[static_cast<std::size_t>(point)]) /
+                                     scale);
             });
     }
     for (const Triangulation::Corners& t : plane.inside())
@@ -110,9 +111,9 @@ std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const Flat
         const bool on_rim = i < options.places.size();
         const glm::dvec2 at = on_rim ? options.places[i] : flat.inside[i - options.places.size()];
         mesh.positions.push_back(on_rim ? cut.places[i] : glm::vec3(options.point(at)));
-        mesh.points.push_back(
-            on_rim ? cut.point(static_cast<std::uint32_t>(i), up)
-                   : first_inside + static_cast<std::uint32_t>(i - options.places.size()));
+        mesh.points.push_back(on_rim ? cut.point(static_cast<std::uint32_t>(i), up)
+                                     : first_inside +
+                                           static_cast<std::uint32_t>(i - options.places.size()));
         if (!mesh.normals.empty())
             mesh.normals.push_back(glm::vec3((up ? -1.0 : 1.0) * options.normal(at)));
         for (std::size_t set = 0; set < mesh.uvs.size(); ++set) mesh.uvs[set].emplace_back(at);
@@ -160,8 +161,7 @@ Caps cap(CutMesh& cut, const CapOptions& options)
         }
     }
     for (const bool up : {false, true}) {
-        const auto first =
-            static_cast<std::uint32_t>(add_cap_vertices(cut, options, flat, up));
+        const auto first = static_cast<std::uint32_t>(add_cap_vertices(cut, options, flat, up));
         for (const auto& [a, b, c] : flat.triangles)
             add_face(cut.mesh, std::array{first + a, first + (up ? c : b), first + (up ? b : c)});
     }

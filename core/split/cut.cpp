@@ -174,7 +174,10 @@ class FaceMaker {
 public:
     FaceMaker(CutMesh& out, const Mesh& mesh, const Crossings& crossings,
               const std::vector<std::uint32_t>& place_of_edge)
-        : out_(out), mesh_(mesh), crossings_(crossings), place_of_edge_(place_of_edge)
+        : out_(out),
+          mesh_(mesh),
+          crossings_(crossings),
+          place_of_edge_(place_of_edge)
     {
     }
     void operator()(const CutTriangle& t)

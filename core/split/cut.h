@@ -23,7 +23,8 @@ struct CutMesh {
     // the edges of each place.
     std::vector<glm::uvec2> edges;
     std::vector<std::uint32_t> edge_of_place;
-    std::uint32_t first_vertex = 0; // of the copies; those below the cut have even distances from it
+    std::uint32_t first_vertex =
+        0; // of the copies; those below the cut have even distances from it
     std::uint32_t first_point = 0;
     std::size_t first_new_face = 0; // of those that were made of faces that were cut
 

@@ -8,8 +8,8 @@
 namespace trivar {
 namespace {
 
-constexpr int surface_points = 9;    // control points along either axis
-constexpr int shadow_columns = 64;         // columns along either axis of the obstacle's shadow
+constexpr int surface_points = 9;   // control points along either axis
+constexpr int shadow_columns = 64;  // columns along either axis of the obstacle's shadow
 constexpr double smoothness = 1e-3; // weight of the penalty, per sample
 
 std::array<Knots, 2> axes_over(const SplitRectangle& rectangle)
@@ -82,7 +82,8 @@ CutSurface middle_surface(const ObstacleColumns& columns, const SplitRectangle& 
     for (int i = 0; i < surface_points; ++i)
         for (int j = 0; j < surface_points; ++j) {
             const int at = i * surface_points + j;
-            if (i > 0 && i + 1 < surface_points) penalise({{at - surface_points, 1}, {at, -2}, {at + surface_points, 1}});
+            if (i > 0 && i + 1 < surface_points)
+                penalise({{at - surface_points, 1}, {at, -2}, {at + surface_points, 1}});
             if (j > 0 && j + 1 < surface_points) penalise({{at - 1, 1}, {at, -2}, {at + 1, 1}});
             if (i + 1 < surface_points && j + 1 < surface_points) {
                 constexpr double twist = 1.4142135623730951;

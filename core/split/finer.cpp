@@ -44,7 +44,10 @@ Mesh as_triangles(const Mesh& mesh)
 class Rounds {
 public:
     Rounds(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance)
-        : mesh_(std::move(mesh)), field_(field), error_(error), tolerance_(tolerance)
+        : mesh_(std::move(mesh)),
+          field_(field),
+          error_(error),
+          tolerance_(tolerance)
     {
         take_places(0);
         open_.resize(mesh_.face_count(), 1);
@@ -66,10 +69,9 @@ public:
                 for (const glm::dvec3& each : p) box.add(each);
                 open_[f] = 0;
                 if (box.apart(reach)) continue;
-                const std::array<double, 3> off =
-                    error_.edges(p, {&heights_[openings * corner(f, 0)],
-                                     &heights_[openings * corner(f, 1)],
-                                     &heights_[openings * corner(f, 2)]});
+                const std::array<double, 3> off = error_.edges(
+                    p, {&heights_[openings * corner(f, 0)], &heights_[openings * corner(f, 1)],
+                        &heights_[openings * corner(f, 2)]});
                 double& worst = most[begin / triangles_per_block];
                 worst = std::max({worst, off[0], off[1], off[2]});
                 for (std::size_t i = 0; i < 3; ++i)
@@ -160,10 +162,7 @@ public:
             }
         }
     }
-    FineMesh take()
-    {
-        return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)};
-    }
+    FineMesh take() { return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)}; }
     std::size_t triangle_count() const { return mesh_.face_count(); }
 
 private:
@@ -171,10 +170,7 @@ private:
     {
         return mesh_.corners[3 * f + i % 3];
     }
-    bool touched(std::size_t f, std::size_t i) const
-    {
-        return touched_[mesh_.point(corner(f, i))];
-    }
+    bool touched(std::size_t f, std::size_t i) const { return touched_[mesh_.point(corner(f, i))]; }
     VertexEdge ordered(std::uint32_t a, std::uint32_t b) const
     {
         return mesh_.point(a) < mesh_.point(b) ? VertexEdge{a, b} : VertexEdge{b, a};
@@ -182,11 +178,11 @@ private:
     void take_places(std::size_t first)
     {
         uvw_.resize(mesh_.vertex_count());
-        parallel_blocks(uvw_.size() - first, vertices_per_turn, [&](std::size_t begin,
-                                                                    std::size_t end) {
-            for (std::size_t v = first + begin; v < first + end; ++v)
-                uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
-        });
+        parallel_blocks(uvw_.size() - first, vertices_per_turn,
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t v = first + begin; v < first + end; ++v)
+                                uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
+                        });
         add_heights(heights_, mesh_, field_);
     }
     // In place of triangle f, or as another one of the same face.
@@ -198,8 +194,7 @@ private:
             return;
         }
         add_face(mesh_, vertices);
-        if (!mesh_.face_material.empty())
-            mesh_.face_material.push_back(mesh_.face_material[f]);
+        if (!mesh_.face_material.empty()) mesh_.face_material.push_back(mesh_.face_material[f]);
         if (!mesh_.face_group.empty()) mesh_.face_group.push_back(mesh_.face_group[f]);
         open_.push_back(1);
     }
@@ -213,8 +208,8 @@ private:
     double off_ = 0;              // of the last round
     double fine_off_ = 0;         // of triangles that were fine enough before
     std::vector<char> open_;      // #F: not yet known to be fine enough
-    EdgeNumbers marked_;        // by points
-    std::vector<char> touched_; // #points: ends of these
+    EdgeNumbers marked_;          // by points
+    std::vector<char> touched_;   // #points: ends of these
 };
 
 } // namespace
@@ -223,14 +218,14 @@ void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitFiel
 {
     const std::size_t openings = field.openings.size(), first = heights.size() / openings;
     heights.resize(openings * mesh.vertex_count());
-    parallel_blocks(mesh.vertex_count() - first, vertices_per_turn, [&](std::size_t begin,
-                                                                        std::size_t end) {
-        for (std::size_t v = first + begin; v < first + end; ++v) {
-            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(mesh.positions[v]));
-            for (std::size_t i = 0; i < openings; ++i)
-                heights[openings * v + i] = field.openings[i].height(uvw);
-        }
-    });
+    parallel_blocks(mesh.vertex_count() - first, vertices_per_turn,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = first + begin; v < first + end; ++v) {
+                            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(mesh.positions[v]));
+                            for (std::size_t i = 0; i < openings; ++i)
+                                heights[openings * v + i] = field.openings[i].height(uvw);
+                        }
+                    });
 }
 
 FineMesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,

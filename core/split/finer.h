@@ -9,7 +9,7 @@ namespace trivar {
 struct FineMesh {
     Mesh mesh;
     std::vector<double> heights; // #V x #openings: over each cut surface
-    double off = 0;              // metres: bound of the distance of its triangles from the true ones
+    double off = 0; // metres: bound of the distance of its triangles from the true ones
 };
 
 // Splits the triangles near the openings of a field, at the middles of their edges, until none is

@@ -7,7 +7,8 @@ namespace trivar {
 
 ObstacleColumns::ObstacleColumns(const std::vector<RayScene::Entry>& bodies,
                                  const SplitFrame& frame)
-    : scene_(bodies), frame_(frame)
+    : scene_(bodies),
+      frame_(frame)
 {
     for (const RayScene::Entry& body : bodies)
         for (const glm::vec3& p : body.mesh->mesh().positions) {

@@ -8,10 +8,10 @@
 namespace trivar {
 namespace {
 
-constexpr int along = 26;                 // control points by v
+constexpr int along = 26;                    // control points by v
 constexpr int fewest = 14, most_across = 72; // by w
-constexpr int grid = 160;              // columns along either axis
-constexpr double lift_rest = 1e-6;     // metres, added so that the lift ends
+constexpr int grid = 160;                    // columns along either axis
+constexpr double lift_rest = 1e-6;           // metres, added so that the lift ends
 constexpr int most_sweeps = 400;
 
 // A long obstacle has more of them.
@@ -27,8 +27,8 @@ struct Need {
     std::array<double, 2> height;
 };
 
-std::vector<Need> needs(const ObstacleColumns& columns, const CutSurface& surface,
-                        double clearance, const std::vector<glm::dvec2>& at)
+std::vector<Need> needs(const ObstacleColumns& columns, const CutSurface& surface, double clearance,
+                        const std::vector<glm::dvec2>& at)
 {
     const std::vector<std::optional<glm::dvec2>> extents = columns.at(at);
     std::vector<Need> out;
@@ -64,7 +64,8 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
             row.squares = 0;
             row.target = samples[s].height[side] + lift_rest;
             for (std::size_t k = 0; k < 16; ++k) {
-                const int i = a.first + static_cast<int>(k / 4), j = b.first + static_cast<int>(k % 4);
+                const int i = a.first + static_cast<int>(k / 4),
+                          j = b.first + static_cast<int>(k % 4);
                 row.weight[k] = a.value[k / 4] * b.value[k % 4];
                 row.index[k] = wall.index(i, j);
                 if (!fixed(wall, i, j)) row.squares += row.weight[k] * row.weight[k];
@@ -99,8 +100,7 @@ SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearanc
     const Box& box = columns.box();
     const double more = margin * box.size().y + clearance;
     // Along w the wall falls to 0 over two cells, so that its control points need not be high
-    const double more_w =
-        std::max(more, 2 * box.size().z / (points_across(box) - 7) + clearance);
+    const double more_w = std::max(more, 2 * box.size().z / (points_across(box) - 7) + clearance);
     return {{box.lo.y - more, box.lo.z - more_w}, {box.hi.y + more, box.hi.z + more_w}};
 }
 
@@ -125,12 +125,12 @@ std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const C
     }
     std::vector<glm::dvec2> sites;
     for (int i = 0; i < along; ++i)
-        for (int j = 0; j < across; ++j) sites.emplace_back(axes[0].greville(i), axes[1].greville(j));
+        for (int j = 0; j < across; ++j)
+            sites.emplace_back(axes[0].greville(i), axes[1].greville(j));
     const std::vector<std::optional<glm::dvec2>> extents = columns.at(sites);
 
-    std::array<OpeningWall, 2> out{
-        OpeningWall{{axes, std::vector<double>(sites.size())}, 0},
-        OpeningWall{{axes, std::vector<double>(sites.size())}, 0}};
+    std::array<OpeningWall, 2> out{OpeningWall{{axes, std::vector<double>(sites.size())}, 0},
+                                   OpeningWall{{axes, std::vector<double>(sites.size())}, 0}};
     for (std::size_t side = 0; side < 2; ++side) {
         Surface<double>& wall = out[side].height;
         for (int i = 1; i + 1 < along; ++i)

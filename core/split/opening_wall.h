@@ -20,11 +20,10 @@ struct OpeningWall {
 SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance,
                                  double margin = 0.12);
 
-// The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the Greville points and
-// then lifted until it is at least `clearance` beyond the obstacle at a grid of columns and at the
-// obstacle's vertices.
-// [Schein, thesis, 6.3, but fitted and lifted instead of control points on the profile.]
-// About 30 ms.
+// The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the
+// Greville points and then lifted until it is at least `clearance` beyond the obstacle at a grid of
+// columns and at the obstacle's vertices. [Schein, thesis, 6.3, but fitted and lifted instead of
+// control points on the profile.] About 30 ms.
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
                                          const SplitRectangle& over, double clearance);
 

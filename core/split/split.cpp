@@ -65,8 +65,7 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
 
 // Gives the vertices of caps their sides of earlier surfaces: those on the rim have them from the
 // edge that was cut, those inside from the others of their triangles.
-void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps,
-                        std::size_t opening)
+void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, std::size_t opening)
 {
     const std::size_t places = cut.places.size();
     const std::size_t per_half = (cut.mesh.vertex_count() - caps.first_vertex) / 2;
@@ -103,40 +102,41 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
 {
     const Box reach = field.reach();
     out.rest_positions = out.mesh.positions;
-    parallel_blocks(out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
-                                                                     std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const glm::dvec3 rest(out.rest_positions[v]);
-            const glm::dvec3 uvw = field.frame.uvw(rest);
-            if (glm::any(glm::lessThan(uvw, reach.lo)) ||
-                glm::any(glm::greaterThan(uvw, reach.hi)))
-                continue;
-            const SplitField::Moved moved =
-                field.moved(uvw, {&all.side(v, 0), all.openings}, {&all.is_on(v, 0), all.openings});
-            if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-            out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
-            const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
-                glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
-                d.x = glm::dot(moved.gradient, d);
-                return field.frame.axes * d;
-            };
-            if (!out.mesh.normals.empty()) {
-                // By the cofactors of the derivative, whose last two rows are those of the identity
-                const glm::dvec3 n =
-                    glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
-                const glm::dvec3& g = moved.gradient;
-                out.mesh.normals[v] = glm::vec3(
-                    field.frame.axes *
-                    glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x, g.x * n.z - g.z * n.x)));
+    parallel_blocks(
+        out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                const glm::dvec3 rest(out.rest_positions[v]);
+                const glm::dvec3 uvw = field.frame.uvw(rest);
+                if (glm::any(glm::lessThan(uvw, reach.lo)) ||
+                    glm::any(glm::greaterThan(uvw, reach.hi)))
+                    continue;
+                const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
+                                                            {&all.is_on(v, 0), all.openings});
+                if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
+                out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
+                const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
+                    glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
+                    d.x = glm::dot(moved.gradient, d);
+                    return field.frame.axes * d;
+                };
+                if (!out.mesh.normals.empty()) {
+                    // By the cofactors of the derivative, whose last two rows are those of the
+                    // identity
+                    const glm::dvec3 n =
+                        glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
+                    const glm::dvec3& g = moved.gradient;
+                    out.mesh.normals[v] = glm::vec3(
+                        field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
+                                                                     g.x * n.z - g.z * n.x)));
+                }
+                if (!out.mesh.tangents.empty()) {
+                    const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
+                    if (glm::length(t) > 0)
+                        out.mesh.tangents[v] =
+                            glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
+                }
             }
-            if (!out.mesh.tangents.empty()) {
-                const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
-                if (glm::length(t) > 0)
-                    out.mesh.tangents[v] =
-                        glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
-            }
-        }
-    });
+        });
 }
 
 // The greatest of the bounds of the triangles of caps.
@@ -146,8 +146,8 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     for (std::size_t f = caps.first_face; f < cut.mesh.face_count(); ++f) {
         std::array<glm::dvec2, 3> vw;
         for (std::size_t i = 0; i < 3; ++i)
-            vw[i] = caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] -
-                                    caps.first_vertex];
+            vw[i] =
+                caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] - caps.first_vertex];
         most = std::max(most, error.cap(opening, vw));
     }
     return most;
@@ -184,8 +184,7 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
-        if (options.capped)
-            caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error, options));
+        if (options.capped) caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error, options));
         all.resize(cut_mesh.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v) all.side(v, i) = cut_mesh.above[v];
         for (std::size_t e = 0; e < cut_mesh.edges.size(); ++e)

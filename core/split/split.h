@@ -29,8 +29,8 @@ struct SplitMesh {
 
 // Parts a mesh in the world: makes it fine enough near the openings, cuts it along each cut
 // surface, closes both halves with caps, and moves its vertices by the field. A closed mesh becomes
-// closed parts; none of its vertices lies in an obstacle. None: the field moves nothing of the mesh.
-// Vertices that the field does not move keep their bits.
+// closed parts; none of its vertices lies in an obstacle. None: the field moves nothing of the
+// mesh. Vertices that the field does not move keep their bits.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
                                const SplitOptions& options);
 

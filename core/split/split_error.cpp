@@ -21,14 +21,14 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 SplitError::SplitError(const SplitField& field)
 {
     for (const Opening& o : field.openings)
-        all_.push_back({SurfaceBounds(o.surface, false),
-                        {SurfaceBounds(o.walls[0].height, true),
-                         SurfaceBounds(o.walls[1].height, true)},
-                        o.walls[0].lo(),
-                        o.walls[0].hi(),
-                        o.reach,
-                        steepest(o.kernel),
-                        most_bent(o.kernel)});
+        all_.push_back(
+            {SurfaceBounds(o.surface, false),
+             {SurfaceBounds(o.walls[0].height, true), SurfaceBounds(o.walls[1].height, true)},
+             o.walls[0].lo(),
+             o.walls[0].hi(),
+             o.reach,
+             steepest(o.kernel),
+             most_bent(o.kernel)});
 }
 
 std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,

@@ -102,9 +102,9 @@ void give_reaches(std::vector<Opening>& openings)
                                        std::max(needed(opening, 0, SplitKernel::hat),
                                                 needed(opening, 1, SplitKernel::hat))));
         for (std::size_t side = 0; side < 2; ++side)
-            opening.reach[side] =
-                std::min(room[side], std::max({opening.reach[side], 1e-9,
-                                               needed(opening, side, opening.kernel)}));
+            opening.reach[side] = std::min(
+                room[side],
+                std::max({opening.reach[side], 1e-9, needed(opening, side, opening.kernel)}));
     }
 }
 

@@ -21,9 +21,9 @@ struct ObstacleUse {
 // Splitting says by what an object is parted, and how its halves are closed.
 struct Splitting {
     std::vector<ObstacleUse> obstacles;
-    glm::dvec3 opening{1, 0, 0}; // direction in the world in which the halves part
-    glm::dvec3 way{0, 1, 0};     // direction in the world in which the object passes
-    bool capped = true;          // the halves are closed
+    glm::dvec3 opening{1, 0, 0};    // direction in the world in which the halves part
+    glm::dvec3 way{0, 1, 0};        // direction in the world in which the object passes
+    bool capped = true;             // the halves are closed
     Filling inside = Filling::none; // what the caps show; none: the object's first material
     double tolerance = 2e-3;        // metres between flat triangles and the true walls, at most
     bool operator==(const Splitting&) const = default;

@@ -75,11 +75,10 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
                         bezier.point(sv.first + i, sw.first + j);
             const double v = (net - 1) / (sv.hi - sv.lo), w = (net - 1) / (sw.hi - sw.lo);
             const double vv = v * (net - 2) / (sv.hi - sv.lo), ww = w * (net - 2) / (sw.hi - sw.lo);
-            cells_.push_back({largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
-                              w * largest_difference(points, 0, 1),
-                              vv * largest_difference(points, 2, 0),
-                              v * w * largest_difference(points, 1, 1),
-                              ww * largest_difference(points, 0, 2)});
+            cells_.push_back(
+                {largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
+                 w * largest_difference(points, 0, 1), vv * largest_difference(points, 2, 0),
+                 v * w * largest_difference(points, 1, 1), ww * largest_difference(points, 0, 2)});
         }
 }
 
@@ -92,8 +91,8 @@ JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
         if (zero_outside_ && (hi[axis] <= breaks.front() || lo[axis] >= breaks.back())) return {};
         const auto piece = [&](double x) {
             const auto above = std::ranges::upper_bound(breaks, x) - breaks.begin();
-            return static_cast<std::size_t>(
-                std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(breaks.size()) - 2));
+            return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+                above - 1, 0, static_cast<std::ptrdiff_t>(breaks.size()) - 2));
         };
         from[a] = piece(lo[axis]);
         to[a] = piece(hi[axis]);

@@ -101,8 +101,7 @@ HWY_INLINE Numbers least_root(Numbers a, Numbers b, Numbers c)
     const Numbers inside = hn::Sub(hn::Mul(b, b), hn::Mul(hn::Mul(hn::Set(d, 4.0), a), c));
     const Numbers root = hn::Sqrt(inside);
     const Numbers q =
-        hn::Mul(hn::Set(d, -0.5),
-                hn::Add(b, hn::IfThenElse(hn::Ge(b, zero), root, hn::Neg(root))));
+        hn::Mul(hn::Set(d, -0.5), hn::Add(b, hn::IfThenElse(hn::Ge(b, zero), root, hn::Neg(root))));
     const Numbers first = hn::Div(a, q), second = hn::Div(q, c);
     const auto has_first = hn::And(hn::Ne(q, zero), hn::Gt(first, zero));
     Numbers least = hn::IfThenElse(has_first, first, none);

@@ -272,8 +272,8 @@ Unwrapped unwrapped_here(std::span<const UnwrapInput> meshes, const UnwrapOption
         parallel_blocks(count, 1, [&](std::size_t k, std::size_t) {
             const double part = static_cast<double>(done++) / static_cast<double>(count);
             const double now = begin + share * (0.4 + 0.6 * part);
-            charts[first + k] = flatten(tree.charts()[k], divided[k],
-                                        [&] { report(progress, now, "flatten"); });
+            charts[first + k] =
+                flatten(tree.charts()[k], divided[k], [&] { report(progress, now, "flatten"); });
         });
         for (const std::size_t each : divided) out.facts.divided += each;
         out.facts.left_out += surface.left_out();
@@ -312,10 +312,9 @@ Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& op
                     const Progress& progress)
 {
     // One chart of millions of triangles is a system of equations that takes seconds.
-    return watched(
-        [own = std::vector<UnwrapInput>(meshes.begin(), meshes.end()),
-         options](const Progress& inner) { return unwrapped_here(own, options, inner); },
-        progress);
+    return watched([own = std::vector<UnwrapInput>(meshes.begin(), meshes.end()),
+                    options](const Progress& inner) { return unwrapped_here(own, options, inner); },
+                   progress);
 }
 
 } // namespace trivar

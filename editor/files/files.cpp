@@ -181,12 +181,12 @@ void Files::ask_relink(Id object)
 {
     relinked_ = object;
     const bool picture = relinks_picture(*session_, object);
-    ask_for_file(Purpose::relink, {.title = (picture ? "Choose the picture of "
-                                                     : "Choose the file of ") +
-                                            name_of(session_->committed(), object),
-                                   .action = picture ? "Use picture" : "Use file",
-                                   .extensions = picture ? image_extensions() : model_extensions(),
-                                   .name = {}});
+    ask_for_file(Purpose::relink,
+                 {.title = (picture ? "Choose the picture of " : "Choose the file of ") +
+                           name_of(session_->committed(), object),
+                  .action = picture ? "Use picture" : "Use file",
+                  .extensions = picture ? image_extensions() : model_extensions(),
+                  .name = {}});
 }
 
 void Files::ask_missing()

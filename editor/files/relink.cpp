@@ -143,8 +143,7 @@ void relink(Session& session, Id object, const std::string& path)
         const fs::path there = other.path == use->path
                                    ? chosen
                                    : chosen.parent_path() / fs::path(other.path).filename();
-        if (fs::exists(there, ignored))
-            edits.push_back(with_file(session, other, there.string()));
+        if (fs::exists(there, ignored)) edits.push_back(with_file(session, other, there.string()));
     }
     run_prepared(session, std::move(edits), path);
 }

@@ -37,8 +37,8 @@ struct Preferences {
     std::string scenes_folder, models_folder; // where dialogs begin; empty: where they were
     std::vector<std::string> recent_commands, recent_scenes; // the newest first
     std::vector<std::string> library_tiles; // models that were dropped to paint with, newest first
-    std::vector<std::string> recent_views; // lines of editor/session/recent_views.h
-    std::vector<std::string> closed_hints; // by name: they do not come again
+    std::vector<std::string> recent_views;  // lines of editor/session/recent_views.h
+    std::vector<std::string> closed_hints;  // by name: they do not come again
     bool operator==(const Preferences&) const = default;
 };
 

@@ -37,7 +37,8 @@ glm::dvec3 rounded_direction(const glm::dvec3& d)
 // Sets the directions of an object that meets an obstacle.
 void give_directions(const Session& session, Id id, Id obstacle, Splitting& splitting)
 {
-    const EvaluatedObject *own = shown_object(session, id), *other = shown_object(session, obstacle);
+    const EvaluatedObject *own = shown_object(session, id),
+                          *other = shown_object(session, obstacle);
     if (!own || !other) return;
     const glm::dvec3 upright = longest_axis(other->bounds->size());
     glm::dvec3 way = other->bounds->center() - own->bounds->center();
@@ -144,7 +145,8 @@ std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme&
     std::vector<gpu::Line> out;
     for (const Id id : chosen(session))
         if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
-            for (gpu::Line& line : lines_of(*each->split_field, theme)) out.push_back(std::move(line));
+            for (gpu::Line& line : lines_of(*each->split_field, theme))
+                out.push_back(std::move(line));
     return out;
 }
 
@@ -169,19 +171,19 @@ void SplitTool::options(Session&, const ui::Theme& theme, float width)
                        "How much stays free round the obstacle."});
     options.push_back({"Reach", 84,
                        [&](float field) {
-                           ui::number_field(
-                               theme, "reach", use_.reach,
-                               {.lo = 0, .hi = 100000, .unit = "m", .zero = "auto"}, field);
+                           ui::number_field(theme, "reach", use_.reach,
+                                            {.lo = 0, .hi = 100000, .unit = "m", .zero = "auto"},
+                                            field);
                        },
                        "Over what distance the opening fades away."});
-    options.push_back({"Fades", 100,
-                       [&](float field) {
-                           int kernel = static_cast<int>(use_.kernel);
-                           ui::choice(theme, "fades", kernel,
-                                      {"Quadratic", "Smooth", "Gaussian", "Hat"}, field);
-                           use_.kernel = static_cast<SplitKernel>(kernel);
-                       },
-                       "How the opening fades."});
+    options.push_back(
+        {"Fades", 100,
+         [&](float field) {
+             int kernel = static_cast<int>(use_.kernel);
+             ui::choice(theme, "fades", kernel, {"Quadratic", "Smooth", "Gaussian", "Hat"}, field);
+             use_.kernel = static_cast<SplitKernel>(kernel);
+         },
+         "How the opening fades."});
     options.push_back({"Inside", 84,
                        [&](float field) {
                            int inside = static_cast<int>(settings_.inside);

@@ -29,9 +29,8 @@ std::vector<gpu::Translucent> walls_of(const SplitField& field, const ui::Theme&
             veil.colors = {ui::linear_light(ui::faded(theme.color.lattice, 0.16f))};
             for (int i = 0; i <= columns; ++i)
                 for (int j = 0; j <= rows; ++j) {
-                    veil.points.emplace_back(
-                        point_on(field, opening, side,
-                                 glm::dvec2(i, j) / glm::dvec2(columns, rows)));
+                    veil.points.emplace_back(point_on(
+                        field, opening, side, glm::dvec2(i, j) / glm::dvec2(columns, rows)));
                     if (i == 0 || j == 0) continue;
                     const auto k = static_cast<std::uint32_t>(i * (rows + 1) + j);
                     const std::uint32_t a = k - rows - 2, b = k - 1, c = k - rows - 1;

@@ -93,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "cars_over_obstacle", "text_teapot", "bulldozer_parks", "reptiles", "rider",
                     "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
                     "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
-                    "horse_hair", "face_hexagons", "brick_wall", "teapot_statues",
-                    "robot_bars", "robot_bars_tilted", "bulldozer_tree"),
+                    "horse_hair", "face_hexagons", "brick_wall", "teapot_statues", "robot_bars",
+                    "robot_bars_tilted", "bulldozer_tree"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

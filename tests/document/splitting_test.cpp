@@ -23,9 +23,9 @@ Document ball_and_pillar(double y)
 {
     Transform there;
     there.translation = {0.05, y, 0};
-    Document document = after(
-        Document{},
-        AddSphere{.shape = {.radius = 1, .segments = 48, .rings = 24}, .transform = there});
+    Document document =
+        after(Document{},
+              AddSphere{.shape = {.radius = 1, .segments = 48, .rings = 24}, .transform = there});
     return after(document, AddCylinder{.shape = {.radius = 0.25, .height = 4}});
 }
 
@@ -126,8 +126,11 @@ TEST(Splitting, RefusesWhatCannotPartIt)
     command.splitting.way = command.splitting.opening;
     refused(command, "two different directions");
     const Document split = after(document, by_the_pillar());
-    EXPECT_THAT([&] { after(split, Split{{pillar_id}, {.obstacles = {{ball_id}}}}); },
-                ThrowsMessage<Rejected>(HasSubstr("depends on it")));
+    EXPECT_THAT(
+        [&] {
+            after(split, Split{{pillar_id}, {.obstacles = {{ball_id}}}});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("depends on it")));
 }
 
 TEST(Splitting, SaysWhereThereIsTooLittleRoom)
@@ -135,7 +138,8 @@ TEST(Splitting, SaysWhereThereIsTooLittleRoom)
     Document document = ball_and_pillar(0);
     Transform beside;
     beside.translation = {0.55, 0, 0};
-    document = after(document, AddCylinder{.shape = {.radius = 0.25, .height = 4}, .transform = beside});
+    document =
+        after(document, AddCylinder{.shape = {.radius = 0.25, .height = 4}, .transform = beside});
     Split command = by_the_pillar();
     command.splitting.obstacles.push_back({.object = 3});
     const Ref<EvaluatedObject> ball = shown_ball(after(document, command));
@@ -156,7 +160,8 @@ TEST(Splitting, KeepsItsFieldWhileTheObstacleMoves)
     ASSERT_TRUE(first->split_field && second->split_field);
     const Opening &a = first->split_field->openings.at(0), &b = second->split_field->openings.at(0);
     EXPECT_EQ(a.walls[0].height.points, b.walls[0].height.points);
-    EXPECT_EQ(second->split_field->frame.origin, first->split_field->frame.origin + moved.translation);
+    EXPECT_EQ(second->split_field->frame.origin,
+              first->split_field->frame.origin + moved.translation);
 }
 
 } // namespace

@@ -285,9 +285,8 @@ TEST(StrandLayers, TakeMasksAndStayOne)
     EXPECT_EQ(counted(scaled).points, points_of_open(all.tiles));
     const auto width_of = [](const Document& d, bool last) {
         const Evaluation shown = new_evaluator()(d, 1);
-        const PlacedTiles& tiles =
-            *shown.objects.at(strand_tile_id)->parts[0].tiles->tiles;
-        const TilePatch& patch = (last ? tiles.back() : tiles.front()).patch;
+        const PlacedTiles& tiles = *shown.objects.at(strand_tile_id)->parts[0].tiles->tiles;
+        const TilePatch& patch = (last ? tiles[tiles.size() - 1] : tiles[0]).patch;
         return glm::distance(tile_point(patch, {0.5, 0, 0}).p, tile_point(patch, {0.5, 1, 0}).p);
     };
     EXPECT_NEAR(width_of(scaled, false) / width_of(document, false), 0.4, 0.05);

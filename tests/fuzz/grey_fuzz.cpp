@@ -16,13 +16,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
         const trivar::GreyImage image = trivar::PictureReader().read_grey_bytes(bytes, "fuzz");
-        if (image.values.size() != static_cast<std::size_t>(image.size_px.x) *
-                                       static_cast<std::size_t>(image.size_px.y))
+        if (image.values.size() !=
+            static_cast<std::size_t>(image.size_px.x) * static_cast<std::size_t>(image.size_px.y))
             std::abort();
         for (const float value : image.values)
             if (!std::isfinite(value)) std::abort();
         for (const double at : {-1e300, -0.3, 0.0, 0.5, 1.0, 7.1, 1e300})
-            for (const trivar::ImageEdge edge : {trivar::ImageEdge::repeat, trivar::ImageEdge::stay})
+            for (const trivar::ImageEdge edge :
+                 {trivar::ImageEdge::repeat, trivar::ImageEdge::stay})
                 if (!std::isfinite(trivar::grey_at(image, {at, -at}, edge))) std::abort();
         const trivar::Mesh sheet = trivar::height_sheet(image, {.height = 0.5, .segments = 3});
         for (const glm::vec3& n : sheet.normals)

@@ -65,13 +65,11 @@ Scene shown(const std::string& name)
 {
     constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
     constexpr int between_the_bars = 44, in_the_tree = 62;
-    const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
-                                            {"wreath", grown},
-                                            {"thorn_to_flower", half_open},
-                                            {"face_thorns", thorny},
-                                            {"robot_bars", between_the_bars},
-                                            {"robot_bars_tilted", between_the_bars},
-                                            {"bulldozer_tree", in_the_tree}};
+    const std::map<std::string, int> frames{
+        {"bulldozer_parks", between_the_cars}, {"wreath", grown},
+        {"thorn_to_flower", half_open},        {"face_thorns", thorny},
+        {"robot_bars", between_the_bars},      {"robot_bars_tilted", between_the_bars},
+        {"bulldozer_tree", in_the_tree}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);

@@ -29,8 +29,8 @@ Mesh bar(const std::function<glm::dvec3(double)>& axis, double radius, int piece
     Mesh mesh;
     for (int i = 0; i <= pieces; ++i) {
         const double s = static_cast<double>(i) / pieces;
-        const glm::dvec3 t = glm::normalize(axis(std::min(1.0, s + 1e-4)) -
-                                            axis(std::max(0.0, s - 1e-4)));
+        const glm::dvec3 t =
+            glm::normalize(axis(std::min(1.0, s + 1e-4)) - axis(std::max(0.0, s - 1e-4)));
         const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), t));
         const glm::dvec3 y = glm::cross(t, x);
         for (int j = 0; j < round; ++j) {
@@ -83,8 +83,9 @@ double volume_of(const Mesh& mesh)
 {
     double sum = 0;
     for (const glm::uvec3& t : triangles(mesh))
-        sum += glm::dot(glm::dvec3(mesh.positions[t.x]),
-                        glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])));
+        sum +=
+            glm::dot(glm::dvec3(mesh.positions[t.x]),
+                     glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])));
     return sum / 6;
 }
 

@@ -2,8 +2,8 @@
 #include "core/split/split.h"
 
 #include "core/base/rejected.h"
-#include "core/split/cap.h"
 #include "core/mesh/primitives.h"
+#include "core/split/cap.h"
 #include "tests/split/bodies.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ struct CutInTwo {
 CutInTwo cut_by(const Mesh& mesh, const Plane& plane, double longest = 0)
 {
     const glm::dvec3 n = glm::normalize(plane.normal);
-    const glm::dvec3 x =
-        glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 x = glm::normalize(
+        glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
     const glm::dvec3 y = glm::cross(n, x);
     std::vector<double> heights;
     for (const glm::vec3& p : mesh.positions)
@@ -65,18 +65,18 @@ void expect_two_closed_halves(const Mesh& mesh, const CutInTwo& halves)
 TEST(Cut, PartsATorusIntoClosedHalves)
 {
     const Mesh torus = welded(torus_mesh(1, 0.4, {120, 60}));
-    expect_two_closed_halves(torus, cut_by(torus, {{1, 0.2, 0.1}, 0.05}));    // two discs
-    expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03}));   // a ring
+    expect_two_closed_halves(torus, cut_by(torus, {{1, 0.2, 0.1}, 0.05}));  // two discs
+    expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03})); // a ring
     expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03}, 0.02));
-    expect_two_closed_halves(torus, cut_by(torus, {{0, 0, 1}, 0}));           // through vertices
+    expect_two_closed_halves(torus, cut_by(torus, {{0, 0, 1}, 0})); // through vertices
 }
 
 TEST(Cut, PartsHalvesOfTheTorusThatAreEqualEqually)
 {
     const Mesh torus = welded(torus_mesh(1, 0.4, {100, 50}));
     const CutInTwo halves = cut_by(torus, {{0, 0, 1}, 0});
-    EXPECT_NEAR(volume_of(half_of(halves.cut.mesh, halves.cut.above, true)),
-                volume_of(torus) / 2, 2e-4 * volume_of(torus));
+    EXPECT_NEAR(volume_of(half_of(halves.cut.mesh, halves.cut.above, true)), volume_of(torus) / 2,
+                2e-4 * volume_of(torus));
 }
 
 TEST(Cut, ClosesHalvesByRandomPlanes)
@@ -85,9 +85,9 @@ TEST(Cut, ClosesHalvesByRandomPlanes)
     std::uniform_real_distribution<double> uniform(-1, 1);
     const Mesh torus = welded(torus_mesh(1, 0.4, {40, 20}));
     for (int i = 0; i < 300; ++i) {
-        const CutInTwo halves =
-            cut_by(torus, {{uniform(random), uniform(random), uniform(random)}, 0.9 * uniform(random)},
-                   i % 3 ? 0 : 0.1);
+        const CutInTwo halves = cut_by(
+            torus, {{uniform(random), uniform(random), uniform(random)}, 0.9 * uniform(random)},
+            i % 3 ? 0 : 0.1);
         if (halves.cut.rim.empty()) continue;
         expect_two_closed_halves(torus, halves);
         EXPECT_EQ(halves.caps.fans, 0u);
@@ -118,8 +118,8 @@ TEST(Cut, LeavesAnOpenSheetOpenAndSaysSo)
 
 TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
 {
-    for (const SplitKernel kernel : {SplitKernel::quadratic, SplitKernel::smooth,
-                                     SplitKernel::gaussian, SplitKernel::hat}) {
+    for (const SplitKernel kernel :
+         {SplitKernel::quadratic, SplitKernel::smooth, SplitKernel::gaussian, SplitKernel::hat}) {
         EXPECT_EQ(kernel_at(kernel, 0).value, 1);
         EXPECT_EQ(kernel_at(kernel, 0).first, 0);
         EXPECT_NEAR(kernel_at(kernel, 1).value, 0, 1e-15);
@@ -159,17 +159,19 @@ std::vector<Named> scenes()
     std::vector<Named> out;
     out.push_back({"upright bar", {obstacle("bar", bar(leaning({0.1, 0, 0}, {}), 0.18))}});
     out.push_back({"leaning bar", {obstacle("bar", bar(leaning({}, {0.84, 0.36, 0}), 0.18))}});
-    out.push_back({"bent bar", {obstacle("bar", bar(
-                                                  [](double s) {
-                                                      const double z = 4 * s - 2;
-                                                      return glm::dvec3(0.35 * std::sin(3 * z), 0, z);
-                                                  },
-                                                  0.15, 48))}});
+    out.push_back({"bent bar",
+                   {obstacle("bar", bar(
+                                        [](double s) {
+                                            const double z = 4 * s - 2;
+                                            return glm::dvec3(0.35 * std::sin(3 * z), 0, z);
+                                        },
+                                        0.15, 48))}});
     out.push_back({"ball", {obstacle("ball", ball({0.1, 0, 0.05}, 0.3, 48))}});
     Named three{"three leaning bars", {}};
     for (int k = -1; k <= 1; ++k)
-        three.obstacles.push_back(obstacle(
-            "bar " + std::to_string(k + 2), bar(leaning({0.75 * k, 0.2 * k, 0}, {0.3, 0.25, 0}), 0.12)));
+        three.obstacles.push_back(
+            obstacle("bar " + std::to_string(k + 2),
+                     bar(leaning({0.75 * k, 0.2 * k, 0}, {0.3, 0.25, 0}), 0.12)));
     out.push_back(three);
     return out;
 }
@@ -212,7 +214,8 @@ TEST(SplitField, MovesNothingIntoAnObstacleAndFoldsNothing)
             for (int axis = 1; axis < 3; ++axis) {
                 glm::dvec3 q = p;
                 q[axis] += h;
-                EXPECT_NEAR(moved.gradient[axis], (field.moved(q, sides, on).u - moved.u) / h, 1e-3);
+                EXPECT_NEAR(moved.gradient[axis], (field.moved(q, sides, on).u - moved.u) / h,
+                            1e-3);
             }
         }
     }
@@ -266,8 +269,8 @@ TEST(SplitField, RefusesObstaclesWithoutRoomBetweenThem)
     const auto upright = [](double x) {
         return bar([=](double s) { return glm::dvec3(x, 0, 2 * s - 1); }, 0.2);
     };
-    EXPECT_THROW(
-        split_field({obstacle("a", upright(0)), obstacle("b", upright(0.42))}, {}), Rejected);
+    EXPECT_THROW(split_field({obstacle("a", upright(0)), obstacle("b", upright(0.42))}, {}),
+                 Rejected);
 }
 
 } // namespace

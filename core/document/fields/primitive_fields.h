@@ -79,8 +79,7 @@ template <> struct FieldsOf<TeapotShape> {
     }
 };
 
-template <>
-inline constexpr std::array<std::string_view, 2> choice_names<HeightsLie>{"face", "uv"};
+template <> inline constexpr std::array<std::string_view, 2> choice_names<HeightsLie>{"face", "uv"};
 template <>
 inline constexpr std::array<std::string_view, 2> choice_words<HeightsLie>{"each tile", "all UVs"};
 

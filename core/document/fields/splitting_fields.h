@@ -8,7 +8,7 @@ namespace trivar {
 
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<SplitKernel>{"quadratic", "smooth",
-                                                                          "gaussian", "hat"};
+                                                                           "gaussian", "hat"};
 
 template <> struct FieldsOf<ObstacleUse> {
     static constexpr std::string_view told_as = "[obstacle](#obstacle)";

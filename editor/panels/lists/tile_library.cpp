@@ -72,12 +72,13 @@ void choose_tile(Editor& editor, const LibraryTile& tile, bool also)
 {
     if (!tile.own && !file_exists(tile.file)) {
         editor.memory.of<TileLibrary>().gone.insert(tile.file);
-        editor.session.notices.say(
-            ui::NoticeKind::warning,
-            std::filesystem::path(tile.file).filename().string() + " is missing",
-            sentence_of_gone(tile.file), {},
-            {{"Remove from library",
-              [&editor, file = tile.file] { std::erase(editor.preferences.library_tiles, file); }}});
+        editor.session.notices.say(ui::NoticeKind::warning,
+                                   std::filesystem::path(tile.file).filename().string() +
+                                       " is missing",
+                                   sentence_of_gone(tile.file), {},
+                                   {{"Remove from library", [&editor, file = tile.file] {
+                                         std::erase(editor.preferences.library_tiles, file);
+                                     }}});
         return;
     }
     editor.memory.of<TileLibrary>().gone.erase(tile.file);

@@ -138,8 +138,7 @@ TEST(Relink, ReadsPicturesAnewThatHaveChanged)
     read_anew(rig.editor.session, {DisplacedRig::sheet});
     rig.wait();
     EXPECT_GT(rig.height(), 1.9f * before);
-    EXPECT_THAT(rig.editor.session.evaluated().objects.at(DisplacedRig::sheet)->notices,
-                IsEmpty());
+    EXPECT_THAT(rig.editor.session.evaluated().objects.at(DisplacedRig::sheet)->notices, IsEmpty());
 }
 
 TEST(Relink, ReadsAFileAnewThatHasChanged)
