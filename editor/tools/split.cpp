@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
+#include "core/document/parameters.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/topics.h"
 #include "editor/tools/select.h"
@@ -22,11 +23,23 @@ const EvaluatedObject* shown_object(const Session& session, Id id)
     return found == session.evaluated().objects.end() ? nullptr : found->second.get();
 }
 
-// The axis of the world along which a box is longest.
-glm::dvec3 longest_axis(const glm::dvec3& size)
+// What stays upright while an obstacle parts something: the length of a bar, or else up.
+glm::dvec3 upright_of(const glm::dvec3& size)
 {
-    if (size.z >= size.x && size.z >= size.y) return {0, 0, 1};
-    return size.x >= size.y ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    constexpr double long_for_a_bar = 2.5; // times its other sides
+    if (size.x > long_for_a_bar * std::max(size.y, size.z)) return {1, 0, 0};
+    if (size.y > long_for_a_bar * std::max(size.x, size.z)) return {0, 1, 0};
+    return {0, 0, 1};
+}
+
+// How an object moves past another one from the first frame to the last; zero: it does not.
+glm::dvec3 way_past(const Document& document, Id id, Id other)
+{
+    const auto apart = [&](int frame) {
+        const Document then = document_at(document, frame);
+        return glm::dvec3(to_world(then, id)[3]) - glm::dvec3(to_world(then, other)[3]);
+    };
+    return apart(document.time.last_frame) - apart(document.time.first_frame);
 }
 
 glm::dvec3 rounded_direction(const glm::dvec3& d)
@@ -40,15 +53,15 @@ void give_directions(const Session& session, Id id, Id obstacle, Splitting& spli
     const EvaluatedObject *own = shown_object(session, id),
                           *other = shown_object(session, obstacle);
     if (!own || !other) return;
-    const glm::dvec3 upright = longest_axis(other->bounds->size());
-    glm::dvec3 way = other->bounds->center() - own->bounds->center();
-    way -= upright * glm::dot(way, upright);
-    // What stands in the obstacle already goes away from the eye
-    if (glm::length(way) < 0.05 * glm::length(own->bounds->size())) {
-        const Camera& camera = session.view.camera;
-        way = camera.target - camera.eye;
-        way -= upright * glm::dot(way, upright);
-    }
+    const glm::dvec3 upright = upright_of(other->bounds->size());
+    const auto level = [&](const glm::dvec3& d) { return d - upright * glm::dot(upright, d); };
+    const double size = glm::length(own->bounds->size());
+    glm::dvec3 way = level(way_past(session.document(), id, obstacle));
+    // What does not move goes toward the obstacle; what stands in it, away from the eye
+    if (glm::length(way) < 1e-3 * size)
+        way = level(other->bounds->center() - own->bounds->center());
+    if (glm::length(way) < 0.05 * size)
+        way = level(session.view.camera.target - session.view.camera.eye);
     if (glm::length(way) < 1e-9) way = glm::dvec3(upright.y, upright.z, upright.x);
     splitting.way = rounded_direction(glm::normalize(way));
     splitting.opening = rounded_direction(glm::normalize(glm::cross(way, upright)));

@@ -7,8 +7,9 @@
 namespace trivar {
 
 // The command with which an obstacle parts the objects besides what parts them already. Without
-// one, they open across the way from the first of them to the obstacle and across the obstacle's
-// longest side. Nothing: the objects cannot be parted by it; `why` then says so.
+// one, they open across the way on which the first of them passes the obstacle, or that leads to
+// it, and level with the ground, unless the obstacle is a lying bar. Nothing: the objects cannot be
+// parted by it; `why` then says so.
 std::optional<Split> split_at(const Session& session, const std::vector<Id>& objects, Id obstacle,
                               std::string* why = nullptr);
 

@@ -19,7 +19,7 @@ template <> struct FieldsOf<ObstacleUse> {
               in_range(0, 1000).called("Clearance").in(Unit::metres));
         field("reach", o.reach,
               "metres over which the opening fades away; widened to what is needed",
-              in_range(0, 100000).called("Reach").in(Unit::metres));
+              in_range(0, 100000).called("Reach").in(Unit::metres).zero_is("as needed"));
         field("kernel", o.kernel, "how the opening fades", any_value.called("Fades"));
     }
 };

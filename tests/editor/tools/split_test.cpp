@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/split.h"
+
+#include "core/commands/animate.h"
+#include "tests/editor/rig.h"
+
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+constexpr Id split_ball = 1, split_pillar = 2;
+
+// A ball, which is selected, and a pillar that stands out of it to the right of its middle.
+struct SplitRig : testing::Rig {
+    SplitRig()
+    {
+        EXPECT_TRUE(editor.session.run(AddSphere{.shape = {.radius = 1}}));
+        Transform beside;
+        beside.translation = {0.1, 0.3, 0};
+        EXPECT_TRUE(editor.session.run(
+            AddCylinder{.shape = {.radius = 0.2, .height = 5}, .transform = beside}));
+        editor.session.selected = split_ball;
+        editor.session.view.camera.eye = {0, -7, 1};
+        editor.session.view.camera.target = {0, 0, 0};
+        key({'O'});
+        wait();
+    }
+    // Where the pillar is seen above the ball.
+    glm::vec2 on_the_pillar()
+    {
+        const PicturePoint at = project(editor.session.view.camera, {0.1, 0.3, 1.8});
+        return layout().view.lo + glm::vec2(at.p_px);
+    }
+    bool parted() const
+    {
+        return editor.session.evaluated().objects.at(split_ball)->split_field != nullptr;
+    }
+};
+
+TEST(SplitTool, ShowsWhatAnObstacleWouldDoAndDoesItByAClick)
+{
+    SplitRig rig;
+    EXPECT_EQ(rig.editor.active_tool().name(), "Split");
+    const std::size_t before = rig.steps();
+    rig.move(rig.on_the_pillar());
+    rig.wait();
+    rig.move(rig.on_the_pillar() + glm::vec2(1, 0));
+    rig.wait();
+    EXPECT_TRUE(rig.parted());
+    EXPECT_EQ(rig.steps(), before); // it is only shown
+    EXPECT_FALSE(object(rig.editor.session.committed(), split_ball).splitting);
+    EXPECT_FALSE(rig.editor.active_tool().lines(rig.editor.session, rig.screen.theme()).empty());
+    rig.move(rig.layout().view.lo + glm::vec2(5, 5));
+    rig.wait();
+    EXPECT_FALSE(rig.parted());
+    rig.click(rig.on_the_pillar());
+    rig.wait();
+    EXPECT_EQ(rig.steps(), before + 1);
+    ASSERT_TRUE(object(rig.editor.session.committed(), split_ball).splitting);
+    EXPECT_EQ(object(rig.editor.session.committed(), split_ball).splitting->obstacles.at(0).object,
+              split_pillar);
+    EXPECT_TRUE(rig.parted());
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_FALSE(rig.parted());
+}
+
+TEST(SplitTool, OpensAcrossTheWayOnWhichTheObjectPasses)
+{
+    SplitRig rig;
+    const auto opening = [&] {
+        const std::optional<Split> command =
+            split_at(rig.editor.session, {split_ball}, split_pillar);
+        return command ? command->splitting.opening : glm::dvec3(0);
+    };
+    EXPECT_NEAR(std::abs(opening().x), 0.95, 0.06); // toward the pillar
+    EXPECT_EQ(opening().z, 0);
+    Animate along_x;
+    Track track;
+    track.parameter = "transform.translation.x";
+    track.keys = {{1, -3}, {24, 3}};
+    along_x.of = {{split_ball, {track}}};
+    ASSERT_TRUE(rig.editor.session.run(along_x));
+    ASSERT_TRUE(rig.editor.session.run(SetTime{{.first_frame = 1, .last_frame = 24}}));
+    rig.wait();
+    EXPECT_EQ(opening(), glm::dvec3(0, -1, 0));
+}
+
+} // namespace
+} // namespace trivar
