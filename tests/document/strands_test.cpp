@@ -403,7 +403,8 @@ TEST(StrandLayers, DoNotFoldWhereTheySlideOrAreMasked)
     EXPECT_THAT(shown_at(1.01 * limit)->notices,
                 ::testing::Contains(::testing::HasSubstr("lowered")));
     float most = 0;
-    for (const PlacedTile& tile : *shown_at(limit)->parts[0].tiles->tiles)
+    const Ref<EvaluatedObject> shown = shown_at(limit);
+    for (const PlacedTile& tile : *shown->parts[0].tiles->tiles)
         most = std::max(most, tile.of_limit);
     EXPECT_NEAR(most, 1, 1e-5);
 }
