@@ -13,7 +13,10 @@ constexpr float strip_pad_px = 6, least_pad_px = 2, tool_gap_px = 4;
 // Puts the tools into columns of a height; returns how many there are.
 int arrange_tools(Layout& l, const ui::Theme& theme, float height, int tools)
 {
-    const float button = theme.size.tool_button, count = static_cast<float>(tools);
+    constexpr float lowest = 0.85f; // of its height, before there are two columns
+    const float full = theme.size.tool_button, count = static_cast<float>(tools);
+    const float high = std::floor((height - 2 * theme.px(least_pad_px)) / count);
+    const float button = l.tool_height = high >= lowest * full ? std::min(high, full) : full;
     l.tool_pad = std::clamp(std::floor((height - count * button) / 2), theme.px(least_pad_px),
                             theme.px(strip_pad_px));
     const float room = height - 2 * l.tool_pad;
@@ -33,11 +36,11 @@ int arrange_tools(Layout& l, const ui::Theme& theme, float height, int tools)
 ui::Rect Layout::tool_place(const ui::Theme& theme, std::size_t tool) const
 {
     const auto rows = static_cast<std::size_t>(tool_rows);
-    const float button = theme.size.tool_button;
-    const glm::vec2 pitch(button + theme.px(tool_gap_px), button + tool_gap);
+    const glm::vec2 button(theme.size.tool_button, tool_height);
+    const glm::vec2 pitch = button + glm::vec2(theme.px(tool_gap_px), tool_gap);
     return ui::rect_at(strip.lo + glm::vec2(theme.px(strip_pad_px), tool_pad) +
                            pitch * glm::vec2(tool / rows, tool % rows),
-                       glm::vec2(button));
+                       button);
 }
 
 Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,

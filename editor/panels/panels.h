@@ -18,6 +18,7 @@ struct Layout {
     // The buttons of the tools stand in as few columns as have room for them, from the top down.
     int tool_rows = 1;
     float tool_gap = 0, tool_pad = 0; // between them, and above the first
+    float tool_height = 0;
     ui::Rect tool_place(const ui::Theme& theme, std::size_t tool) const; // of its button
 };
 // Pixels at scale 1; the outliner takes at most 60 % of the dock.

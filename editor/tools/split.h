@@ -24,7 +24,7 @@ public:
         return "Let an object part round obstacles and close behind them.";
     }
     std::string page() const override { return "split"; }
-    std::vector<ui::Chord> keys() const override { return {{'O'}}; }
+    std::vector<ui::Chord> keys() const override { return {{'K'}}; }
     void use(Session& session, const ViewportInput& input) override;
     void cancel(Session& session) override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;

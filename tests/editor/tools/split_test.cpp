@@ -23,7 +23,7 @@ struct SplitRig : testing::Rig {
         editor.session.selected = split_ball;
         editor.session.view.camera.eye = {0, -7, 1};
         editor.session.view.camera.target = {0, 0, 0};
-        key({'O'});
+        key({'K'});
         wait();
     }
     // Where the pillar is seen above the ball.
