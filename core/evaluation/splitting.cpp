@@ -62,7 +62,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
     options.tolerance = splitting.tolerance;
     options.capped = splitting.capped;
     options.material = inside.number;
-    std::size_t open = 0, fans = 0;
+    std::size_t open = 0, gaps = 0, fans = 0;
     bool any = false;
     const auto is_filled = [](const Material& m) { return m.filling != Filling::none; };
     const bool filled = splitting.inside != Filling::none || surface_filled ||
@@ -76,6 +76,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
         if (!made) continue;
         any = true;
         open += made->open;
+        gaps += made->gaps;
         fans += made->fans;
         out.split_off = std::max(out.split_off, made->off);
         part = parted(part, *made, filled);
@@ -83,9 +84,10 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
     if (!any) return out;
     out.mixed_materials = inside.beside;
     if (open > 0 && splitting.capped)
-        out.notices.push_back(fmt::format("its surface is open where it is cut, so that it stays "
-                                          "open there ({} edges)",
-                                          open));
+        out.notices.push_back("it is a sheet where it is cut, without an inside to close");
+    if (gaps > 0 && splitting.capped)
+        out.notices.push_back("its surface has holes where it is cut; the cut is closed straight "
+                              "across them, and they stay open");
     if (fans > 0)
         out.notices.push_back(fmt::format("its surface runs through itself where it is cut: {} "
                                           "openings are closed by triangles that overlap",

@@ -141,8 +141,14 @@ Caps cap(CutMesh& cut, const CapOptions& options)
     out.first_vertex = cut.mesh.vertex_count();
     out.first_face = cut.mesh.face_count();
     if (cut.rim.empty()) return out;
-    const RimLoops loops = loops_of(cut.rim, cut.places.size());
+    RimLoops loops = loops_of(cut.rim, cut.places.size());
+    // Where the mesh was open, the cap goes straight across the gap
     for (const RimLoop& way : loops.open) out.open += way.size() - 1;
+    for (RimLoop& loop : joined_ways(loops.open, options.places)) {
+        ++out.gaps;
+        out.open -= std::min(out.open, loop.size() - 1);
+        loops.closed.push_back(std::move(loop));
+    }
     std::vector<const RimLoop*> all;
     for (const RimLoop& loop : loops.closed)
         if (loop.size() > 2) all.push_back(&loop);

@@ -28,7 +28,8 @@ struct Caps {
     std::vector<glm::dvec2> parameters;
     // Number of loops that were closed by triangles round one point each, since loops cross.
     std::size_t fans = 0;
-    std::size_t open = 0; // number of edges of the cut that are on no loop: the mesh was open there
+    std::size_t open = 0; // number of edges of the cut that are on no loop, as those of a sheet
+    std::size_t gaps = 0; // number of loops that go across gaps, since the mesh was open there
 };
 
 // Closes both halves of a cut mesh with caps: one constrained Delaunay triangulation of the rim's

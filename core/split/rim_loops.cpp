@@ -7,6 +7,7 @@ namespace trivar {
 namespace {
 
 constexpr std::uint32_t no_edge = 0xffffffff;
+constexpr double most_gaps = 0.2; // of a loop
 
 double signed_area(const RimLoop& loop, const std::vector<glm::dvec2>& places)
 {
@@ -73,6 +74,38 @@ RimLoops loops_of(const std::vector<glm::uvec2>& edges, std::size_t places)
         }
     for (std::uint32_t e = 0; e < edges.size(); ++e)
         if (!done[e]) walk(e);
+    return out;
+}
+
+std::vector<RimLoop> joined_ways(const std::vector<RimLoop>& ways,
+                                 const std::vector<glm::dvec2>& places)
+{
+    std::vector<RimLoop> out;
+    std::vector<char> done(ways.size(), 0);
+    for (std::size_t first = 0; first < ways.size(); ++first) {
+        if (done[first]) continue;
+        RimLoop loop;
+        double length = 0, gaps = 0;
+        for (std::size_t at = first;;) {
+            done[at] = 1;
+            for (std::size_t i = 0; i + 1 < ways[at].size(); ++i)
+                length += glm::distance(places[ways[at][i]], places[ways[at][i + 1]]);
+            loop.insert(loop.end(), ways[at].begin(), ways[at].end());
+            std::size_t next = first;
+            double least = glm::distance(places[ways[at].back()], places[ways[first].front()]);
+            for (std::size_t k = 0; k < ways.size(); ++k) {
+                const double distance =
+                    glm::distance(places[ways[at].back()], places[ways[k].front()]);
+                if (done[k] || distance >= least) continue;
+                least = distance;
+                next = k;
+            }
+            gaps += least;
+            if (next == first) break;
+            at = next;
+        }
+        if (gaps <= most_gaps * (length + gaps)) out.push_back(std::move(loop));
+    }
     return out;
 }
 

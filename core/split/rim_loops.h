@@ -18,6 +18,12 @@ struct RimLoops {
 // one is taken. O(#edges).
 RimLoops loops_of(const std::vector<glm::uvec2>& edges, std::size_t places);
 
+// Open ways made loops: from the end of each the next one is that which begins nearest, itself
+// included, until the first is reached again. Ways that would have to go across gaps for more than
+// a fifth of the loop, as those of a sheet, stay open and are left out. O(#ways^2).
+std::vector<RimLoop> joined_ways(const std::vector<RimLoop>& ways,
+                                 const std::vector<glm::dvec2>& places);
+
 // Loops that belong together: one that runs counter-clockwise, and those clockwise ones that lie in
 // it and in no smaller one. Loops by number. O(#loops x #points).
 std::vector<std::vector<std::size_t>> nested(const std::vector<RimLoop>& loops,

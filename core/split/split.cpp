@@ -194,6 +194,7 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
         take_sides_of_caps(all, cut_mesh, caps, i);
         out.off = std::max(out.off, bound_of(cut_mesh, caps, error, i));
         out.fans += caps.fans;
+        out.gaps += caps.gaps;
         out.open += caps.open;
         out.first_new_face = std::min(out.first_new_face, cut_mesh.first_new_face);
         out.mesh = std::move(cut_mesh.mesh);

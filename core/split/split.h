@@ -22,9 +22,9 @@ struct SplitMesh {
     std::vector<glm::vec3> rest_positions; // #V, before they were moved
     // The first face of those of caps and of triangles that were cut; all later ones are such.
     std::size_t first_new_face = 0;
-    std::size_t fans = 0; // see Caps
-    std::size_t open = 0; // edges of the cut where the mesh was open
-    double off = 0;       // metres: bound of the distance of its triangles from the true surface
+    std::size_t fans = 0;           // see Caps
+    std::size_t open = 0, gaps = 0; // see Caps
+    double off = 0; // metres: bound of the distance of its triangles from the true surface
 };
 
 // Parts a mesh in the world: makes it fine enough near the openings, cuts it along each cut

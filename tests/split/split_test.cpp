@@ -104,16 +104,32 @@ TEST(Cut, LeavesWhatItDoesNotTouchAsItIs)
         EXPECT_EQ(some.cut.mesh.positions[v], torus.positions[v]);
 }
 
-TEST(Cut, LeavesAnOpenSheetOpenAndSaysSo)
+// The first faces of a mesh.
+Mesh part_of_mesh(Mesh mesh, std::size_t faces)
 {
-    Mesh sheet = welded(torus_mesh(1, 0.4, {40, 20}));
-    const std::size_t faces = sheet.face_count() / 2;
-    ASSERT_GT(faces, 0u);
-    sheet.corners.resize(sheet.face_begin[faces]);
-    sheet.face_begin.resize(faces + 1);
-    const CutInTwo halves = cut_by(sheet, {{0.1, 0.1, 1}, 0.1});
+    mesh.corners.resize(mesh.face_begin[faces]);
+    mesh.face_begin.resize(faces + 1);
+    return mesh;
+}
+
+TEST(Cut, LeavesASheetOpenAndSaysSo)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {40, 20}));
+    const CutInTwo halves =
+        cut_by(part_of_mesh(torus, torus.face_count() / 4), {{0.1, 0.1, 1}, 0.1});
     EXPECT_GT(halves.cut.rim.size(), 0u);
-    EXPECT_GT(halves.caps.open, 0u);
+    EXPECT_EQ(halves.caps.open, halves.cut.rim.size());
+    EXPECT_EQ(halves.cut.mesh.face_count(), halves.caps.first_face);
+}
+
+TEST(Cut, GoesStraightAcrossASmallHoleAndSaysSo)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {40, 20}));
+    const CutInTwo halves =
+        cut_by(part_of_mesh(torus, torus.face_count() - 30), {{0.1, 0.1, 1}, 0.1});
+    EXPECT_EQ(halves.caps.open, 0u);
+    EXPECT_GT(halves.caps.gaps, 0u);
+    EXPECT_GT(halves.cut.mesh.face_count(), halves.caps.first_face);
 }
 
 TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
@@ -236,7 +252,7 @@ TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
             EXPECT_EQ(closed.open, 0u);
             EXPECT_EQ(closed.twice, 0u);
             EXPECT_EQ(parted->fans, 0u);
-            EXPECT_EQ(parted->open, 0u);
+            EXPECT_EQ(parted->gaps, 0u);
             EXPECT_LE(parted->off, 2e-3);
             Mesh rest = parted->mesh;
             rest.positions = parted->rest_positions;
