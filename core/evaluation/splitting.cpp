@@ -82,6 +82,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
         part = parted(part, *made, filled);
     }
     if (!any) return out;
+    out.whole_parts = before.parts;
     out.mixed_materials = inside.beside;
     if (open > 0 && splitting.capped)
         out.notices.push_back("it is a sheet where it is cut, without an inside to close");
@@ -99,11 +100,23 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
     return out;
 }
 
+// What parts an object: its own splitting, or for a layer of tiles that of their base, so that
+// tiles part with what they are painted on.
+std::optional<Splitting> splitting_of(const StepInput& input)
+{
+    if (input.object.splitting || !input.object.tiles) return input.object.splitting;
+    const auto base = input.document.objects.find(input.object.tiles->base);
+    if (base == input.document.objects.end() || !(*base).second->splitting) return {};
+    Splitting out = *(*base).second->splitting;
+    out.inside = Filling::none;
+    return out;
+}
+
 } // namespace
 
 Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    const std::optional<Splitting>& splitting = input.object.splitting;
+    const std::optional<Splitting> splitting = splitting_of(input);
     if (!splitting || before->parts.empty()) return before;
     FieldKey key{{}, *splitting};
     std::vector<std::string> names;

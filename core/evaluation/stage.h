@@ -80,6 +80,7 @@ struct SplittingEffects {
     // The field that parts it, where it stands at this frame; null: it is parted by nothing.
     Ref<SplitField> split_field;
     double split_off = 0; // metres: bound of the distance of its triangles from the true walls
+    std::vector<Part> whole_parts = {}; // as they were before; empty: nothing was cut
 };
 
 // A Stage is what some of an object's steps have made of it. A step changes a copy and returns
@@ -109,6 +110,8 @@ struct Stage : SimplifyingEffects,
     {
         return bent_cage ? **bent_cage : Ref<Lattice>(placement, &placement->volume);
     }
+    // The parts with the faces of its model: what lies on it by these does not see that it is split.
+    const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }
     bool shows_nothing() const { return parts.empty() && curves.empty(); }
     // A sentence for the user that says why the stroke gave nothing; the object then stands
     // undeformed where its transform says. A tool shows the sentence and does not commit. Empty:

@@ -6,15 +6,15 @@
 namespace trivar {
 namespace {
 
-// Returns the parts of an object in its own space; parts that a lattice bent or that were split
-// meanwhile are as they are in the world now.
+// Returns the parts of an object in its own space; parts that a lattice bent or whose triangles
+// were split meanwhile are as they are in the world now.
 std::vector<Part> own_parts(const EvaluatedObject& object)
 {
     const auto same_mesh = [](const Part& a, const Part& b) {
         return a.rest == b.rest && a.posed == b.posed && !a.bent == !b.bent;
     };
-    if (std::ranges::equal(object.own_parts, object.parts, same_mesh)) return object.own_parts;
-    std::vector<Part> out = object.parts;
+    if (std::ranges::equal(object.own_parts, object.whole(), same_mesh)) return object.own_parts;
+    std::vector<Part> out = object.whole();
     if (object.own_to_world == glm::dmat4(1)) return out;
     const glm::dmat4 back = glm::inverse(object.own_to_world);
     for (Part& part : out) part.to_world = back * part.to_world;

@@ -38,7 +38,7 @@ TiledPieces pieces_of(const EvaluatedObject& base, const Object& object,
 std::map<int, std::vector<Part>> by_member(const EvaluatedObject& base)
 {
     std::map<int, std::vector<Part>> out;
-    for (const Part& part : base.parts) out[part.key.member].push_back(part);
+    for (const Part& part : base.whole()) out[part.key.member].push_back(part);
     return out;
 }
 

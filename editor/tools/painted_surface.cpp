@@ -10,7 +10,7 @@ namespace {
 Ref<RayScene> scene_of(const EvaluatedObject& shown)
 {
     std::vector<RayScene::Entry> entries;
-    for (const Part& part : shown.parts)
+    for (const Part& part : shown.whole())
         entries.push_back({std::make_shared<const RayMesh>(part.mesh()), part.to_world, shown.id});
     return std::make_shared<const RayScene>(std::move(entries));
 }
@@ -37,7 +37,7 @@ std::optional<SurfaceHit> PaintedSurface::hit(const Session& session, Id object,
 {
     const auto found = session.evaluated().objects.find(object);
     const auto there = session.document().objects.find(object);
-    if (found == session.evaluated().objects.end() || found->second->parts.empty() ||
+    if (found == session.evaluated().objects.end() || found->second->whole().empty() ||
         there == session.document().objects.end())
         return {};
     if (shown_ != found->second) {
@@ -47,7 +47,7 @@ std::optional<SurfaceHit> PaintedSurface::hit(const Session& session, Id object,
     const std::optional<Hit> hit = scene_->hit(ray);
     if (!hit) return {};
     const auto entry = static_cast<std::size_t>(hit->entry);
-    const Part& part = shown_->parts[entry];
+    const Part& part = shown_->whole()[entry];
     const glm::uvec3& vertices =
         scene_->entries()[entry].mesh->triangles()[static_cast<std::size_t>(hit->triangle)];
     const Corners seen = corners_of(*part.mesh(), vertices, part.to_world);
@@ -71,10 +71,10 @@ std::vector<std::optional<SurfaceHit>> PaintedSurface::seen(const Session& sessi
     std::vector<std::optional<SurfaceHit>> out(at_rest.size());
     const auto found = session.evaluated().objects.find(object);
     const auto there = session.document().objects.find(object);
-    if (found == session.evaluated().objects.end() || found->second->parts.empty() ||
+    if (found == session.evaluated().objects.end() || found->second->whole().empty() ||
         there == session.document().objects.end())
         return out;
-    const std::vector<Part>& parts = found->second->parts;
+    const std::vector<Part>& parts = found->second->whole();
     RestMeshes rest;
     for (const Part& part : parts)
         rest.emplace_back(part.rest, mesh_to_model(*found->second, *there->second, part));

@@ -164,5 +164,25 @@ TEST(Splitting, KeepsItsFieldWhileTheObstacleMoves)
               first->split_field->frame.origin + moved.translation);
 }
 
+TEST(Splitting, PartsTilesWithWhatTheyArePaintedOn)
+{
+    Document document = after(ball_and_pillar(-0.2),
+                              AddBox{.shape = {.size = {0.1, 0.1, 0.05}, .segments = {1, 1, 1}}});
+    TileStroke fill;
+    fill.brush = TileBrush::fill;
+    fill.size = 0.12;
+    fill.samples = {{{{0, -1, 0}, {0, -1, 0}}}};
+    document = after(document, PaintTiles{3, ball_id, fill});
+    const Ref<EvaluatedObject> whole = new_evaluator()(document, 1).objects.at(3);
+    const Ref<EvaluatedObject> parted =
+        new_evaluator()(after(document, by_the_pillar()), 1).objects.at(3);
+    ASSERT_TRUE(parted->split_field);
+    EXPECT_EQ(parted->painted, whole->painted); // they are laid on the ball as it was
+    EXPECT_TRUE(parted->notices.empty());
+    for (const Part& part : parted->parts)
+        for (const glm::vec3& p : part.mesh()->positions)
+            EXPECT_GT(glm::length(glm::dvec2(p.x, p.y)), 0.25 * 0.998);
+}
+
 } // namespace
 } // namespace trivar

@@ -64,12 +64,12 @@ Scene replayed(const std::string& name)
 Scene shown(const std::string& name)
 {
     constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
-    constexpr int between_the_bars = 44, in_the_tree = 62;
+    constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47;
     const std::map<std::string, int> frames{
         {"bulldozer_parks", between_the_cars}, {"wreath", grown},
         {"thorn_to_flower", half_open},        {"face_thorns", thorny},
         {"robot_bars", between_the_bars},      {"robot_bars_tilted", between_the_bars},
-        {"bulldozer_tree", in_the_tree}};
+        {"bulldozer_tree", in_the_tree},       {"sphere_cylinder", round_the_column}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Motion, proven_scenes,
 INSTANTIATE_TEST_SUITE_P(Others, Motion,
                          ::testing::Values("rider", "wreath", "thorn_to_flower", "robots_teapot",
                                            "face_thorns", "teapot_statues", "robot_bars",
-                                           "bulldozer_tree"),
+                                           "bulldozer_tree", "sphere_cylinder"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
