@@ -59,12 +59,12 @@ TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
     }
 }
 
-TEST_P(EveryScene, BendsSomethingAndSaysWhereItsPictureIsTakenFrom)
+TEST_P(EveryScene, ChangesSomethingAndSaysWhereItsPictureIsTakenFrom)
 {
     const trivar::Document document = history().document();
     EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
-        return entry.second->stroke || entry.second->tiles ||
+        return entry.second->stroke || entry.second->tiles || entry.second->splitting ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);
     }));
 }
