@@ -67,6 +67,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
     const auto is_filled = [](const Material& m) { return m.filling != Filling::none; };
     const bool filled = splitting.inside != Filling::none || surface_filled ||
                         std::ranges::any_of(*before.shape->materials, is_filled);
+    options.keep_rest = filled;
     for (Part& part : out.parts) {
         Mesh world = part.to_world == glm::dmat4(1) ? *part.mesh()
                                                     : transformed(*part.mesh(), part.to_world);

@@ -9,7 +9,6 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <set>
 
 namespace trivar {
 namespace {
@@ -132,10 +131,11 @@ struct Triangulation::Plane {
 Triangulation::Triangulation() : plane_(std::make_unique<Plane>()) {}
 Triangulation::~Triangulation() = default;
 
-int Triangulation::insert(const glm::ivec2& p)
+int Triangulation::insert(const glm::ivec2& p, int near)
 {
     assert(std::abs(p.x) <= most_units && std::abs(p.y) <= most_units);
-    const int point = plane_->put(p, points_.empty() ? Face() : plane_->vertices.back()->face());
+    const int from = near < 0 ? static_cast<int>(points_.size()) - 1 : near;
+    const int point = plane_->put(p, from < 0 ? Face() : plane_->vertex(from)->face());
     if (point == static_cast<int>(points_.size())) points_.push_back(p);
     return point;
 }
@@ -153,8 +153,9 @@ Triangulation::JoinResult Triangulation::join(int a, int b)
 
 void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
 {
-    std::set<std::pair<int, int>> rim;
-    for (const auto& [a, b] : edges) rim.insert(std::minmax({a, b}));
+    std::vector<std::pair<int, int>> rim;
+    for (const auto& [a, b] : edges) rim.push_back(std::minmax(a, b));
+    std::ranges::sort(rim);
     for (const Face f : plane_->delaunay.all_face_handles()) f->info() = false;
     std::vector<Face> open;
     const auto enter = [&](Face f) {
@@ -168,7 +169,9 @@ void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
         open.pop_back();
         const Corners v = corners_of(f);
         for (std::size_t i = 0; i < 3; ++i)
-            if (!rim.contains(std::minmax({v[(i + 1) % 3], v[(i + 2) % 3]})))
+            if (!f->is_constrained(static_cast<int>(i)) ||
+                !std::ranges::binary_search(
+                    rim, std::pair<int, int>(std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]))))
                 enter(f->neighbor(static_cast<int>(i)));
     }
 }

@@ -22,7 +22,8 @@ public:
     ~Triangulation();
 
     // The number of the point at that place, a new one or an existing one; numbers count up from 0.
-    int insert(const glm::ivec2& p);
+    // It is looked for from point `near` on; -1: from the last one.
+    int insert(const glm::ivec2& p, int near = -1);
     // Makes a - b an edge that stays, or several edges in a row where points lie on it. It stops at
     // an edge that stays and would be crossed.
     enum class JoinResult { one_edge, several, crosses };

@@ -5,6 +5,7 @@
 #include "core/split/rim_loops.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace trivar {
@@ -15,6 +16,19 @@ struct FlatCap {
     std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise in the parameters
     std::vector<glm::dvec2> inside;
 };
+
+// Inserts a point of a rim that is to be number `count`: where another one is, it goes a step aside.
+// Returns -1 where all places round it are taken.
+int put_aside(Triangulation& plane, const glm::ivec2& at, int near, std::size_t count)
+{
+    constexpr std::array<glm::ivec2, 9> steps{
+        {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+    for (const glm::ivec2& step : steps) {
+        const int point = plane.insert(at + step, near);
+        if (point == static_cast<int>(count)) return point;
+    }
+    return -1;
+}
 
 // Triangulates the region to the left of loops. Returns false, with nothing added, where edges
 // cross or meet on the grid.
@@ -35,22 +49,19 @@ bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& opt
     std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
     std::vector<std::pair<int, int>> edges;
     for (const RimLoop* loop : loops) {
-        std::vector<int> points;
-        for (const std::uint32_t place : *loop) {
-            const glm::ivec2 at = on_grid(options.places[place]);
-            // Two places at one point of the grid: one of them goes a step aside
-            constexpr std::array<glm::ivec2, 9> steps{
-                {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
-            int point = -1;
-            for (const glm::ivec2& step : steps) {
-                point = plane.insert(at + step);
-                if (point == static_cast<int>(number.size())) break;
-                point = -1;
+        std::vector<int> points(loop->size(), -1);
+        // Every second one of those that are left comes next: in their order along a round loop
+        // each would turn over the triangles of all before it
+        const std::size_t coarsest = std::bit_ceil(loop->size());
+        for (std::size_t step = coarsest; step > 0; step /= 2)
+            for (std::size_t i = step == coarsest ? 0 : step; i < loop->size();
+                 i += step == coarsest ? coarsest : 2 * step) {
+                const glm::ivec2 at = on_grid(options.places[(*loop)[i]]);
+                const int near = i == 0 ? -1 : points[i - step];
+                points[i] = put_aside(plane, at, near, number.size());
+                if (points[i] < 0) return false;
+                number.push_back((*loop)[i]);
             }
-            if (point < 0) return false;
-            number.push_back(place);
-            points.push_back(point);
-        }
         for (std::size_t i = 0; i < points.size(); ++i)
             edges.emplace_back(points[i], points[(i + 1) % points.size()]);
     }
@@ -106,7 +117,9 @@ std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const Flat
     Mesh& mesh = cut.mesh;
     const std::size_t first = mesh.vertex_count();
     const std::size_t count = options.places.size() + flat.inside.size();
-    const auto first_inside = static_cast<std::uint32_t>(point_count(mesh));
+    // Points of the other half's inside come first
+    const auto first_inside = static_cast<std::uint32_t>(cut.first_point + 2 * options.places.size() +
+                                                         (up ? flat.inside.size() : 0));
     for (std::size_t i = 0; i < count; ++i) {
         const bool on_rim = i < options.places.size();
         const glm::dvec2 at = on_rim ? options.places[i] : flat.inside[i - options.places.size()];

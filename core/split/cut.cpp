@@ -3,6 +3,8 @@
 
 #include "core/base/parallel.h"
 #include "core/refinement/born_vertices.h"
+#include "core/split/array_copies.h"
+#include "core/split/mesh_region.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,16 +14,16 @@ namespace trivar {
 namespace {
 
 constexpr double least_share = 1e-4; // of an edge, between its end and a place on it
-constexpr std::size_t faces_per_block = 1 << 15;
+constexpr std::size_t faces_per_cut_block = 1 << 15, vertices_per_sign_block = 1 << 16;
 
 // The numbers of the faces whose corners are not all on one side, ascending.
 std::vector<std::uint32_t> faces_across(const Mesh& mesh, const std::vector<char>& above)
 {
     const std::size_t faces = mesh.face_count();
-    std::vector<std::vector<std::uint32_t>> found(faces / faces_per_block + 1);
+    std::vector<std::vector<std::uint32_t>> found(faces / faces_per_cut_block + 1);
     const bool triangles_only = mesh.corners.size() == 3 * faces;
-    parallel_blocks(faces, faces_per_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint32_t>& out = found[begin / faces_per_block];
+    parallel_blocks(faces, faces_per_cut_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& out = found[begin / faces_per_cut_block];
         if (triangles_only) {
             const std::uint32_t* c = mesh.corners.data() + 3 * begin;
             for (std::size_t f = begin; f < end; ++f, c += 3)
@@ -120,52 +122,43 @@ private:
     std::vector<CutEdge> edges_, places_; // places: edges between points
 };
 
-// Appends the faces of a mesh other than those in `left_out` (ascending), in their order.
-void append_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out)
+// Makes `out` a copy of the mesh but for its faces in `left_out`, with room for `more` vertices
+// and faces, and a point for every vertex.
+void copy_others(const Mesh& mesh, const std::vector<std::uint32_t>& left_out, std::size_t more,
+                 Mesh& out)
 {
-    std::vector<std::uint32_t> corners, begins{0}, materials, groups;
-    corners.reserve(mesh.corners.size() + 6 * left_out.size());
-    begins.reserve(mesh.face_begin.size() + 2 * left_out.size());
-    materials.reserve(mesh.face_material.size());
-    groups.reserve(mesh.face_group.size());
-    const auto copy = [](const std::vector<std::uint32_t>& from, std::size_t begin, std::size_t end,
-                         std::vector<std::uint32_t>& to) {
-        if (from.empty()) return;
-        to.insert(to.end(), from.begin() + static_cast<long>(begin),
-                  from.begin() + static_cast<long>(end));
+    ArrayCopies copies;
+    const auto copied = [&](const auto& from, auto& to) {
+        copies.add([&from, &to, more] {
+            copy_with_room(from, from.empty() ? 0 : more, to);
+        });
     };
-    std::size_t begin = 0;
-    for (std::size_t k = 0; k <= left_out.size(); ++k) {
-        const std::size_t end = k < left_out.size() ? left_out[k] : mesh.face_count();
-        const std::uint32_t first = mesh.face_begin[begin], last = mesh.face_begin[end];
-        const auto shift = static_cast<std::uint32_t>(corners.size()) - first;
-        copy(mesh.corners, first, last, corners);
-        for (std::size_t f = begin + 1; f <= end; ++f) begins.push_back(mesh.face_begin[f] + shift);
-        copy(mesh.face_material, begin, end, materials);
-        copy(mesh.face_group, begin, end, groups);
-        begin = end + 1;
+    copies.add([&] { take_other_faces(out, mesh, left_out, 2 * more, 6 * more); });
+    copied(mesh.positions, out.positions);
+    copies.add([&] {
+        if (!mesh.points.empty()) {
+            copy_with_room(mesh.points, more, out.points);
+            return;
+        }
+        out.points.reserve(mesh.vertex_count() + more);
+        out.points.resize(mesh.vertex_count());
+        std::iota(out.points.begin(), out.points.end(), 0u);
+    });
+    copied(mesh.normals, out.normals);
+    copied(mesh.tangents, out.tangents);
+    copied(mesh.colors, out.colors);
+    copied(mesh.influences, out.influences);
+    out.uvs.resize(mesh.uvs.size());
+    for (std::size_t set = 0; set < mesh.uvs.size(); ++set) copied(mesh.uvs[set], out.uvs[set]);
+    out.morph_targets.resize(mesh.morph_targets.size());
+    for (std::size_t i = 0; i < mesh.morph_targets.size(); ++i) {
+        copied(mesh.morph_targets[i].positions, out.morph_targets[i].positions);
+        copied(mesh.morph_targets[i].normals, out.morph_targets[i].normals);
+        copied(mesh.morph_targets[i].tangents, out.morph_targets[i].tangents);
     }
-    out.corners = std::move(corners);
-    out.face_begin = std::move(begins);
-    out.face_material = std::move(materials);
-    out.face_group = std::move(groups);
-}
-
-// A copy of the mesh but for its faces.
-Mesh without_faces(const Mesh& mesh)
-{
-    Mesh out;
-    out.positions = mesh.positions;
-    out.normals = mesh.normals;
-    out.tangents = mesh.tangents;
-    out.colors = mesh.colors;
-    out.uvs = mesh.uvs;
-    out.points = mesh.points;
+    copies.run();
     out.group_names = mesh.group_names;
     out.creases = mesh.creases;
-    out.influences = mesh.influences;
-    out.morph_targets = mesh.morph_targets;
-    return out;
 }
 
 // The faces that a triangle across the cut becomes: one on the side of its single corner, two on
@@ -231,12 +224,16 @@ private:
 
 } // namespace
 
-CutMesh cut(const Mesh& mesh, std::span<const double> heights)
+CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
 {
     assert(heights.size() == mesh.vertex_count());
     CutMesh out;
+    out.mesh = std::move(memory.mesh);
+    out.above = std::move(memory.above);
     out.above.resize(heights.size());
-    for (std::size_t v = 0; v < heights.size(); ++v) out.above[v] = heights[v] >= 0;
+    parallel_blocks(heights.size(), vertices_per_sign_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) out.above[v] = heights[v] >= 0;
+    });
     const std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
     out.first_new_face = mesh.face_count() - faces.size();
     if (faces.empty()) {
@@ -246,13 +243,11 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights)
     const std::vector<CutTriangle> across = triangles_of(mesh, faces);
     const Crossings crossings(mesh, out.above, across);
 
-    out.mesh = without_faces(mesh);
-    if (out.mesh.points.empty()) {
-        out.mesh.points.resize(mesh.vertex_count());
-        std::iota(out.mesh.points.begin(), out.mesh.points.end(), 0u);
-    }
+    // Copies on both halves, and the rims of both caps
+    copy_others(mesh, faces, 5 * crossings.edges().size() + 64, out.mesh);
     out.first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
-    out.first_point = static_cast<std::uint32_t>(point_count(mesh));
+    out.first_point = static_cast<std::uint32_t>(
+        mesh.points.empty() ? mesh.vertex_count() : point_count(mesh));
     std::vector<BornVertex> born;
     born.reserve(2 * crossings.edges().size());
     std::vector<std::uint32_t> place_of_edge;
@@ -273,7 +268,6 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights)
     for (std::size_t e = 0; e < place_of_edge.size(); ++e)
         out.places[place_of_edge[e]] = out.mesh.positions[out.first_vertex + 2 * e];
 
-    append_other_faces(out.mesh, mesh, faces);
     FaceMaker make(out, mesh, crossings, place_of_edge);
     for (const CutTriangle& t : across) make(t);
     return out;

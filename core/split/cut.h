@@ -39,7 +39,8 @@ struct CutMesh {
 // function is taken as linear; the place stays on the edge, at least 1e-4 of its length from either
 // end, and the attributes of vertices are blended. Faces that are cut become triangles.
 // O(#V + #C), and O(k log k) for k faces that are cut. The same bits for any number of threads.
-// [Schein, thesis, chapter 6]
-CutMesh cut(const Mesh& mesh, std::span<const double> heights);
+// `memory` is a result that is not needed any more, of an earlier place of a cut that moves: its
+// memory is used again. [Schein, thesis, chapter 6]
+CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory = {});
 
 } // namespace trivar

@@ -14,11 +14,9 @@ struct FineMesh {
 
 // Splits the triangles near the openings of a field, at the middles of their edges, until none is
 // off by more than the tolerance (metres), or until `most_triangles` are there. Positions are in
-// the world. Faces are triangles then; those that were not split keep their order and stand
-// first. No cracks: an edge is split for both of
-// its triangles. O(#V + #C) and the work at the openings.
-FineMesh fine_enough(const Mesh& mesh, const SplitField& field, const SplitError& error,
-                     double tolerance, std::size_t most_triangles);
+// the world. Faces are triangles then. No cracks: an edge is split for both of its triangles. The
+// mesh has `points`. O(#V + #C) and the work at the openings.
+FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance, std::size_t most_triangles);
 
 // Computes the heights of the vertices that have none yet.
 void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitField& field);

@@ -2,15 +2,20 @@
 #include "core/split/split.h"
 
 #include "core/base/parallel.h"
+#include "core/split/array_copies.h"
 #include "core/split/cap.h"
 #include "core/split/finer.h"
+#include "core/split/mesh_region.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
 
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_block = 4096;
+constexpr std::size_t vertices_per_block = 4096, faces_per_block = 1 << 15;
 
 // On which side of each cut surface a vertex is, and which surfaces it lies on.
 struct VertexSides {
@@ -153,34 +158,145 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     return most;
 }
 
-} // namespace
+// Where the vertices of a mesh are: beyond which sides of the field's reach, one bit each, and on
+// which side of every cut surface; those of the first two are bits as well.
+struct VertexPlaces {
+    static constexpr int beyond_any = 0x3f, first_above = 6, surfaces_in_bits = 2;
+    std::vector<std::uint8_t> bits;  // #V
+    std::vector<std::uint8_t> above; // #V x (#openings - 2)
+    Box box;                         // in uvw
+    std::size_t points = 0;          // of the mesh
+};
 
-std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options)
+VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
 {
     const Box reach = field.reach();
-    Box box;
-    for (const glm::vec3& p : mesh.positions) box.add(field.frame.uvw(glm::dvec3(p)));
-    if (box.apart(reach)) return std::nullopt;
+    const std::size_t openings = field.openings.size();
+    struct Extent {
+        double least, most; // of a cut surface, by its control points
+    };
+    std::vector<Extent> extents;
+    for (const Opening& o : field.openings) {
+        const auto [least, most] = std::ranges::minmax(o.surface.points);
+        const double rounding = 1e-9 * (1 + std::abs(least) + std::abs(most));
+        extents.push_back({least - rounding, most + rounding});
+    }
+    VertexPlaces out;
+    const std::size_t others = openings - std::min<std::size_t>(openings, out.surfaces_in_bits);
+    out.bits.resize(mesh.vertex_count());
+    out.above.resize(others * mesh.vertex_count());
+    struct Block {
+        Box box;
+        std::uint32_t greatest_point = 0;
+    };
+    std::vector<Block> blocks(mesh.vertex_count() / vertices_per_block + 1);
+    parallel_blocks(mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
+                                                                 std::size_t end) {
+        Block block;
+        const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+        for (std::size_t v = begin; v < end; ++v) {
+            const glm::dvec3 uvw = to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin);
+            block.box.add(uvw);
+            int bits = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                bits |= int{uvw[axis] < reach.lo[axis]} << (2 * axis);
+                bits |= int{uvw[axis] > reach.hi[axis]} << (2 * axis + 1);
+            }
+            for (std::size_t i = 0; i < openings; ++i) {
+                const bool above =
+                    uvw.x > extents[i].most ||
+                    (uvw.x >= extents[i].least && field.openings[i].height(uvw) >= 0);
+                if (i < out.surfaces_in_bits)
+                    bits |= int{above} << (out.first_above + static_cast<int>(i));
+                else
+                    out.above[others * v + i - out.surfaces_in_bits] = above;
+            }
+            out.bits[v] = static_cast<std::uint8_t>(bits);
+        }
+        if (!mesh.points.empty())
+            block.greatest_point =
+                *std::max_element(mesh.points.begin() + static_cast<long>(begin),
+                                  mesh.points.begin() + static_cast<long>(end));
+        blocks[begin / vertices_per_block] = block;
+    });
+    std::uint32_t greatest = 0;
+    for (const Block& each : blocks) {
+        out.box.add(each.box);
+        greatest = std::max(greatest, each.greatest_point);
+    }
+    out.points = mesh.points.empty() ? mesh.vertex_count() : greatest + std::size_t{1};
+    return out;
+}
 
+// The faces that are to be changed, ascending: those in reach, those that are cut, and those that
+// share an edge with one in reach, since that may be split.
+std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces& places)
+{
+    std::vector<char> near(places.points, 0); // corners of faces in reach
+    const auto for_faces = [&](const auto& body) {
+        parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f)
+                body(f, std::span(mesh.corners.data() + mesh.face_begin[f],
+                                  mesh.corners.data() + mesh.face_begin[f + 1]));
+        });
+    };
+    const std::size_t others = places.above.size() / std::max<std::size_t>(1, mesh.vertex_count());
+    const auto is_cut = [&](std::span<const std::uint32_t> corners) {
+        int all = 0xff, any = 0;
+        for (const std::uint32_t v : corners) {
+            all &= places.bits[v];
+            any |= places.bits[v];
+        }
+        if (((all ^ any) & ~VertexPlaces::beyond_any) != 0) return true;
+        const auto first = places.above.begin() + static_cast<long>(others * corners[0]);
+        for (const std::uint32_t v : corners)
+            if (!std::equal(first, first + static_cast<long>(others),
+                            places.above.begin() + static_cast<long>(others * v)))
+                return true;
+        return false;
+    };
+    for_faces([&](std::size_t, std::span<const std::uint32_t> corners) {
+        int beyond = VertexPlaces::beyond_any;
+        for (const std::uint32_t v : corners) beyond &= places.bits[v];
+        if (beyond != 0) return;
+        for (const std::uint32_t v : corners)
+            std::atomic_ref(near[mesh.point(v)]).store(1, std::memory_order_relaxed);
+    });
+    std::vector<std::vector<std::uint32_t>> found(mesh.face_count() / faces_per_block + 1);
+    for_faces([&](std::size_t f, std::span<const std::uint32_t> corners) {
+        int touched = 0;
+        for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
+        if (touched > 1 || is_cut(corners))
+            found[f / faces_per_block].push_back(static_cast<std::uint32_t>(f));
+    });
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& each : found)
+        all.insert(all.end(), each.begin(), each.end());
+    return all;
+}
+
+// Parts a mesh as `split` does, all of its faces.
+SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& options)
+{
     const SplitError error(field);
     SplitMesh out;
     // An edge of the cut may be worse than the edges of the triangle that it runs through
     constexpr double share = 0.6;
-    FineMesh fine =
-        fine_enough(mesh, field, error, share * options.tolerance, options.most_triangles);
+    FineMesh fine = fine_enough(std::move(mesh), field, error, share * options.tolerance,
+                                options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();
     const std::size_t openings = field.openings.size();
     VertexSides all{openings, {}, {}};
     all.resize(out.mesh.vertex_count());
-    for (std::size_t i = 0; i < field.openings.size(); ++i) {
+    CutMesh before;
+    for (std::size_t i = 0; i < openings; ++i) {
         add_heights(fine.heights, out.mesh, field);
         std::vector<double> heights(out.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v)
             heights[v] = fine.heights[openings * v + i];
-        CutMesh cut_mesh = cut(out.mesh, heights);
+        CutMesh cut_mesh = cut(out.mesh, heights, std::move(before));
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
@@ -197,9 +313,35 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
         out.gaps += caps.gaps;
         out.open += caps.open;
         out.first_new_face = std::min(out.first_new_face, cut_mesh.first_new_face);
-        out.mesh = std::move(cut_mesh.mesh);
+        std::swap(out.mesh, cut_mesh.mesh);
+        before = std::move(cut_mesh);
     }
     move(out, field, all);
+    return out;
+}
+
+} // namespace
+
+std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
+                               const SplitOptions& options)
+{
+    const VertexPlaces places = places_of(mesh, field);
+    if (places.box.apart(field.reach())) return std::nullopt;
+    const MeshRegion region = region_of(mesh, places.points, faces_to_change(mesh, places));
+    if (region.faces.empty()) return std::nullopt;
+    SplitMesh out = split_all(region.mesh, field, options);
+    const Mesh changed = std::move(out.mesh);
+    out.mesh = put_back(mesh, region, changed);
+    out.first_new_face += mesh.face_count() - region.faces.size();
+    if (!options.keep_rest) {
+        out.rest_positions.clear();
+        return out;
+    }
+    std::vector<glm::vec3> rest;
+    copy_with_room(mesh.positions, changed.vertex_count() - region.vertices.size(), rest);
+    rest.insert(rest.end(), out.rest_positions.begin() + static_cast<long>(region.vertices.size()),
+                out.rest_positions.end());
+    out.rest_positions = std::move(rest);
     return out;
 }
 

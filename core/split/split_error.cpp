@@ -21,14 +21,13 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 SplitError::SplitError(const SplitField& field)
 {
     for (const Opening& o : field.openings)
-        all_.push_back(
-            {SurfaceBounds(o.surface, false),
-             {SurfaceBounds(o.walls[0].height, true), SurfaceBounds(o.walls[1].height, true)},
-             o.walls[0].lo(),
-             o.walls[0].hi(),
-             o.reach,
-             steepest(o.kernel),
-             most_bent(o.kernel)});
+        all_.push_back({SurfaceBounds(o.surface, false),
+                        {SurfaceBounds(o.walls[0].height, true),
+                         SurfaceBounds(o.walls[1].height, true)},
+                        o.walls[0].lo(),
+                        o.walls[0].hi(),
+                        o.reach,
+                        o.kernel});
 }
 
 std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
@@ -38,38 +37,43 @@ std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
+    std::array<glm::dvec2, 3> e; // edges, by (v, w)
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& from = uvw[i];
+        const glm::dvec3& to = uvw[i == 2 ? 0 : i + 1];
+        e[i] = {to.y - from.y, to.z - from.z};
+    }
     for (std::size_t k = 0; k < all_.size(); ++k) {
         const Each& each = all_[k];
-        // Somewhat beyond the walls too, so that the rims of caps that reach under them are fine
-        const glm::dvec2 beyond = 0.1 * (each.hi - each.lo);
-        if (apart(lo2, hi2, each.lo - beyond, each.hi + beyond)) continue;
-        // The surface over the triangle: its values at the corners and how it bends between them
-        const JetBound phi = each.surface.over(lo2, hi2);
+        if (apart(lo2, hi2, each.lo, each.hi)) continue;
         const std::array<double, 3> heights{all_heights[0][k], all_heights[1][k],
                                             all_heights[2][k]};
-        double bend = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            bend = std::max(bend, phi.second(glm::dvec2(uvw[(i + 1) % 3].y - uvw[i].y,
-                                                        uvw[(i + 1) % 3].z - uvw[i].z)));
-        bend *= share_of_bend;
-        const auto [least, most] = std::ranges::minmax(heights);
+        const double least = std::min({heights[0], heights[1], heights[2]});
+        const double most = std::max({heights[0], heights[1], heights[2]});
+        // The surface over the triangle: its values at the corners and how it bends between them
+        const JetBound phi = each.surface.over(lo2, hi2);
+        std::array<double, 3> phi_ee; // second derivatives along the edges
+        for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
+        const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
         const bool across = least - bend <= 0 && most + bend >= 0;
         for (std::size_t side = 0; side < 2; ++side) {
             if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
             const double r = each.reach[side];
-            if (side == 0 ? most + bend <= -r : least - bend >= r) continue; // beyond the reach
+            const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
+            if (nearest >= r) continue;
+            const double farthest = (side == 0 ? -least : most) + bend;
+            const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
             const JetBound w = each.walls[side].over(lo2, hi2);
+            const double slope = kernel.first / r, curve = kernel.second / (r * r);
             for (std::size_t i = 0; i < 3; ++i) {
-                const glm::dvec3 e3 = uvw[(i + 1) % 3] - uvw[i];
-                const glm::dvec2 e(e3.y, e3.z);
-                const double phi_ee = phi.second(e);
                 // The change of the distance from the surface along the edge
-                const double a = std::abs(heights[(i + 1) % 3] - heights[i]) + phi_ee;
-                const double second = w.second(e) + 2 * w.first(e) * each.steepest * a / r +
-                                      w.value * each.most_bent * a * a / (r * r) +
-                                      w.value * each.steepest * phi_ee / r;
+                const double a =
+                    std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
+                const double second = kernel.value * w.second(e[i]) +
+                                      2 * slope * w.first(e[i]) * a +
+                                      w.value * (curve * a * a + slope * phi_ee[i]);
                 // Where the cut goes through, the chord of the surface counts as well
-                out[i] += share_of_bend * (second + (across ? phi_ee : 0));
+                out[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));
             }
         }
     }

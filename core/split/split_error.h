@@ -28,7 +28,7 @@ private:
         std::array<SurfaceBounds, 2> walls;
         glm::dvec2 lo, hi; // of the rectangle
         std::array<double, 2> reach;
-        double steepest, most_bent;
+        SplitKernel kernel;
     };
     std::vector<Each> all_;
 };

@@ -20,4 +20,10 @@ KernelValue kernel_at(SplitKernel kernel, double x);
 double steepest(SplitKernel kernel);  // nowhere less than |first derivative|
 double most_bent(SplitKernel kernel); // nowhere less than |second derivative|
 
+// Bounds of the value and of the absolute derivatives over an interval of x >= 0.
+struct KernelBound {
+    double value, first, second;
+};
+KernelBound kernel_bound(SplitKernel kernel, double from, double to);
+
 } // namespace trivar

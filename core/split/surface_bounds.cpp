@@ -36,36 +36,16 @@ double largest_difference(std::array<double, net * net> p, int dv, int dw)
 
 } // namespace
 
-void JetBound::add(const JetBound& other)
-{
-    value = std::max(value, other.value);
-    v = std::max(v, other.v);
-    w = std::max(w, other.w);
-    vv = std::max(vv, other.vv);
-    vw = std::max(vw, other.vw);
-    ww = std::max(ww, other.ww);
-}
-
-double JetBound::first(const glm::dvec2& e) const
-{
-    return v * std::abs(e.x) + w * std::abs(e.y);
-}
-
-double JetBound::second(const glm::dvec2& e) const
-{
-    return vv * e.x * e.x + 2 * vw * std::abs(e.x * e.y) + ww * e.y * e.y;
-}
-
 SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
     : zero_outside_(zero_outside)
 {
     const Surface<double> bezier = bezier_form(surface);
     std::array<std::vector<BezierSpan>, 2> spans;
-    for (std::size_t a = 0; a < 2; ++a) {
-        spans[a] = bezier_spans(bezier.axes[a]);
-        for (const BezierSpan& span : spans[a]) breaks_[a].push_back(span.lo);
-        breaks_[a].push_back(spans[a].back().hi);
-    }
+    for (std::size_t a = 0; a < 2; ++a) spans[a] = bezier_spans(bezier.axes[a]);
+    lo_ = {spans[0].front().lo, spans[1].front().lo};
+    hi_ = {spans[0].back().hi, spans[1].back().hi};
+    count_ = {static_cast<int>(spans[0].size()), static_cast<int>(spans[1].size())};
+    per_cell_ = glm::dvec2(count_) / (hi_ - lo_);
     for (const BezierSpan& sv : spans[0])
         for (const BezierSpan& sw : spans[1]) {
             std::array<double, net * net> points{};
@@ -75,32 +55,29 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
                         bezier.point(sv.first + i, sw.first + j);
             const double v = (net - 1) / (sv.hi - sv.lo), w = (net - 1) / (sw.hi - sw.lo);
             const double vv = v * (net - 2) / (sv.hi - sv.lo), ww = w * (net - 2) / (sw.hi - sw.lo);
-            cells_.push_back(
-                {largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
-                 w * largest_difference(points, 0, 1), vv * largest_difference(points, 2, 0),
-                 v * w * largest_difference(points, 1, 1), ww * largest_difference(points, 0, 2)});
+            cells_.push_back({largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
+                              w * largest_difference(points, 0, 1),
+                              vv * largest_difference(points, 2, 0),
+                              v * w * largest_difference(points, 1, 1),
+                              ww * largest_difference(points, 0, 2)});
         }
 }
 
 JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
 {
-    std::array<std::size_t, 2> from{}, to{};
-    for (std::size_t a = 0; a < 2; ++a) {
-        const std::vector<double>& breaks = breaks_[a];
-        const int axis = static_cast<int>(a);
-        if (zero_outside_ && (hi[axis] <= breaks.front() || lo[axis] >= breaks.back())) return {};
-        const auto piece = [&](double x) {
-            const auto above = std::ranges::upper_bound(breaks, x) - breaks.begin();
-            return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-                above - 1, 0, static_cast<std::ptrdiff_t>(breaks.size()) - 2));
-        };
-        from[a] = piece(lo[axis]);
-        to[a] = piece(hi[axis]);
-    }
+    if (zero_outside_ &&
+        (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y))
+        return {};
+    // At a border between pieces, where rounding decides, both count
+    constexpr double rounding = 1e-9;
+    const glm::dvec2 last(count_ - 1);
+    const glm::ivec2 from(
+        glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last));
+    const glm::ivec2 to(glm::clamp((hi - lo_) * per_cell_ + rounding, glm::dvec2(0), last));
     JetBound out;
-    const std::size_t row = breaks_[1].size() - 1;
-    for (std::size_t i = from[0]; i <= to[0]; ++i)
-        for (std::size_t j = from[1]; j <= to[1]; ++j) out.add(cells_[i * row + j]);
+    for (int i = from.x; i <= to.x; ++i)
+        for (int j = from.y; j <= to.y; ++j)
+            out.add(cells_[static_cast<std::size_t>(i * count_.y + j)]);
     return out;
 }
 

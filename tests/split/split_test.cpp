@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/split.h"
 
+#include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
 #include "core/split/cap.h"
@@ -153,6 +154,24 @@ TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
     }
 }
 
+TEST(Kernel, IsBoundedOverIntervals)
+{
+    for (const SplitKernel kernel : {SplitKernel::quadratic, SplitKernel::smooth,
+                                     SplitKernel::gaussian, SplitKernel::hat})
+        for (double from = 0; from < 1.1; from += 0.0137)
+            for (double length = 0.001; length < 1; length *= 2) {
+                const KernelBound bound = kernel_bound(kernel, from, from + length);
+                constexpr int steps = 50;
+                for (int k = 0; k < steps; ++k) {
+                    const double x = from + length * k / steps, y = from + length * (k + 1) / steps;
+                    const KernelValue a = kernel_at(kernel, x), b = kernel_at(kernel, y);
+                    EXPECT_LE(a.value, bound.value);
+                    EXPECT_LE(std::abs(a.first), bound.first + 1e-12);
+                    EXPECT_LE(std::abs(b.first - a.first), (bound.second + 1e-9) * (y - x) + 1e-14);
+                }
+            }
+}
+
 SplitObstacle obstacle(const std::string& name, Mesh mesh)
 {
     SplitObstacle out;
@@ -246,7 +265,7 @@ TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
         for (int frame = 0; frame < 9; ++frame) {
             SCOPED_TRACE(frame);
             const Mesh model = ball({0.05, -2 + 0.5 * frame, 0}, 0.9, 40);
-            const std::optional<SplitMesh> parted = split(model, field, {.tolerance = 2e-3});
+            const std::optional<SplitMesh> parted = split(model, field, {.tolerance = 2e-3, .keep_rest = true});
             if (!parted) continue;
             const Closedness closed = closedness(parted->mesh);
             EXPECT_EQ(closed.open, 0u);
@@ -268,6 +287,40 @@ TEST(Split, LeavesAModelBeforeAndBehindAsItIs)
     const SplitField field = split_field(scenes()[0].obstacles, {});
     EXPECT_FALSE(split(ball({0, -3, 0}, 0.9, 40), field, {}));
     EXPECT_FALSE(split(ball({0, 3, 0}, 0.9, 40), field, {}));
+}
+
+TEST(Split, GivesTheSameBitsForAnyNumberOfThreads)
+{
+    const SplitField field = split_field(scenes()[4].obstacles, {});
+    const Mesh model = ball({0.05, -0.2, 0}, 0.9, 120);
+    const SplitOptions options{.tolerance = 1e-3, .keep_rest = true};
+    const std::optional<SplitMesh> many = split(model, field, options);
+    const ThreadLimit one(1);
+    const std::optional<SplitMesh> alone = split(model, field, options);
+    ASSERT_TRUE(many && alone);
+    EXPECT_EQ(many->mesh, alone->mesh);
+    EXPECT_EQ(many->rest_positions, alone->rest_positions);
+    EXPECT_EQ(many->off, alone->off);
+}
+
+TEST(Split, LeavesWhatIsOutOfReachInPlace)
+{
+    const SplitField field = split_field(scenes()[0].obstacles, {});
+    const Mesh model = ball({0.05, 0, 0}, 0.9, 60);
+    const std::optional<SplitMesh> parted = split(model, field, {});
+    ASSERT_TRUE(parted);
+    const Box reach = field.reach();
+    std::size_t far = 0;
+    for (std::size_t v = 0; v < model.vertex_count(); ++v) {
+        const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(model.positions[v]));
+        if (glm::all(glm::greaterThanEqual(uvw, reach.lo)) &&
+            glm::all(glm::lessThanEqual(uvw, reach.hi)))
+            continue;
+        ++far;
+        EXPECT_EQ(parted->mesh.positions[v], model.positions[v]);
+    }
+    EXPECT_GT(far, model.vertex_count() / 3);
+    EXPECT_TRUE(parted->rest_positions.empty());
 }
 
 TEST(SplitField, TakesInterlockedObstaclesAsOne)

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/parallel.h"
+
+#include <functional>
+#include <vector>
+
+namespace trivar {
+
+// Makes `to` a copy of `from` with room for `more` elements; memory that it has is used again.
+template <class Value>
+void copy_with_room(const std::vector<Value>& from, std::size_t more, std::vector<Value>& to)
+{
+    if (to.capacity() < from.size() + more) {
+        to = {};
+        to.reserve(from.size() + more);
+    }
+    to.assign(from.begin(), from.end());
+}
+
+// ArrayCopies are jobs on different arrays, done in parallel: what a copy costs is mostly that its
+// memory is touched for the first time.
+class ArrayCopies {
+public:
+    void add(std::function<void()> job) { jobs_.push_back(std::move(job)); }
+    void run()
+    {
+        parallel_blocks(jobs_.size(), 1, [&](std::size_t begin, std::size_t) { jobs_[begin](); });
+        jobs_.clear();
+    }
+
+private:
+    std::vector<std::function<void()>> jobs_;
+};
+
+} // namespace trivar

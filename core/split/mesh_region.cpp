@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/mesh_region.h"
+
+#include "core/split/array_copies.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t gathered_per_block = 1 << 14;
+
+// NumberSet is a set of numbers that says how many of its members are less than one.
+class NumberSet {
+public:
+    explicit NumberSet(std::size_t end) : bits_(end / 64 + 1), before_(bits_.size()) {}
+    void add(std::uint32_t i) { bits_[i / 64] |= std::uint64_t{1} << (i % 64); }
+    std::vector<std::uint32_t> count() // before rank; returns the members, ascending
+    {
+        std::vector<std::uint32_t> out;
+        for (std::size_t k = 0; k < bits_.size(); ++k) {
+            before_[k] = static_cast<std::uint32_t>(out.size());
+            for (std::uint64_t rest = bits_[k]; rest != 0; rest &= rest - 1)
+                out.push_back(static_cast<std::uint32_t>(64 * k) +
+                              static_cast<std::uint32_t>(std::countr_zero(rest)));
+        }
+        return out;
+    }
+    std::uint32_t rank(std::uint32_t i) const // of a member
+    {
+        const std::uint64_t less = bits_[i / 64] & ((std::uint64_t{1} << (i % 64)) - 1);
+        return before_[i / 64] + static_cast<std::uint32_t>(std::popcount(less));
+    }
+
+private:
+    std::vector<std::uint64_t> bits_;
+    std::vector<std::uint32_t> before_;
+};
+
+template <class Value>
+std::vector<Value> gathered(const std::vector<Value>& from, const std::vector<std::uint32_t>& which)
+{
+    if (from.empty()) return {};
+    std::vector<Value> out(which.size());
+    parallel_blocks(which.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) out[i] = from[which[i]];
+    });
+    return out;
+}
+
+// The whole's values, but the region's in its vertices, and those of new vertices after them.
+template <class Value>
+void replace_values(const std::vector<Value>& whole, const std::vector<Value>& changed,
+                    const std::vector<std::uint32_t>& vertices, std::vector<Value>& out)
+{
+    if (changed.empty()) {
+        out = whole;
+        return;
+    }
+    copy_with_room(whole, changed.size() - vertices.size(), out);
+    for (std::size_t i = 0; i < vertices.size(); ++i) out[vertices[i]] = changed[i];
+    out.insert(out.end(), changed.begin() + static_cast<long>(vertices.size()), changed.end());
+}
+
+// Values of faces, that are all 0 where there is no array.
+void append_values(std::vector<std::uint32_t>& out, const std::vector<std::uint32_t>& more,
+                   std::size_t faces)
+{
+    if (out.empty() && more.empty()) return;
+    out.resize(faces, 0);
+    if (more.empty()) return;
+    out.insert(out.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uint32_t> faces)
+{
+    MeshRegion out;
+    out.whole_points = points;
+    out.faces = std::move(faces);
+    NumberSet vertices(whole.vertex_count());
+    std::size_t corners = 0;
+    for (const std::uint32_t f : out.faces) {
+        for (std::uint32_t c = whole.face_begin[f]; c < whole.face_begin[f + 1]; ++c)
+            vertices.add(whole.corners[c]);
+        corners += whole.face_begin[f + 1] - whole.face_begin[f];
+    }
+    out.vertices = vertices.count();
+    Mesh& mesh = out.mesh;
+    mesh.corners.reserve(corners);
+    mesh.face_begin.reserve(out.faces.size() + 1);
+    for (const std::uint32_t f : out.faces) {
+        for (std::uint32_t c = whole.face_begin[f]; c < whole.face_begin[f + 1]; ++c)
+            mesh.corners.push_back(vertices.rank(whole.corners[c]));
+        mesh.face_begin.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    }
+    mesh.face_material = gathered(whole.face_material, out.faces);
+    mesh.face_group = gathered(whole.face_group, out.faces);
+    mesh.positions = gathered(whole.positions, out.vertices);
+    mesh.normals = gathered(whole.normals, out.vertices);
+    mesh.tangents = gathered(whole.tangents, out.vertices);
+    mesh.colors = gathered(whole.colors, out.vertices);
+    for (const auto& set : whole.uvs) mesh.uvs.push_back(gathered(set, out.vertices));
+    mesh.influences = gathered(whole.influences, out.vertices);
+    for (const Mesh::MorphTarget& target : whole.morph_targets)
+        mesh.morph_targets.push_back({gathered(target.positions, out.vertices),
+                                      gathered(target.normals, out.vertices),
+                                      gathered(target.tangents, out.vertices)});
+    if (whole.points.empty()) {
+        out.points = out.vertices;
+        mesh.points.resize(out.vertices.size());
+        std::iota(mesh.points.begin(), mesh.points.end(), 0u);
+        return out;
+    }
+    NumberSet known(points);
+    for (const std::uint32_t v : out.vertices) known.add(whole.points[v]);
+    out.points = known.count();
+    mesh.points.reserve(out.vertices.size());
+    for (const std::uint32_t v : out.vertices) mesh.points.push_back(known.rank(whole.points[v]));
+    return out;
+}
+
+Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed)
+{
+    Mesh out;
+    const std::size_t vertices = whole.vertex_count(), kept = region.vertices.size();
+    ArrayCopies copies;
+    const auto replaced = [&](auto member) {
+        copies.add([&, member] {
+            replace_values(whole.*member, changed.*member, region.vertices, out.*member);
+        });
+    };
+    copies.add([&] {
+        std::vector<std::uint32_t> number(changed.vertex_count());
+        std::ranges::copy(region.vertices, number.begin());
+        std::iota(number.begin() + static_cast<long>(kept), number.end(),
+                  static_cast<std::uint32_t>(vertices));
+        take_other_faces(out, whole, region.faces, changed.face_count(), changed.corners.size());
+        for (const std::uint32_t corner : changed.corners) out.corners.push_back(number[corner]);
+        const std::uint32_t first = out.face_begin.back();
+        for (std::size_t f = 1; f < changed.face_begin.size(); ++f)
+            out.face_begin.push_back(first + changed.face_begin[f]);
+    });
+    replaced(&Mesh::positions);
+    replaced(&Mesh::normals);
+    replaced(&Mesh::tangents);
+    replaced(&Mesh::colors);
+    replaced(&Mesh::influences);
+    out.uvs.resize(whole.uvs.size());
+    for (std::size_t set = 0; set < whole.uvs.size(); ++set)
+        copies.add([&, set] {
+            replace_values(whole.uvs[set], changed.uvs[set], region.vertices, out.uvs[set]);
+        });
+    out.morph_targets.resize(whole.morph_targets.size());
+    for (std::size_t i = 0; i < whole.morph_targets.size(); ++i)
+        for (const auto member : {&Mesh::MorphTarget::positions, &Mesh::MorphTarget::normals,
+                                  &Mesh::MorphTarget::tangents})
+            copies.add([&, i, member] {
+                replace_values(whole.morph_targets[i].*member, changed.morph_targets[i].*member,
+                               region.vertices, out.morph_targets[i].*member);
+            });
+    copies.add([&] {
+        const std::size_t more = changed.vertex_count() - kept;
+        const auto first = static_cast<std::uint32_t>(region.whole_points);
+        if (whole.points.empty()) {
+            out.points.reserve(vertices + more);
+            out.points.resize(vertices);
+            std::iota(out.points.begin(), out.points.end(), 0u);
+        } else {
+            copy_with_room(whole.points, more, out.points);
+        }
+        const auto known = static_cast<std::uint32_t>(region.points.size());
+        for (std::size_t v = kept; v < changed.vertex_count(); ++v) {
+            const std::uint32_t p = changed.points[v];
+            out.points.push_back(p < known ? region.points[p] : first + (p - known));
+        }
+    });
+    copies.run();
+    const std::size_t faces = whole.face_count() - region.faces.size();
+    append_values(out.face_material, changed.face_material, faces);
+    append_values(out.face_group, changed.face_group, faces);
+    out.group_names = whole.group_names;
+    out.creases = whole.creases;
+    return out;
+}
+
+void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                      std::size_t more_faces, std::size_t more_corners)
+{
+    const auto emptied = [](std::vector<std::uint32_t>& array, std::size_t room) {
+        array.clear();
+        if (array.capacity() < room) {
+            array = {};
+            array.reserve(room);
+        }
+    };
+    // Calls with the faces from `begin` to before `end` that stay
+    const auto for_runs = [&](const auto& body) {
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k <= left_out.size(); ++k) {
+            const std::size_t end = k < left_out.size() ? left_out[k] : mesh.face_count();
+            if (begin < end) body(begin, end);
+            begin = end + 1;
+        }
+    };
+    ArrayCopies copies;
+    copies.add([&] {
+        emptied(out.corners, mesh.corners.size() + more_corners);
+        for_runs([&](std::size_t begin, std::size_t end) {
+            out.corners.insert(out.corners.end(), mesh.corners.begin() + mesh.face_begin[begin],
+                               mesh.corners.begin() + mesh.face_begin[end]);
+        });
+    });
+    copies.add([&] {
+        emptied(out.face_begin, mesh.face_begin.size() + more_faces);
+        out.face_begin.push_back(0);
+        for_runs([&](std::size_t begin, std::size_t end) {
+            const std::uint32_t shift = out.face_begin.back() - mesh.face_begin[begin];
+            const std::size_t at = out.face_begin.size();
+            out.face_begin.resize(at + end - begin);
+            for (std::size_t f = begin; f < end; ++f)
+                out.face_begin[at + f - begin] = mesh.face_begin[f + 1] + shift;
+        });
+    });
+    for (const auto member : {&Mesh::face_material, &Mesh::face_group})
+        copies.add([&, member] {
+            const std::vector<std::uint32_t>& from = mesh.*member;
+            std::vector<std::uint32_t>& to = out.*member;
+            emptied(to, from.empty() ? 0 : from.size() + more_faces);
+            if (from.empty()) return;
+            for_runs([&](std::size_t begin, std::size_t end) {
+                to.insert(to.end(), from.begin() + static_cast<long>(begin),
+                          from.begin() + static_cast<long>(end));
+            });
+        });
+    copies.run();
+}
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+
+namespace trivar {
+
+// A MeshRegion is some faces of a mesh as a mesh of their own, to be changed and put back.
+struct MeshRegion {
+    Mesh mesh;                           // of faces and their vertices, both in their order
+    std::vector<std::uint32_t> faces;    // of the whole, ascending, by face of the region
+    std::vector<std::uint32_t> vertices; // of the whole, ascending, by vertex of the region
+    std::vector<std::uint32_t> points;   // of the whole, by point of the region
+    std::size_t whole_points = 0;        // number of points of the whole
+};
+
+// Takes faces (ascending) out of a mesh with that number of points. O(#V) to mark them, and the
+// work of the region.
+MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uint32_t> faces);
+
+// The whole with what its region was changed to. The first vertices of `changed` are still those of
+// the region and take their places; others come last. Faces other than the region's stand first, in
+// their order. Points from the region's number on are new ones. O(size), arrays in parallel.
+Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed);
+
+// Makes the faces of `out` those of a mesh but for some (ascending), in their order, with room for
+// more faces and corners. What memory `out` has is used again. Arrays in parallel.
+void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                      std::size_t more_faces, std::size_t more_corners);
+
+} // namespace trivar
