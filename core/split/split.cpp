@@ -15,7 +15,8 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_block = 4096, faces_per_block = 1 << 15;
+constexpr std::size_t vertices_per_block = 4096, faces_per_block = 4096,
+                      points_per_block = 4096;
 
 // On which side of each cut surface a vertex is, and which surfaces it lies on.
 struct VertexSides {
@@ -233,12 +234,15 @@ VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
 std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces& places)
 {
     std::vector<char> near(places.points, 0); // corners of faces in reach
-    const auto for_faces = [&](const auto& body) {
-        parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f)
-                body(f, std::span(mesh.corners.data() + mesh.face_begin[f],
-                                  mesh.corners.data() + mesh.face_begin[f + 1]));
-        });
+    std::vector<char> near_block(places.points / points_per_block + 1, 0);
+    struct FaceBlock {
+        std::uint32_t least = 0xffffffff, most = 0; // of its points
+        bool cut = false;
+    };
+    std::vector<FaceBlock> blocks(mesh.face_count() / faces_per_block + 1);
+    const auto corners_of = [&](std::size_t f) {
+        return std::span(mesh.corners.data() + mesh.face_begin[f],
+                         mesh.corners.data() + mesh.face_begin[f + 1]);
     };
     const std::size_t others = places.above.size() / std::max<std::size_t>(1, mesh.vertex_count());
     const auto is_cut = [&](std::span<const std::uint32_t> corners) {
@@ -248,6 +252,7 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
             any |= places.bits[v];
         }
         if (((all ^ any) & ~VertexPlaces::beyond_any) != 0) return true;
+        if (others == 0) return false;
         const auto first = places.above.begin() + static_cast<long>(others * corners[0]);
         for (const std::uint32_t v : corners)
             if (!std::equal(first, first + static_cast<long>(others),
@@ -255,19 +260,40 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
                 return true;
         return false;
     };
-    for_faces([&](std::size_t, std::span<const std::uint32_t> corners) {
-        int beyond = VertexPlaces::beyond_any;
-        for (const std::uint32_t v : corners) beyond &= places.bits[v];
-        if (beyond != 0) return;
-        for (const std::uint32_t v : corners)
-            std::atomic_ref(near[mesh.point(v)]).store(1, std::memory_order_relaxed);
+    const auto mark = [](char& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); };
+    parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
+        FaceBlock block;
+        for (std::size_t f = begin; f < end; ++f) {
+            const std::span<const std::uint32_t> corners = corners_of(f);
+            int beyond = VertexPlaces::beyond_any;
+            for (const std::uint32_t v : corners) {
+                const std::uint32_t p = mesh.point(v);
+                block.least = std::min(block.least, p);
+                block.most = std::max(block.most, p);
+                beyond &= places.bits[v];
+            }
+            block.cut = block.cut || is_cut(corners);
+            if (beyond != 0) continue;
+            for (const std::uint32_t v : corners) {
+                mark(near[mesh.point(v)]);
+                mark(near_block[mesh.point(v) / points_per_block]);
+            }
+        }
+        blocks[begin / faces_per_block] = block;
     });
-    std::vector<std::vector<std::uint32_t>> found(mesh.face_count() / faces_per_block + 1);
-    for_faces([&](std::size_t f, std::span<const std::uint32_t> corners) {
-        int touched = 0;
-        for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
-        if (touched > 1 || is_cut(corners))
-            found[f / faces_per_block].push_back(static_cast<std::uint32_t>(f));
+    std::vector<std::vector<std::uint32_t>> found(blocks.size());
+    parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
+        const FaceBlock& block = blocks[begin / faces_per_block];
+        const auto first = near_block.begin() + block.least / points_per_block;
+        const auto last = near_block.begin() + block.most / points_per_block + 1;
+        if (!block.cut && std::find(first, last, 1) == last) return;
+        for (std::size_t f = begin; f < end; ++f) {
+            const std::span<const std::uint32_t> corners = corners_of(f);
+            int touched = 0;
+            for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
+            if (touched > 1 || (block.cut && is_cut(corners)))
+                found[begin / faces_per_block].push_back(static_cast<std::uint32_t>(f));
+        }
     });
     std::vector<std::uint32_t> all;
     for (const std::vector<std::uint32_t>& each : found)

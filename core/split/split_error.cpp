@@ -18,7 +18,7 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 
 } // namespace
 
-SplitError::SplitError(const SplitField& field)
+SplitError::SplitError(const SplitField& field) : field_(field)
 {
     for (const Opening& o : field.openings)
         all_.push_back({SurfaceBounds(o.surface, false),
@@ -31,56 +31,77 @@ SplitError::SplitError(const SplitField& field)
 }
 
 std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
-                                        const std::array<const double*, 3>& all_heights) const
+                                        const std::array<const double*, 3>& heights) const
 {
     std::array<double, 3> out{};
+    for (std::size_t k = 0; k < all_.size(); ++k)
+        add(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}, out);
+    return out;
+}
+
+// Adds what opening k makes of the triangle.
+void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
+                     const std::array<double, 3>& heights, std::array<double, 3>& edges) const
+{
+    const Each& each = all_[k];
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
+    if (apart(lo2, hi2, each.lo, each.hi)) return;
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& from = uvw[i];
         const glm::dvec3& to = uvw[i == 2 ? 0 : i + 1];
         e[i] = {to.y - from.y, to.z - from.z};
     }
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-        const Each& each = all_[k];
-        if (apart(lo2, hi2, each.lo, each.hi)) continue;
-        const std::array<double, 3> heights{all_heights[0][k], all_heights[1][k],
-                                            all_heights[2][k]};
-        const double least = std::min({heights[0], heights[1], heights[2]});
-        const double most = std::max({heights[0], heights[1], heights[2]});
-        // The surface over the triangle: its values at the corners and how it bends between them
-        const JetBound phi = each.surface.over(lo2, hi2);
-        std::array<double, 3> phi_ee; // second derivatives along the edges
-        for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
-        const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
-        const bool across = least - bend <= 0 && most + bend >= 0;
-        for (std::size_t side = 0; side < 2; ++side) {
-            if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
-            const double r = each.reach[side];
-            const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
-            if (nearest >= r) continue;
-            const double farthest = (side == 0 ? -least : most) + bend;
-            const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
-            const JetBound w = each.walls[side].over(lo2, hi2);
-            const double slope = kernel.first / r, curve = kernel.second / (r * r);
-            for (std::size_t i = 0; i < 3; ++i) {
-                // The change of the distance from the surface along the edge
-                const double a =
-                    std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
-                const double second = kernel.value * w.second(e[i]) +
-                                      2 * slope * w.first(e[i]) * a +
-                                      w.value * (curve * a * a + slope * phi_ee[i]);
-                // Where the cut goes through, the chord of the surface counts as well
-                out[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));
-            }
+    const double least = std::min({heights[0], heights[1], heights[2]});
+    const double most = std::max({heights[0], heights[1], heights[2]});
+    // The surface over the triangle: its values at the corners and how it bends between them
+    const JetBound phi = each.surface.over(lo2, hi2);
+    std::array<double, 3> phi_ee; // second derivatives along the edges
+    for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
+    const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
+    const bool across = least - bend <= 0 && most + bend >= 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
+        const double r = each.reach[side];
+        const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
+        if (nearest >= r) continue;
+        const double farthest = (side == 0 ? -least : most) + bend;
+        const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
+        const JetBound w = each.walls[side].over(lo2, hi2);
+        const double slope = kernel.first / r, curve = kernel.second / (r * r);
+        for (std::size_t i = 0; i < 3; ++i) {
+            // The change of the distance from the surface along the edge
+            const double a =
+                std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
+            const double second = kernel.value * w.second(e[i]) +
+                                  2 * slope * w.first(e[i]) * a +
+                                  w.value * (curve * a * a + slope * phi_ee[i]);
+            // Where the cut goes through, the chord of the surface counts as well
+            edges[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));
         }
     }
-    return out;
 }
 
 double SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+{
+    const double own = own_cap(opening, vw);
+    if (all_.size() == 1) return own;
+    std::array<glm::dvec3, 3> uvw;
+    for (std::size_t i = 0; i < 3; ++i)
+        uvw[i] = {field_.openings[opening].surface_cells.value(vw[i]), vw[i]};
+    std::array<double, 3> others{};
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        if (k == opening) continue;
+        std::array<double, 3> heights{};
+        for (std::size_t i = 0; i < 3; ++i) heights[i] = field_.openings[k].height(uvw[i]);
+        add(k, uvw, heights, others);
+    }
+    return own + std::max({others[0], others[1], others[2]});
+}
+
+double SplitError::own_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
 {
     const Each& each = all_[opening];
     const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);

@@ -12,17 +12,19 @@ namespace trivar {
 // of products of barycentric coordinates, at most 1/3, in place of a circle]
 class SplitError {
 public:
-    explicit SplitError(const SplitField& field);
+    explicit SplitError(const SplitField& field); // which must live as long
 
     // Metres, for each edge (corner i to the next); the largest of them bounds the triangle, for
     // the points of either side. 0 where nothing is moved. `heights` holds, corner by corner, the
     // heights over the cut surfaces.
     std::array<double, 3> edges(const std::array<glm::dvec3, 3>& uvw,
                                 const std::array<const double*, 3>& heights) const;
-    // Metres, for a flat triangle of a cap of an opening, whose corners have these (v, w).
+    // Metres, for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
+    // its own walls a cap may run through other openings.
     double cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
 
 private:
+    double own_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
     struct Each {
         SurfaceBounds surface;
         std::array<SurfaceBounds, 2> walls;
@@ -30,6 +32,10 @@ private:
         std::array<double, 2> reach;
         SplitKernel kernel;
     };
+    void add(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
+             const std::array<double, 3>& heights, std::array<double, 3>& edges) const;
+
+    const SplitField& field_;
     std::vector<Each> all_;
 };
 

@@ -72,7 +72,9 @@ Closedness closedness(const Mesh& mesh)
     Closedness out;
     for (const auto& [edge, count] : edges) {
         out.twice += count > 1;
-        out.open += !edges.contains({edge.second, edge.first});
+        const auto back = edges.find({edge.second, edge.first});
+        out.open += back == edges.end();
+        out.unequal += back == edges.end() || back->second < count;
     }
     out.euler = static_cast<long>(points.size()) - static_cast<long>(edges.size()) / 2 +
                 static_cast<long>(mesh.face_count());
