@@ -151,16 +151,18 @@ Triangulation::JoinResult Triangulation::join(int a, int b)
     return plane_->delaunay.is_edge(from, to) ? JoinResult::one_edge : JoinResult::several;
 }
 
-void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
+bool Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
 {
     std::vector<std::pair<int, int>> rim;
     for (const auto& [a, b] : edges) rim.push_back(std::minmax(a, b));
     std::ranges::sort(rim);
     for (const Face f : plane_->delaunay.all_face_handles()) f->info() = false;
     std::vector<Face> open;
+    bool enclosed = true;
     const auto enter = [&](Face f) {
         if (f->info()) return;
         f->info() = true;
+        enclosed = enclosed && !plane_->delaunay.is_infinite(f);
         open.push_back(f);
     };
     for (const auto& [a, b] : edges) enter(plane_->left_of(a, b));
@@ -174,6 +176,7 @@ void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
                     rim, std::pair<int, int>(std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]))))
                 enter(f->neighbor(static_cast<int>(i)));
     }
+    return enclosed;
 }
 
 void Triangulation::refine(double longest, const std::function<bool(const Corners&)>& may_split,

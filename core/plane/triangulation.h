@@ -29,8 +29,9 @@ public:
     enum class JoinResult { one_edge, several, crosses };
     JoinResult join(int a, int b);
 
-    // Declares as inside the area to the left of these edges, which must stay and enclose it.
-    void fill(const std::vector<std::pair<int, int>>& edges);
+    // Declares as inside the area to the left of these edges, which must stay. Returns whether they
+    // enclose it.
+    bool fill(const std::vector<std::pair<int, int>>& edges);
     // Inserts centres of circumscribed circles [1] of triangles inside that have an edge longer
     // than that, as long as one lies, within sight, in a triangle that `may_split`; `added` is told
     // of each new point and the corners of the triangle that it lies in. Where the edges of `join`

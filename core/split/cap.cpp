@@ -30,9 +30,29 @@ int put_aside(Triangulation& plane, const glm::ivec2& at, int near, std::size_t 
     return -1;
 }
 
-// Triangulates the region to the left of loops. Returns false, with nothing added, where edges
-// cross or meet on the grid.
-bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
+// Leaves out places that are nearer than `distance` to the one kept before them, in parameters. The
+// slivers between the loop and what is left are added to `slivers`.
+RimLoop thinned(const RimLoop& loop, double distance, const CapOptions& options,
+                std::vector<std::array<std::uint32_t, 3>>& slivers)
+{
+    RimLoop out;
+    std::uint32_t last = 0; // place before the present one, kept or not
+    for (const std::uint32_t place : loop) {
+        const bool near = !out.empty() && glm::distance(options.places[out.back()],
+                                                        options.places[place]) < distance;
+        if (!out.empty() && last != out.back()) slivers.push_back({out.back(), last, place});
+        if (!near) out.push_back(place);
+        last = place;
+    }
+    if (last != out.back()) slivers.push_back({out.back(), last, out.front()});
+    return out;
+}
+
+// Triangulates the region to the left of loops, without places that are nearer than `thin` steps of
+// the grid to others. Returns false, with nothing added, where edges cross or meet on the grid, or
+// do not enclose it.
+bool triangulate_thinned(const std::vector<const RimLoop*>& loops, double thin,
+                         const CapOptions& options, FlatCap& cap)
 {
     glm::dvec2 lo(1e300), hi(-1e300);
     for (const RimLoop* loop : loops)
@@ -48,26 +68,29 @@ bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& opt
     Triangulation plane;
     std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
     std::vector<std::pair<int, int>> edges;
-    for (const RimLoop* loop : loops) {
-        std::vector<int> points(loop->size(), -1);
+    std::vector<std::array<std::uint32_t, 3>> slivers;
+    for (const RimLoop* whole : loops) {
+        const RimLoop loop = thinned(*whole, thin / scale, options, slivers);
+        if (loop.size() < 3) return false;
+        std::vector<int> points(loop.size(), -1);
         // Every second one of those that are left comes next: in their order along a round loop
         // each would turn over the triangles of all before it
-        const std::size_t coarsest = std::bit_ceil(loop->size());
+        const std::size_t coarsest = std::bit_ceil(loop.size());
         for (std::size_t step = coarsest; step > 0; step /= 2)
-            for (std::size_t i = step == coarsest ? 0 : step; i < loop->size();
+            for (std::size_t i = step == coarsest ? 0 : step; i < loop.size();
                  i += step == coarsest ? coarsest : 2 * step) {
-                const glm::ivec2 at = on_grid(options.places[(*loop)[i]]);
+                const glm::ivec2 at = on_grid(options.places[loop[i]]);
                 const int near = i == 0 ? -1 : points[i - step];
                 points[i] = put_aside(plane, at, near, number.size());
                 if (points[i] < 0) return false;
-                number.push_back((*loop)[i]);
+                number.push_back(loop[i]);
             }
         for (std::size_t i = 0; i < points.size(); ++i)
             edges.emplace_back(points[i], points[(i + 1) % points.size()]);
     }
     for (const auto& [a, b] : edges)
         if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
-    plane.fill(edges);
+    if (!plane.fill(edges)) return false;
     std::vector<glm::dvec2> inside;
     if (options.too_coarse) {
         const std::size_t first_inside = options.places.size() + cap.inside.size();
@@ -91,8 +114,18 @@ bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& opt
         cap.triangles.push_back({number[static_cast<std::size_t>(t[0])],
                                  number[static_cast<std::size_t>(t[1])],
                                  number[static_cast<std::size_t>(t[2])]});
+    cap.triangles.insert(cap.triangles.end(), slivers.begin(), slivers.end());
     cap.inside.insert(cap.inside.end(), inside.begin(), inside.end());
     return true;
+}
+
+// The same with as little left out as possible: where places are so near to each other that
+// rounding them to single precision makes the rim cross itself.
+bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
+{
+    for (const double thin : {0.0, 16.0, 256.0})
+        if (triangulate_thinned(loops, thin, options, cap)) return true;
+    return false;
 }
 
 // Closes a loop by triangles round its middle: closed, if not without overlaps.
@@ -109,6 +142,20 @@ void close_by_fan(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
     cap.inside.push_back(middle / static_cast<double>(loop.size()));
     for (std::size_t i = 0; i < loop.size(); ++i)
         cap.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], at});
+}
+
+// Closes a loop without regard to others: what it runs round is covered, by triangles that are
+// turned round where it runs clockwise. Returns false where it crosses itself.
+bool close_alone(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
+{
+    if (triangulate({&loop}, options, cap)) return true;
+    RimLoop round = loop;
+    std::ranges::reverse(round);
+    const std::size_t first = cap.triangles.size();
+    if (!triangulate({&round}, options, cap)) return false;
+    for (std::size_t t = first; t < cap.triangles.size(); ++t)
+        std::swap(cap.triangles[t][1], cap.triangles[t][2]);
+    return true;
 }
 
 // Appends the vertices of one half's caps. Returns the first one.
@@ -174,7 +221,7 @@ Caps cap(CutMesh& cut, const CapOptions& options)
                 if (loops.closed[i].size() > 2) some.push_back(&loops.closed[i]);
             if (some.empty() || triangulate(some, options, flat)) continue;
             for (const RimLoop* loop : some) {
-                close_by_fan(*loop, options, flat);
+                if (!close_alone(*loop, options, flat)) close_by_fan(*loop, options, flat);
                 ++out.fans;
             }
         }

@@ -10,13 +10,16 @@ ObstacleColumns::ObstacleColumns(const std::vector<RayScene::Entry>& bodies,
     : scene_(bodies),
       frame_(frame)
 {
-    for (const RayScene::Entry& body : bodies)
+    for (const RayScene::Entry& body : bodies) {
+        const auto first = static_cast<std::uint32_t>(vertices_.size());
+        for (const glm::uvec3& t : body.mesh->triangles()) triangles_.push_back(t + first);
         for (const glm::vec3& p : body.mesh->mesh().positions) {
             const glm::dvec3 uvw =
                 frame.uvw(glm::dvec3(body.to_world * glm::dvec4(glm::dvec3(p), 1)));
             vertices_.push_back(uvw);
             box_.add(uvw);
         }
+    }
     const glm::dvec3 size = box_.size();
     if (!(size.x > 0 && size.y > 0 && size.z > 0))
         throw Rejected("the obstacle is flat or empty as seen in the direction of the split");

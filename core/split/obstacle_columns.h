@@ -33,12 +33,14 @@ public:
     std::vector<std::optional<glm::dvec2>> at(std::span<const glm::dvec2> vw) const;
     const Box& box() const { return box_; }                               // in uvw
     const std::vector<glm::dvec3>& vertices() const { return vertices_; } // in uvw
+    const std::vector<glm::uvec3>& triangles() const { return triangles_; } // of these
 
 private:
     RayScene scene_;
     SplitFrame frame_;
     Box box_;
     std::vector<glm::dvec3> vertices_;
+    std::vector<glm::uvec3> triangles_;
 };
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "core/split/opening_wall.h"
 
 #include "core/base/parallel.h"
+#include "core/split/wall_certificate.h"
 
 #include <algorithm>
 
@@ -93,6 +94,26 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
     }
 }
 
+// Lifts a wall at points of the obstacle that it is too near to, until none is.
+void certify(const ObstacleColumns& columns, const CutSurface& surface, double clearance,
+             OpeningWall& wall, std::size_t side)
+{
+    constexpr int most_lifts = 8;
+    constexpr double least_clearance = 1e-4; // metres: with less nothing is made certain
+    if (clearance < least_clearance) return;
+    for (int round = 0; round < most_lifts; ++round) {
+        const WallCertificate known = certificate(columns, surface, wall, side, clearance / 2);
+        wall.clear = known.clear;
+        if (known.too_near.empty()) return;
+        std::vector<Need> samples;
+        for (const glm::dvec3& p : known.too_near) {
+            const double phi = evaluate(surface, {p.y, p.z}).value;
+            samples.push_back({{p.y, p.z}, {phi - p.x + clearance, p.x - phi + clearance}});
+        }
+        lift(wall.height, samples, side);
+    }
+}
+
 } // namespace
 
 SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance, double margin)
@@ -142,6 +163,7 @@ std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const C
                     0.0, (side == 0 ? phi - extents[k]->x : extents[k]->y - phi) + clearance);
             }
         lift(wall, samples, side);
+        certify(columns, surface, clearance, out[side], side);
         out[side].most = *std::ranges::max_element(wall.points);
     }
     return out;

@@ -10,6 +10,7 @@ namespace trivar {
 struct OpeningWall {
     Surface<double> height; // metres, nowhere negative
     double most = 0;        // greatest control value: W is nowhere larger
+    double clear = 0; // metres: it is certain that the obstacle is nowhere nearer along u
 
     glm::dvec2 lo() const { return {height.axes[0].begin(), height.axes[1].begin()}; }
     glm::dvec2 hi() const { return {height.axes[0].end(), height.axes[1].end()}; }
@@ -22,8 +23,9 @@ SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearanc
 
 // The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the
 // Greville points and then lifted until it is at least `clearance` beyond the obstacle at a grid of
-// columns and at the obstacle's vertices. [Schein, thesis, 6.3, but fitted and lifted instead of
-// control points on the profile.] About 30 ms.
+// columns and at the obstacle's vertices, and until it is certain that no triangle of the obstacle
+// is nearer than half of it (see WallCertificate). [Schein, thesis, 6.3, but fitted and lifted
+// instead of control points on the profile.] About 30 ms.
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
                                          const SplitRectangle& over, double clearance);
 

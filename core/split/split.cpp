@@ -49,7 +49,7 @@ glm::dvec2 parameters_of(const SplitFrame& frame, const glm::vec3& p_world)
 }
 
 CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMesh& cut,
-                       const SplitError& error, const SplitOptions& options)
+                       const SplitError& error, double tolerance, const SplitOptions& options)
 {
     const CutSurface& surface = field.openings[opening].surface;
     CapOptions out;
@@ -62,8 +62,8 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
         const SurfaceJet<double> jet = evaluate(surface, vw, 1);
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
-    out.too_coarse = [&, opening](const std::array<glm::dvec2, 3>& vw) {
-        return error.cap(opening, vw) > options.tolerance;
+    out.too_coarse = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
+        return error.cap(opening, vw) > tolerance;
     };
     out.material = options.material;
     return out;
@@ -71,7 +71,8 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
 
 // Gives the vertices of caps their sides of earlier surfaces: those on the rim have them from the
 // edge that was cut, those inside from the others of their triangles.
-void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, std::size_t opening)
+void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps,
+                        std::size_t opening)
 {
     const std::size_t places = cut.places.size();
     const std::size_t per_half = (cut.mesh.vertex_count() - caps.first_vertex) / 2;
@@ -108,41 +109,40 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
 {
     const Box reach = field.reach();
     out.rest_positions = out.mesh.positions;
-    parallel_blocks(
-        out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 rest(out.rest_positions[v]);
-                const glm::dvec3 uvw = field.frame.uvw(rest);
-                if (glm::any(glm::lessThan(uvw, reach.lo)) ||
-                    glm::any(glm::greaterThan(uvw, reach.hi)))
-                    continue;
-                const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
-                                                            {&all.is_on(v, 0), all.openings});
-                if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-                out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
-                const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
-                    glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
-                    d.x = glm::dot(moved.gradient, d);
-                    return field.frame.axes * d;
-                };
-                if (!out.mesh.normals.empty()) {
-                    // By the cofactors of the derivative, whose last two rows are those of the
-                    // identity
-                    const glm::dvec3 n =
-                        glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
-                    const glm::dvec3& g = moved.gradient;
-                    out.mesh.normals[v] = glm::vec3(
-                        field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
-                                                                     g.x * n.z - g.z * n.x)));
-                }
-                if (!out.mesh.tangents.empty()) {
-                    const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
-                    if (glm::length(t) > 0)
-                        out.mesh.tangents[v] =
-                            glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
-                }
+    parallel_blocks(out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
+                                                                     std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const glm::dvec3 rest(out.rest_positions[v]);
+            const glm::dvec3 uvw = field.frame.uvw(rest);
+            if (glm::any(glm::lessThan(uvw, reach.lo)) ||
+                glm::any(glm::greaterThan(uvw, reach.hi)))
+                continue;
+            const SplitField::Moved moved =
+                field.moved(uvw, {&all.side(v, 0), all.openings}, {&all.is_on(v, 0), all.openings});
+            if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
+            out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
+            const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
+                glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
+                d.x = glm::dot(moved.gradient, d);
+                return field.frame.axes * d;
+            };
+            if (!out.mesh.normals.empty()) {
+                // By the cofactors of the derivative, whose last two rows are those of the identity
+                const glm::dvec3 n =
+                    glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
+                const glm::dvec3& g = moved.gradient;
+                out.mesh.normals[v] = glm::vec3(
+                    field.frame.axes *
+                    glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x, g.x * n.z - g.z * n.x)));
             }
-        });
+            if (!out.mesh.tangents.empty()) {
+                const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
+                if (glm::length(t) > 0)
+                    out.mesh.tangents[v] =
+                        glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
+            }
+        }
+    });
 }
 
 // The greatest of the bounds of the triangles of caps.
@@ -152,8 +152,8 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     for (std::size_t f = caps.first_face; f < cut.mesh.face_count(); ++f) {
         std::array<glm::dvec2, 3> vw;
         for (std::size_t i = 0; i < 3; ++i)
-            vw[i] =
-                caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] - caps.first_vertex];
+            vw[i] = caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] -
+                                    caps.first_vertex];
         most = std::max(most, error.cap(opening, vw));
     }
     return most;
@@ -301,14 +301,25 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
     return all;
 }
 
+// Flat triangles are to stay within what is free between the walls and the obstacles, where that is
+// not much less than what was asked.
+double tolerance_of(const SplitField& field, const SplitOptions& options)
+{
+    double free = options.tolerance;
+    for (const Opening& o : field.openings)
+        for (const OpeningWall& wall : o.walls) free = std::min(free, wall.clear);
+    return std::max(free, options.tolerance / 4);
+}
+
 // Parts a mesh as `split` does, all of its faces.
 SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& options)
 {
     const SplitError error(field);
+    const double tolerance = tolerance_of(field, options);
     SplitMesh out;
     // An edge of the cut may be worse than the edges of the triangle that it runs through
     constexpr double share = 0.6;
-    FineMesh fine = fine_enough(std::move(mesh), field, error, share * options.tolerance,
+    FineMesh fine = fine_enough(std::move(mesh), field, error, share * tolerance,
                                 options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
@@ -326,7 +337,8 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
-        if (options.capped) caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error, options));
+        if (options.capped)
+            caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error, tolerance, options));
         all.resize(cut_mesh.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v) all.side(v, i) = cut_mesh.above[v];
         for (std::size_t e = 0; e < cut_mesh.edges.size(); ++e)

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/wall_certificate.h"
+
+#include "core/base/parallel.h"
+#include "core/split/bicubic_cells.h"
+#include "core/split/surface_bounds.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t triangles_per_turn = 256;
+constexpr std::size_t all_halvings = 1 << 19; // about, of all triangles
+constexpr double share_of_wall_bend = 1.0 / 6; // as in SplitError
+
+struct Corner {
+    glm::dvec3 uvw;
+    double gap; // between the wall and this point
+};
+
+using Triangle = std::array<Corner, 3>;
+
+class Judge {
+public:
+    Judge(const CutSurface& surface, const OpeningWall& wall, std::size_t side, double wanted,
+          int most_halvings)
+        : surface_(surface),
+          wall_(wall.height),
+          surface_bounds_(surface, false),
+          wall_bounds_(wall.height, true),
+          lo_(wall.lo()),
+          hi_(wall.hi()),
+          sign_(side == 0 ? -1 : 1),
+          wanted_(wanted),
+          most_halvings_(most_halvings)
+    {
+    }
+    Corner corner(const glm::dvec3& uvw) const
+    {
+        const glm::dvec2 vw(uvw.y, uvw.z);
+        const bool beyond = !(vw.x > lo_.x && vw.x < hi_.x && vw.y > lo_.y && vw.y < hi_.y);
+        return {uvw, (beyond ? 0 : wall_.value(vw)) - sign_ * (uvw.x - surface_.value(vw))};
+    }
+    void judge(const Triangle& whole, WallCertificate& out) const
+    {
+        std::vector<Triangle> open{whole};
+        for (int halvings = 0; !open.empty();) {
+            const Triangle t = open.back();
+            open.pop_back();
+            const double least = std::min({t[0].gap, t[1].gap, t[2].gap});
+            const auto [bend, edge] = bend_of(t);
+            if (least - bend >= wanted_) continue;
+            if (least < wanted_ || halvings >= most_halvings_) {
+                out.clear = std::min(out.clear, least - bend);
+                for (const Corner& c : t)
+                    if (c.gap < wanted_) out.too_near.push_back(c.uvw);
+                // A corner that is too near makes no smaller piece good
+                if (halvings >= most_halvings_ || bend < 0.25 * wanted_) continue;
+            }
+            ++halvings;
+            const Corner &a = t[edge], &b = t[(edge + 1) % 3], &c = t[(edge + 2) % 3];
+            const Corner middle = corner((a.uvw + b.uvw) / 2.0);
+            open.push_back({a, middle, c});
+            open.push_back({middle, b, c});
+        }
+    }
+
+private:
+    struct Bend {
+        double most;
+        std::size_t edge; // the one that bends most
+    };
+    Bend bend_of(const Triangle& t) const
+    {
+        const auto vw = [&](std::size_t i) { return glm::dvec2(t[i % 3].uvw.y, t[i % 3].uvw.z); };
+        const glm::dvec2 lo = glm::min(glm::min(vw(0), vw(1)), vw(2));
+        const glm::dvec2 hi = glm::max(glm::max(vw(0), vw(1)), vw(2));
+        const JetBound phi = surface_bounds_.over(lo, hi), w = wall_bounds_.over(lo, hi);
+        Bend out{-1, 0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 e = vw(i + 1) - vw(i);
+            const double bend = share_of_wall_bend * (phi.second(e) + w.second(e));
+            if (bend > out.most) out = {bend, i};
+        }
+        return out;
+    }
+
+    BicubicCells surface_, wall_;
+    SurfaceBounds surface_bounds_, wall_bounds_;
+    glm::dvec2 lo_, hi_; // of the wall's rectangle
+    double sign_, wanted_;
+    int most_halvings_; // of one triangle
+};
+
+} // namespace
+
+WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
+                            const OpeningWall& wall, std::size_t side, double wanted)
+{
+    const std::vector<glm::uvec3>& triangles = obstacle.triangles();
+    const auto share = all_halvings / std::max<std::size_t>(1, triangles.size());
+    const Judge judge(surface, wall, side, wanted,
+                      static_cast<int>(std::clamp<std::size_t>(share, 32, 4096)));
+    std::vector<WallCertificate> blocks(triangles.size() / triangles_per_turn + 1, {wanted, {}});
+    parallel_blocks(triangles.size(), triangles_per_turn, [&](std::size_t begin, std::size_t end) {
+        WallCertificate block{wanted, {}};
+        for (std::size_t t = begin; t < end; ++t) {
+            const glm::uvec3& v = triangles[t];
+            judge.judge({judge.corner(obstacle.vertices()[v.x]),
+                         judge.corner(obstacle.vertices()[v.y]),
+                         judge.corner(obstacle.vertices()[v.z])},
+                        block);
+        }
+        blocks[begin / triangles_per_turn] = std::move(block);
+    });
+    WallCertificate out{wanted, {}};
+    for (const WallCertificate& each : blocks) {
+        out.clear = std::min(out.clear, each.clear);
+        out.too_near.insert(out.too_near.end(), each.too_near.begin(), each.too_near.end());
+    }
+    return out;
+}
+
+} // namespace trivar

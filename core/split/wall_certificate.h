@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/split/obstacle_columns.h"
+#include "core/split/opening_wall.h"
+
+namespace trivar {
+
+// What is certain of a wall below (side 0) or above (1) a cut surface.
+struct WallCertificate {
+    double clear = 0; // metres: nowhere is the obstacle nearer along u; negative: not certain
+    // Points of the obstacle, in uvw, where the wall is nearer than what is wanted.
+    std::vector<glm::dvec3> too_near;
+};
+
+// Bounds the distance of a wall from the flat triangles of the obstacle, up to `wanted`: it is what
+// it is at the corners less how far wall and cut surface bend between them, by the Bezier nets of
+// both; triangles for which that does not suffice are halved, up to some thousand times. About 0.2
+// microseconds a triangle, in parallel.
+WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
+                            const OpeningWall& wall, std::size_t side, double wanted);
+
+} // namespace trivar
