@@ -214,27 +214,28 @@ void Triangulation::halve(double shortest, const std::function<bool(const Corner
                           const std::function<void(int point)>& added)
 {
     constexpr std::size_t most = 1000000; // points
-    for (bool changed = true; changed;) {
-        changed = false;
-        std::vector<Corners> open;
-        for (const Face f : plane_->delaunay.finite_face_handles())
-            if (f->info()) open.push_back(corners_of(f));
-        for (const Corners& v : open) {
-            if (points_.size() >= most) return;
-            const std::optional<Face> f = plane_->face(v);
-            if (!f || !too_coarse(v)) continue;
-            const std::optional<Delaunay::Point> middle = middle_of_longest(*f, shortest);
-            if (!middle) continue;
-            const glm::ivec2 p = on_grid(*middle);
-            const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
-            if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
-            const int point = plane_->put(p, *in);
-            if (point < static_cast<int>(points_.size())) continue; // the point exists already
-            points_.push_back(p);
-            plane_->mark_round(point);
-            added(point);
-            changed = true;
-        }
+    std::vector<Corners> open;
+    for (const Face f : plane_->delaunay.finite_face_handles())
+        if (f->info()) open.push_back(corners_of(f));
+    for (std::size_t k = 0; k < open.size() && points_.size() < most; ++k) {
+        const Corners v = open[k];
+        const std::optional<Face> f = plane_->face(v);
+        if (!f || !too_coarse(v)) continue;
+        const std::optional<Delaunay::Point> middle = middle_of_longest(*f, shortest);
+        if (!middle) continue;
+        const glm::ivec2 p = on_grid(*middle);
+        const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
+        if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
+        const int point = plane_->put(p, *in);
+        if (point < static_cast<int>(points_.size())) continue; // the point exists already
+        points_.push_back(p);
+        plane_->mark_round(point);
+        added(point);
+        // All triangles that are new lie round the point
+        const auto first = plane_->delaunay.incident_faces(plane_->vertex(point));
+        auto face = first;
+        do open.push_back(corners_of(face));
+        while (++face != first);
     }
 }
 

@@ -123,7 +123,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, double thin,
 // rounding them to single precision makes the rim cross itself.
 bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
 {
-    for (const double thin : {0.0, 16.0, 256.0})
+    for (const double thin : {0.0, 16.0, 256.0, 4096.0})
         if (triangulate_thinned(loops, thin, options, cap)) return true;
     return false;
 }

@@ -46,7 +46,7 @@ void split_torus(benchmark::State& state, CutPlane plane, double step)
     const glm::dvec3 y = glm::cross(n, x);
     std::vector<double> heights(torus.vertex_count());
     double offset = plane.offset / glm::length(plane.normal);
-    std::size_t rim = 0;
+    std::size_t rim = 0, fans = 0;
     CutMesh last;
     for (auto _ : state) {
         offset += step;
@@ -61,11 +61,12 @@ void split_torus(benchmark::State& state, CutPlane plane, double step)
             options.places.emplace_back(glm::dot(x, glm::dvec3(p)), glm::dot(y, glm::dvec3(p)));
         options.point = [&](const glm::dvec2& at) { return offset * n + at.x * x + at.y * y; };
         options.normal = [&](const glm::dvec2&) { return n; };
-        benchmark::DoNotOptimize(cap(halves, options));
+        fans = cap(halves, options).fans;
         rim = halves.rim.size();
         if (step != 0) last = std::move(halves);
     }
     state.counters["rim"] = static_cast<double>(rim);
+    state.counters["fans"] = static_cast<double>(fans);
 }
 
 // A ball round which a bar passes, per frame; `segments` round it.
@@ -76,7 +77,7 @@ void split_ball(benchmark::State& state, int segments)
     const SplitField field = split_field({obstacle}, {});
     const Mesh ball = sphere_mesh(0.9, segments, segments / 2);
     double at = -0.9;
-    std::size_t vertices = 0;
+    std::size_t vertices = 0, fans = 0;
     for (auto _ : state) {
         state.PauseTiming();
         Mesh moved = ball;
@@ -85,8 +86,10 @@ void split_ball(benchmark::State& state, int segments)
         state.ResumeTiming();
         const std::optional<SplitMesh> parted = split(moved, field, {});
         vertices = parted ? parted->mesh.vertex_count() : 0;
+        fans += parted ? parted->fans : 0;
     }
     state.counters["vertices"] = static_cast<double>(vertices);
+    state.counters["fans"] = static_cast<double>(fans);
 }
 
 void split_field_of_a_bar(benchmark::State& state)
