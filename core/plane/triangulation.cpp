@@ -214,17 +214,20 @@ void Triangulation::halve(double shortest, const std::function<bool(const Corner
                           const std::function<void(int point)>& added)
 {
     constexpr std::size_t most = 1000000; // points
-    std::vector<Corners> open;
+    struct Open {
+        Face face;
+        Corners corners; // it has, unless it was turned over since
+    };
+    std::vector<Open> open;
     for (const Face f : plane_->delaunay.finite_face_handles())
-        if (f->info()) open.push_back(corners_of(f));
+        if (f->info()) open.push_back({f, corners_of(f)});
     for (std::size_t k = 0; k < open.size() && points_.size() < most; ++k) {
-        const Corners v = open[k];
-        const std::optional<Face> f = plane_->face(v);
-        if (!f || !too_coarse(v)) continue;
-        const std::optional<Delaunay::Point> middle = middle_of_longest(*f, shortest);
+        const Face f = open[k].face; // faces are never taken away
+        if (corners_of(f) != open[k].corners || !too_coarse(open[k].corners)) continue;
+        const std::optional<Delaunay::Point> middle = middle_of_longest(f, shortest);
         if (!middle) continue;
         const glm::ivec2 p = on_grid(*middle);
-        const std::optional<Face> in = plane_->face_in_sight(*f, Delaunay::Point(p.x, p.y));
+        const std::optional<Face> in = plane_->face_in_sight(f, Delaunay::Point(p.x, p.y));
         if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
         const int point = plane_->put(p, *in);
         if (point < static_cast<int>(points_.size())) continue; // the point exists already
@@ -234,7 +237,7 @@ void Triangulation::halve(double shortest, const std::function<bool(const Corner
         // All triangles that are new lie round the point
         const auto first = plane_->delaunay.incident_faces(plane_->vertex(point));
         auto face = first;
-        do open.push_back(corners_of(face));
+        do open.push_back({face, corners_of(face)});
         while (++face != first);
     }
 }

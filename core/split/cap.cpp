@@ -17,8 +17,8 @@ struct FlatCap {
     std::vector<glm::dvec2> inside;
 };
 
-// Inserts a point of a rim that is to be number `count`: where another one is, it goes a step aside.
-// Returns -1 where all places round it are taken.
+// Inserts a point of a rim that is to be number `count`: where another one is, it goes a step
+// aside. Returns -1 where all places round it are taken.
 int put_aside(Triangulation& plane, const glm::ivec2& at, int near, std::size_t count)
 {
     constexpr std::array<glm::ivec2, 9> steps{
@@ -165,8 +165,8 @@ std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const Flat
     const std::size_t first = mesh.vertex_count();
     const std::size_t count = options.places.size() + flat.inside.size();
     // Points of the other half's inside come first
-    const auto first_inside = static_cast<std::uint32_t>(cut.first_point + 2 * options.places.size() +
-                                                         (up ? flat.inside.size() : 0));
+    const auto first_inside = static_cast<std::uint32_t>(
+        cut.first_point + 2 * options.places.size() + (up ? flat.inside.size() : 0));
     for (std::size_t i = 0; i < count; ++i) {
         const bool on_rim = i < options.places.size();
         const glm::dvec2 at = on_rim ? options.places[i] : flat.inside[i - options.places.size()];

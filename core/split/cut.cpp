@@ -129,9 +129,7 @@ void copy_others(const Mesh& mesh, const std::vector<std::uint32_t>& left_out, s
 {
     ArrayCopies copies;
     const auto copied = [&](const auto& from, auto& to) {
-        copies.add([&from, &to, more] {
-            copy_with_room(from, from.empty() ? 0 : more, to);
-        });
+        copies.add([&from, &to, more] { copy_with_room(from, from.empty() ? 0 : more, to); });
     };
     copies.add([&] { take_other_faces(out, mesh, left_out, 2 * more, 6 * more); });
     copied(mesh.positions, out.positions);
@@ -231,9 +229,10 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
     out.mesh = std::move(memory.mesh);
     out.above = std::move(memory.above);
     out.above.resize(heights.size());
-    parallel_blocks(heights.size(), vertices_per_sign_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) out.above[v] = heights[v] >= 0;
-    });
+    parallel_blocks(heights.size(), vertices_per_sign_block,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = begin; v < end; ++v) out.above[v] = heights[v] >= 0;
+                    });
     const std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
     out.first_new_face = mesh.face_count() - faces.size();
     if (faces.empty()) {
@@ -246,8 +245,8 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
     // Copies on both halves, and the rims of both caps
     copy_others(mesh, faces, 5 * crossings.edges().size() + 64, out.mesh);
     out.first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
-    out.first_point = static_cast<std::uint32_t>(
-        mesh.points.empty() ? mesh.vertex_count() : point_count(mesh));
+    out.first_point =
+        static_cast<std::uint32_t>(mesh.points.empty() ? mesh.vertex_count() : point_count(mesh));
     std::vector<BornVertex> born;
     born.reserve(2 * crossings.edges().size());
     std::vector<std::uint32_t> place_of_edge;

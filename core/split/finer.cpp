@@ -49,7 +49,10 @@ Mesh as_triangles(Mesh mesh)
 class Rounds {
 public:
     Rounds(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance)
-        : mesh_(std::move(mesh)), field_(field), error_(error), tolerance_(tolerance)
+        : mesh_(std::move(mesh)),
+          field_(field),
+          error_(error),
+          tolerance_(tolerance)
     {
         points_ = point_count(mesh_);
         take_places(0);
@@ -73,10 +76,9 @@ public:
                 Box box;
                 for (const glm::dvec3& each : p) box.add(each);
                 if (box.apart(reach)) continue;
-                const std::array<double, 3> off =
-                    error_.edges(p, {&heights_[openings * corner(f, 0)],
-                                     &heights_[openings * corner(f, 1)],
-                                     &heights_[openings * corner(f, 2)]});
+                const std::array<double, 3> off = error_.edges(
+                    p, {&heights_[openings * corner(f, 0)], &heights_[openings * corner(f, 1)],
+                        &heights_[openings * corner(f, 2)]});
                 worst = std::max({worst, off[0], off[1], off[2]});
                 for (std::size_t i = 0; i < 3; ++i)
                     if (off[i] > tolerance_) out.push_back(ordered(corner(f, i), corner(f, i + 1)));
@@ -118,7 +120,8 @@ public:
                 const VertexEdge e = ordered(corner(each.face, i), corner(each.face, i + 1));
                 const auto next = static_cast<std::uint32_t>(born.size());
                 std::uint32_t* known = &first_born[marked];
-                if (*known != EdgeNumbers::none && (born[*known].a != e.a || born[*known].b != e.b)) {
+                if (*known != EdgeNumbers::none &&
+                    (born[*known].a != e.a || born[*known].b != e.b)) {
                     const std::uint32_t other = others.add(e.a, e.b);
                     if (other == born_of_other.size()) born_of_other.push_back(EdgeNumbers::none);
                     known = &born_of_other[other];
@@ -137,10 +140,7 @@ public:
         open_.reserve(splits.size() + more);
         for (const Split& each : splits) put_parts(each, first_vertex);
     }
-    FineMesh take()
-    {
-        return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)};
-    }
+    FineMesh take() { return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)}; }
     std::size_t triangle_count() const { return mesh_.face_count(); }
 
 private:
@@ -152,25 +152,26 @@ private:
     std::vector<Split> splits_of_marked() const
     {
         std::vector<std::vector<Split>> found(mesh_.face_count() / triangles_per_block + 1);
-        parallel_blocks(mesh_.face_count(), triangles_per_block, [&](std::size_t begin,
-                                                                     std::size_t end) {
-            std::vector<Split>& out = found[begin / triangles_per_block];
-            for (std::size_t f = begin; f < end; ++f) {
-                if (touched(f, 0) + touched(f, 1) + touched(f, 2) < 2) continue;
-                Split each{static_cast<std::uint32_t>(f), {}};
-                bool any = false;
-                for (std::size_t i = 0; i < 3; ++i) {
-                    each.middles[i] =
-                        touched(f, i) && touched(f, i + 1)
-                            ? marked_.number(mesh_.point(corner(f, i)), mesh_.point(corner(f, i + 1)))
-                            : EdgeNumbers::none;
-                    any |= each.middles[i] != EdgeNumbers::none;
+        parallel_blocks(
+            mesh_.face_count(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+                std::vector<Split>& out = found[begin / triangles_per_block];
+                for (std::size_t f = begin; f < end; ++f) {
+                    if (touched(f, 0) + touched(f, 1) + touched(f, 2) < 2) continue;
+                    Split each{static_cast<std::uint32_t>(f), {}};
+                    bool any = false;
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        each.middles[i] = touched(f, i) && touched(f, i + 1)
+                                              ? marked_.number(mesh_.point(corner(f, i)),
+                                                               mesh_.point(corner(f, i + 1)))
+                                              : EdgeNumbers::none;
+                        any |= each.middles[i] != EdgeNumbers::none;
+                    }
+                    if (any) out.push_back(each);
                 }
-                if (any) out.push_back(each);
-            }
-        });
+            });
         std::vector<Split> all;
-        for (const std::vector<Split>& each : found) all.insert(all.end(), each.begin(), each.end());
+        for (const std::vector<Split>& each : found)
+            all.insert(all.end(), each.begin(), each.end());
         return all;
     }
     void put_parts(const Split& each, std::uint32_t first_vertex)
@@ -214,10 +215,7 @@ private:
     {
         return mesh_.corners[3 * f + i % 3];
     }
-    bool touched(std::size_t f, std::size_t i) const
-    {
-        return touched_[mesh_.point(corner(f, i))];
-    }
+    bool touched(std::size_t f, std::size_t i) const { return touched_[mesh_.point(corner(f, i))]; }
     VertexEdge ordered(std::uint32_t a, std::uint32_t b) const
     {
         return mesh_.point(a) < mesh_.point(b) ? VertexEdge{a, b} : VertexEdge{b, a};
@@ -225,11 +223,11 @@ private:
     void take_places(std::size_t first)
     {
         uvw_.resize(mesh_.vertex_count());
-        parallel_blocks(uvw_.size() - first, vertices_per_turn, [&](std::size_t begin,
-                                                                    std::size_t end) {
-            for (std::size_t v = first + begin; v < first + end; ++v)
-                uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
-        });
+        parallel_blocks(uvw_.size() - first, vertices_per_turn,
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t v = first + begin; v < first + end; ++v)
+                                uvw_[v] = field_.frame.uvw(glm::dvec3(mesh_.positions[v]));
+                        });
         add_heights(heights_, mesh_, field_);
     }
     // In place of triangle f, or as another one of the same face.
@@ -242,8 +240,7 @@ private:
         }
         open_.push_back(static_cast<std::uint32_t>(mesh_.face_count()));
         add_face(mesh_, vertices);
-        if (!mesh_.face_material.empty())
-            mesh_.face_material.push_back(mesh_.face_material[f]);
+        if (!mesh_.face_material.empty()) mesh_.face_material.push_back(mesh_.face_material[f]);
         if (!mesh_.face_group.empty()) mesh_.face_group.push_back(mesh_.face_group[f]);
     }
 
@@ -251,10 +248,10 @@ private:
     const SplitField& field_;
     const SplitError& error_;
     double tolerance_;
-    std::vector<glm::dvec3> uvw_; // #V
-    std::vector<double> heights_; // #V x #openings
-    double off_ = 0;              // of the last round
-    double fine_off_ = 0;         // of triangles that were fine enough before
+    std::vector<glm::dvec3> uvw_;     // #V
+    std::vector<double> heights_;     // #V x #openings
+    double off_ = 0;                  // of the last round
+    double fine_off_ = 0;             // of triangles that were fine enough before
     std::vector<std::uint32_t> open_; // faces that are not yet known to be fine enough
     std::size_t points_ = 0;
     EdgeNumbers marked_;        // by points
@@ -267,14 +264,14 @@ void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitFiel
 {
     const std::size_t openings = field.openings.size(), first = heights.size() / openings;
     heights.resize(openings * mesh.vertex_count());
-    parallel_blocks(mesh.vertex_count() - first, vertices_per_turn, [&](std::size_t begin,
-                                                                        std::size_t end) {
-        for (std::size_t v = first + begin; v < first + end; ++v) {
-            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(mesh.positions[v]));
-            for (std::size_t i = 0; i < openings; ++i)
-                heights[openings * v + i] = field.openings[i].height(uvw);
-        }
-    });
+    parallel_blocks(mesh.vertex_count() - first, vertices_per_turn,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = first + begin; v < first + end; ++v) {
+                            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(mesh.positions[v]));
+                            for (std::size_t i = 0; i < openings; ++i)
+                                heights[openings * v + i] = field.openings[i].height(uvw);
+                        }
+                    });
 }
 
 FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance,

@@ -16,7 +16,8 @@ struct FineMesh {
 // off by more than the tolerance (metres), or until `most_triangles` are there. Positions are in
 // the world. Faces are triangles then. No cracks: an edge is split for both of its triangles. The
 // mesh has `points`. O(#V + #C) and the work at the openings.
-FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance, std::size_t most_triangles);
+FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance,
+                     std::size_t most_triangles);
 
 // Computes the heights of the vertices that have none yet.
 void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitField& field);

@@ -31,8 +31,8 @@ public:
 
     // Least and greatest u at (v, w); none: the line misses the obstacle. In parallel.
     std::vector<std::optional<glm::dvec2>> at(std::span<const glm::dvec2> vw) const;
-    const Box& box() const { return box_; }                               // in uvw
-    const std::vector<glm::dvec3>& vertices() const { return vertices_; } // in uvw
+    const Box& box() const { return box_; }                                 // in uvw
+    const std::vector<glm::dvec3>& vertices() const { return vertices_; }   // in uvw
     const std::vector<glm::uvec3>& triangles() const { return triangles_; } // of these
 
 private:

@@ -10,7 +10,7 @@ namespace trivar {
 struct OpeningWall {
     Surface<double> height; // metres, nowhere negative
     double most = 0;        // greatest control value: W is nowhere larger
-    double clear = 0; // metres: it is certain that the obstacle is nowhere nearer along u
+    double clear = 0;       // metres: it is certain that the obstacle is nowhere nearer along u
 
     glm::dvec2 lo() const { return {height.axes[0].begin(), height.axes[1].begin()}; }
     glm::dvec2 hi() const { return {height.axes[0].end(), height.axes[1].end()}; }

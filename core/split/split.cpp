@@ -15,8 +15,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_block = 4096, faces_per_block = 4096,
-                      points_per_block = 4096;
+constexpr std::size_t vertices_per_block = 4096, faces_per_block = 4096, points_per_block = 4096;
 
 // On which side of each cut surface a vertex is, and which surfaces it lies on.
 struct VertexSides {
@@ -51,15 +50,15 @@ glm::dvec2 parameters_of(const SplitFrame& frame, const glm::vec3& p_world)
 CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMesh& cut,
                        const SplitError& error, double tolerance, const SplitOptions& options)
 {
-    const CutSurface& surface = field.openings[opening].surface;
+    const BicubicCells& surface = field.openings[opening].surface_cells;
     CapOptions out;
     for (const glm::vec3& place : cut.places)
         out.places.push_back(parameters_of(field.frame, place));
     out.point = [&](const glm::dvec2& vw) {
-        return field.frame.world(glm::dvec3(evaluate(surface, vw).value, vw));
+        return field.frame.world(glm::dvec3(surface.value(vw), vw));
     };
     out.normal = [&](const glm::dvec2& vw) {
-        const SurfaceJet<double> jet = evaluate(surface, vw, 1);
+        const BicubicCells::Jet jet = surface.jet(vw);
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
     out.too_coarse = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
@@ -71,8 +70,7 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
 
 // Gives the vertices of caps their sides of earlier surfaces: those on the rim have them from the
 // edge that was cut, those inside from the others of their triangles.
-void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps,
-                        std::size_t opening)
+void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, std::size_t opening)
 {
     const std::size_t places = cut.places.size();
     const std::size_t per_half = (cut.mesh.vertex_count() - caps.first_vertex) / 2;
@@ -109,40 +107,41 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
 {
     const Box reach = field.reach();
     out.rest_positions = out.mesh.positions;
-    parallel_blocks(out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
-                                                                     std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const glm::dvec3 rest(out.rest_positions[v]);
-            const glm::dvec3 uvw = field.frame.uvw(rest);
-            if (glm::any(glm::lessThan(uvw, reach.lo)) ||
-                glm::any(glm::greaterThan(uvw, reach.hi)))
-                continue;
-            const SplitField::Moved moved =
-                field.moved(uvw, {&all.side(v, 0), all.openings}, {&all.is_on(v, 0), all.openings});
-            if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-            out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
-            const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
-                glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
-                d.x = glm::dot(moved.gradient, d);
-                return field.frame.axes * d;
-            };
-            if (!out.mesh.normals.empty()) {
-                // By the cofactors of the derivative, whose last two rows are those of the identity
-                const glm::dvec3 n =
-                    glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
-                const glm::dvec3& g = moved.gradient;
-                out.mesh.normals[v] = glm::vec3(
-                    field.frame.axes *
-                    glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x, g.x * n.z - g.z * n.x)));
+    parallel_blocks(
+        out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                const glm::dvec3 rest(out.rest_positions[v]);
+                const glm::dvec3 uvw = field.frame.uvw(rest);
+                if (glm::any(glm::lessThan(uvw, reach.lo)) ||
+                    glm::any(glm::greaterThan(uvw, reach.hi)))
+                    continue;
+                const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
+                                                            {&all.is_on(v, 0), all.openings});
+                if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
+                out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
+                const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
+                    glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
+                    d.x = glm::dot(moved.gradient, d);
+                    return field.frame.axes * d;
+                };
+                if (!out.mesh.normals.empty()) {
+                    // By the cofactors of the derivative, whose last two rows are those of the
+                    // identity
+                    const glm::dvec3 n =
+                        glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
+                    const glm::dvec3& g = moved.gradient;
+                    out.mesh.normals[v] = glm::vec3(
+                        field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
+                                                                     g.x * n.z - g.z * n.x)));
+                }
+                if (!out.mesh.tangents.empty()) {
+                    const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
+                    if (glm::length(t) > 0)
+                        out.mesh.tangents[v] =
+                            glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
+                }
             }
-            if (!out.mesh.tangents.empty()) {
-                const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
-                if (glm::length(t) > 0)
-                    out.mesh.tangents[v] =
-                        glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
-            }
-        }
-    });
+        });
 }
 
 // The greatest of the bounds of the triangles of caps.
@@ -152,8 +151,8 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     for (std::size_t f = caps.first_face; f < cut.mesh.face_count(); ++f) {
         std::array<glm::dvec2, 3> vw;
         for (std::size_t i = 0; i < 3; ++i)
-            vw[i] = caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] -
-                                    caps.first_vertex];
+            vw[i] =
+                caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] - caps.first_vertex];
         most = std::max(most, error.cap(opening, vw));
     }
     return most;
@@ -191,35 +190,36 @@ VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
         std::uint32_t greatest_point = 0;
     };
     std::vector<Block> blocks(mesh.vertex_count() / vertices_per_block + 1);
-    parallel_blocks(mesh.vertex_count(), vertices_per_block, [&](std::size_t begin,
-                                                                 std::size_t end) {
-        Block block;
-        const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
-        for (std::size_t v = begin; v < end; ++v) {
-            const glm::dvec3 uvw = to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin);
-            block.box.add(uvw);
-            int bits = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                bits |= int{uvw[axis] < reach.lo[axis]} << (2 * axis);
-                bits |= int{uvw[axis] > reach.hi[axis]} << (2 * axis + 1);
+    parallel_blocks(
+        mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            Block block;
+            const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+            for (std::size_t v = begin; v < end; ++v) {
+                const glm::dvec3 uvw =
+                    to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin);
+                block.box.add(uvw);
+                int bits = 0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    bits |= int{uvw[axis] < reach.lo[axis]} << (2 * axis);
+                    bits |= int{uvw[axis] > reach.hi[axis]} << (2 * axis + 1);
+                }
+                for (std::size_t i = 0; i < openings; ++i) {
+                    const bool above =
+                        uvw.x > extents[i].most ||
+                        (uvw.x >= extents[i].least && field.openings[i].height(uvw) >= 0);
+                    if (i < out.surfaces_in_bits)
+                        bits |= int{above} << (out.first_above + static_cast<int>(i));
+                    else
+                        out.above[others * v + i - out.surfaces_in_bits] = above;
+                }
+                out.bits[v] = static_cast<std::uint8_t>(bits);
             }
-            for (std::size_t i = 0; i < openings; ++i) {
-                const bool above =
-                    uvw.x > extents[i].most ||
-                    (uvw.x >= extents[i].least && field.openings[i].height(uvw) >= 0);
-                if (i < out.surfaces_in_bits)
-                    bits |= int{above} << (out.first_above + static_cast<int>(i));
-                else
-                    out.above[others * v + i - out.surfaces_in_bits] = above;
-            }
-            out.bits[v] = static_cast<std::uint8_t>(bits);
-        }
-        if (!mesh.points.empty())
-            block.greatest_point =
-                *std::max_element(mesh.points.begin() + static_cast<long>(begin),
-                                  mesh.points.begin() + static_cast<long>(end));
-        blocks[begin / vertices_per_block] = block;
-    });
+            if (!mesh.points.empty())
+                block.greatest_point =
+                    *std::max_element(mesh.points.begin() + static_cast<long>(begin),
+                                      mesh.points.begin() + static_cast<long>(end));
+            blocks[begin / vertices_per_block] = block;
+        });
     std::uint32_t greatest = 0;
     for (const Block& each : blocks) {
         out.box.add(each.box);
@@ -319,8 +319,8 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
     SplitMesh out;
     // An edge of the cut may be worse than the edges of the triangle that it runs through
     constexpr double share = 0.6;
-    FineMesh fine = fine_enough(std::move(mesh), field, error, share * tolerance,
-                                options.most_triangles);
+    FineMesh fine =
+        fine_enough(std::move(mesh), field, error, share * tolerance, options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();

@@ -21,13 +21,13 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 SplitError::SplitError(const SplitField& field) : field_(field)
 {
     for (const Opening& o : field.openings)
-        all_.push_back({SurfaceBounds(o.surface, false),
-                        {SurfaceBounds(o.walls[0].height, true),
-                         SurfaceBounds(o.walls[1].height, true)},
-                        o.walls[0].lo(),
-                        o.walls[0].hi(),
-                        o.reach,
-                        o.kernel});
+        all_.push_back(
+            {SurfaceBounds(o.surface, false),
+             {SurfaceBounds(o.walls[0].height, true), SurfaceBounds(o.walls[1].height, true)},
+             o.walls[0].lo(),
+             o.walls[0].hi(),
+             o.reach,
+             o.kernel});
 }
 
 std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
@@ -73,10 +73,8 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
         const double slope = kernel.first / r, curve = kernel.second / (r * r);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
-            const double a =
-                std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
-            const double second = kernel.value * w.second(e[i]) +
-                                  2 * slope * w.first(e[i]) * a +
+            const double a = std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
+            const double second = kernel.value * w.second(e[i]) + 2 * slope * w.first(e[i]) * a +
                                   w.value * (curve * a * a + slope * phi_ee[i]);
             // Where the cut goes through, the chord of the surface counts as well
             edges[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));

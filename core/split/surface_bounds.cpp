@@ -55,24 +55,21 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
                         bezier.point(sv.first + i, sw.first + j);
             const double v = (net - 1) / (sv.hi - sv.lo), w = (net - 1) / (sw.hi - sw.lo);
             const double vv = v * (net - 2) / (sv.hi - sv.lo), ww = w * (net - 2) / (sw.hi - sw.lo);
-            cells_.push_back({largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
-                              w * largest_difference(points, 0, 1),
-                              vv * largest_difference(points, 2, 0),
-                              v * w * largest_difference(points, 1, 1),
-                              ww * largest_difference(points, 0, 2)});
+            cells_.push_back(
+                {largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
+                 w * largest_difference(points, 0, 1), vv * largest_difference(points, 2, 0),
+                 v * w * largest_difference(points, 1, 1), ww * largest_difference(points, 0, 2)});
         }
 }
 
 JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
 {
-    if (zero_outside_ &&
-        (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y))
+    if (zero_outside_ && (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y))
         return {};
     // At a border between pieces, where rounding decides, both count
     constexpr double rounding = 1e-9;
     const glm::dvec2 last(count_ - 1);
-    const glm::ivec2 from(
-        glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last));
+    const glm::ivec2 from(glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last));
     const glm::ivec2 to(glm::clamp((hi - lo_) * per_cell_ + rounding, glm::dvec2(0), last));
     JetBound out;
     for (int i = from.x; i <= to.x; ++i)

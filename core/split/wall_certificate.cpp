@@ -12,7 +12,7 @@ namespace trivar {
 namespace {
 
 constexpr std::size_t triangles_per_turn = 256;
-constexpr std::size_t all_halvings = 1 << 19; // about, of all triangles
+constexpr std::size_t all_halvings = 1 << 19;  // about, of all triangles
 constexpr double share_of_wall_bend = 1.0 / 6; // as in SplitError
 
 struct Corner {

@@ -43,8 +43,8 @@ Mesh tube(const std::function<glm::dvec3(double)>& axis, const glm::dvec3& acros
     Mesh mesh;
     for (int i = 0; i <= pieces; ++i) {
         const double s = static_cast<double>(i) / pieces;
-        const glm::dvec3 t = glm::normalize(axis(std::min(1.0, s + 1e-4)) -
-                                            axis(std::max(0.0, s - 1e-4)));
+        const glm::dvec3 t =
+            glm::normalize(axis(std::min(1.0, s + 1e-4)) - axis(std::max(0.0, s - 1e-4)));
         const glm::dvec3 x = glm::normalize(glm::cross(across, t)), y = glm::cross(t, x);
         for (int j = 0; j < round; ++j) {
             const double a = glm::two_pi<double>() * j / round;
@@ -94,7 +94,8 @@ Shape any_shape(Random& random, double size)
     case 0: {
         Mesh mesh = ball(glm::dvec3(0), 1, std::max(6, round));
         const glm::dmat3 turn = any_rotation(random);
-        const glm::dvec3 radii(r, size * between(random, 0.05, 0.4), size * between(random, 0.05, 0.4));
+        const glm::dvec3 radii(r, size * between(random, 0.05, 0.4),
+                               size * between(random, 0.05, 0.4));
         for (glm::vec3& p : mesh.positions) p = glm::vec3(turn * (radii * glm::dvec3(p)));
         return {"ball", mesh};
     }
@@ -122,8 +123,8 @@ Shape any_shape(Random& random, double size)
         return {"hook", tube(
                             [=](double s) {
                                 const double a = 1.4 * glm::pi<double>() * s;
-                                return wide * glm::dvec3(std::cos(a), turned * std::sin(a),
-                                                         std::sin(a));
+                                return wide *
+                                       glm::dvec3(std::cos(a), turned * std::sin(a), std::sin(a));
                             },
                             glm::normalize(glm::dvec3(0, 1, -turned)), plain, 32, round)};
     }
@@ -249,7 +250,8 @@ void look_at_clearance(const SplitMesh& parted, const Mesh& before, const SplitF
         std::vector<std::size_t> which;
         for (std::size_t i = 0; i < at.size(); ++i) {
             const Box& box = columns.box();
-            if (at[i].y < box.lo.y || at[i].y > box.hi.y || at[i].z < box.lo.z || at[i].z > box.hi.z)
+            if (at[i].y < box.lo.y || at[i].y > box.hi.y || at[i].z < box.lo.z ||
+                at[i].z > box.hi.z)
                 continue;
             vw.emplace_back(at[i].y, at[i].z);
             which.push_back(i);
@@ -288,10 +290,12 @@ void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
         glm::dmat4 to_world(frame.axes);
         to_world[3] = glm::dvec4(frame.world(offset), 1);
         what += " " + shape.kind;
-        obstacles.push_back({shape.kind,
-                             {{std::make_shared<const RayMesh>(make_ref(std::move(shape.mesh))),
-                               to_world, k}},
-                             0.005, between(random, 0, 0.5), kernel});
+        obstacles.push_back(
+            {shape.kind,
+             {{std::make_shared<const RayMesh>(make_ref(std::move(shape.mesh))), to_world, k}},
+             0.005,
+             between(random, 0, 0.5),
+             kernel});
     }
     const glm::dmat3 model_turn = any_rotation(random);
     const glm::dvec3 beside(between(random, -0.3, 0.3), 0, between(random, -0.3, 0.3));
@@ -331,8 +335,9 @@ void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
                 tally.twice += edges.twice;
                 tally.inverted += volume < -1e-7;
                 if (edges.open + edges.twice > 0 || volume < -1e-7 || parted->fans > 0)
-                    fmt::print("{} frame {}: {} open edges, {} twice, least volume {:.3g}, {} fans\n",
-                               what, k, edges.open, edges.twice, volume, parted->fans);
+                    fmt::print(
+                        "{} frame {}: {} open edges, {} twice, least volume {:.3g}, {} fans\n",
+                        what, k, edges.open, edges.twice, volume, parted->fans);
             }
             look_at_clearance(*parted, before, frame, obstacles, 100000 / frames, random, tally,
                               fmt::format("{} frame {}", what, k));
@@ -356,12 +361,13 @@ int main(int argc, char** argv)
     const std::vector<Model> all = models(argc > 3 ? argv[3] : "");
     Tally tally;
     const auto report = [&] {
-        fmt::print("{} passes, {} refused, {} frames: {} open edges, {} twice, {} inverted, {} fans, "
-                   "{} said open, {} beyond the tolerance; {} samples, {} in an obstacle, least "
-                   "clearance {:.3g} m, {:.3g} m certain for the walls; {} changed behind\n",
-                   tally.passes, tally.refused, tally.frames, tally.open, tally.twice,
-                   tally.inverted, tally.fans, tally.said_open, tally.beyond_tolerance,
-                   tally.samples, tally.in_obstacle, tally.clearance, tally.certain, tally.changed);
+        fmt::print(
+            "{} passes, {} refused, {} frames: {} open edges, {} twice, {} inverted, {} fans, "
+            "{} said open, {} beyond the tolerance; {} samples, {} in an obstacle, least "
+            "clearance {:.3g} m, {:.3g} m certain for the walls; {} changed behind\n",
+            tally.passes, tally.refused, tally.frames, tally.open, tally.twice, tally.inverted,
+            tally.fans, tally.said_open, tally.beyond_tolerance, tally.samples, tally.in_obstacle,
+            tally.clearance, tally.certain, tally.changed);
         std::fflush(stdout);
     };
     for (unsigned i = 0; i < passes; ++i) {
@@ -369,7 +375,7 @@ int main(int argc, char** argv)
         if (i % 100 == 99) report();
     }
     report();
-    const bool good = tally.open + tally.twice + tally.inverted + tally.in_obstacle +
-                          tally.changed == 0;
+    const bool good =
+        tally.open + tally.twice + tally.inverted + tally.in_obstacle + tally.changed == 0;
     return good ? 0 : 1;
 }

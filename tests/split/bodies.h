@@ -15,8 +15,8 @@ Mesh ball(const glm::dvec3& middle, double radius, int segments);
 Mesh bar(const std::function<glm::dvec3(double)>& axis, double radius, int pieces = 8);
 
 struct Closedness {
-    std::size_t open = 0;  // directed edges without an opposite one
-    std::size_t twice = 0; // directed edges that are there more than once
+    std::size_t open = 0;    // directed edges without an opposite one
+    std::size_t twice = 0;   // directed edges that are there more than once
     std::size_t unequal = 0; // edges that faces run along more often one way than the other
     long euler = 0;
 };

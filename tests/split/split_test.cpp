@@ -156,8 +156,8 @@ TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
 
 TEST(Kernel, IsBoundedOverIntervals)
 {
-    for (const SplitKernel kernel : {SplitKernel::quadratic, SplitKernel::smooth,
-                                     SplitKernel::gaussian, SplitKernel::hat})
+    for (const SplitKernel kernel :
+         {SplitKernel::quadratic, SplitKernel::smooth, SplitKernel::gaussian, SplitKernel::hat})
         for (double from = 0; from < 1.1; from += 0.0137)
             for (double length = 0.001; length < 1; length *= 2) {
                 const KernelBound bound = kernel_bound(kernel, from, from + length);
@@ -265,7 +265,8 @@ TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
         for (int frame = 0; frame < 9; ++frame) {
             SCOPED_TRACE(frame);
             const Mesh model = ball({0.05, -2 + 0.5 * frame, 0}, 0.9, 40);
-            const std::optional<SplitMesh> parted = split(model, field, {.tolerance = 2e-3, .keep_rest = true});
+            const std::optional<SplitMesh> parted =
+                split(model, field, {.tolerance = 2e-3, .keep_rest = true});
             if (!parted) continue;
             const Closedness closed = closedness(parted->mesh);
             EXPECT_EQ(closed.open, 0u);
