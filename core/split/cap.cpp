@@ -30,28 +30,61 @@ int put_aside(Triangulation& plane, const glm::ivec2& at, int near, std::size_t 
     return -1;
 }
 
-// Leaves out places that are nearer than `distance` to the one kept before them, in parameters. The
-// slivers between the loop and what is left are added to `slivers`.
-RimLoop thinned(const RimLoop& loop, double distance, const CapOptions& options,
-                std::vector<std::array<std::uint32_t, 3>>& slivers)
+// What is left out of a rim, to be closed by slivers: places that are nearer than `distance`, in
+// parameters, to the one kept before them, and others by number.
+struct LeftOut {
+    double steps = 0;         // distance, in steps of the grid
+    std::vector<char> places; // by number, or empty: none
+};
+
+// The loop without what is left out. The slivers between both are added to `slivers`.
+RimLoop thinned(const RimLoop& loop, double distance, const std::vector<char>& left_out,
+                const CapOptions& options, std::vector<std::array<std::uint32_t, 3>>& slivers)
 {
+    const auto kept_first = std::ranges::find_if(
+        loop, [&](std::uint32_t place) { return left_out.empty() || !left_out[place]; });
+    if (kept_first == loop.end()) return {};
+    RimLoop turned(kept_first, loop.end());
+    turned.insert(turned.end(), loop.begin(), kept_first);
     RimLoop out;
     std::uint32_t last = 0; // place before the present one, kept or not
-    for (const std::uint32_t place : loop) {
+    for (const std::uint32_t place : turned) {
         const bool near = !out.empty() && glm::distance(options.places[out.back()],
                                                         options.places[place]) < distance;
         if (!out.empty() && last != out.back()) slivers.push_back({out.back(), last, place});
-        if (!near) out.push_back(place);
+        if (!near && (left_out.empty() || !left_out[place])) out.push_back(place);
         last = place;
     }
     if (last != out.back()) slivers.push_back({out.back(), last, out.front()});
     return out;
 }
 
-// Triangulates the region to the left of loops, without places that are nearer than `thin` steps of
-// the grid to others. Returns false, with nothing added, where edges cross or meet on the grid, or
-// do not enclose it.
-bool triangulate_thinned(const std::vector<const RimLoop*>& loops, double thin,
+// The places between edges of one loop that cross and are near to each other along it: a rim whose
+// surface all but touches the cut surface may fold over itself by a little.
+std::vector<char> tangled(const std::vector<const RimLoop*>& loops, const CapOptions& options)
+{
+    constexpr std::size_t most = 8; // edges apart
+    std::vector<char> out(options.places.size(), 0);
+    const auto turn = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    };
+    for (const RimLoop* loop : loops) {
+        const std::size_t n = loop->size();
+        const auto at = [&](std::size_t i) { return options.places[(*loop)[i % n]]; };
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = i + 2; j <= i + most && j + 1 < i + n; ++j) {
+                const glm::dvec2 a = at(i), b = at(i + 1), c = at(j), d = at(j + 1);
+                if (turn(a, b, c) * turn(a, b, d) > 0 || turn(c, d, a) * turn(c, d, b) > 0)
+                    continue;
+                for (std::size_t k = i + 1; k <= j; ++k) out[(*loop)[k % n]] = 1;
+            }
+    }
+    return out;
+}
+
+// Triangulates the region to the left of loops, but for what is left out. Returns false, with
+// nothing added, where edges cross or meet on the grid, or do not enclose it.
+bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut& left_out,
                          const CapOptions& options, FlatCap& cap)
 {
     glm::dvec2 lo(1e300), hi(-1e300);
@@ -70,7 +103,8 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, double thin,
     std::vector<std::pair<int, int>> edges;
     std::vector<std::array<std::uint32_t, 3>> slivers;
     for (const RimLoop* whole : loops) {
-        const RimLoop loop = thinned(*whole, thin / scale, options, slivers);
+        const RimLoop loop =
+            thinned(*whole, left_out.steps / scale, left_out.places, options, slivers);
         if (loop.size() < 3) return false;
         std::vector<int> points(loop.size(), -1);
         // Every second one of those that are left comes next: in their order along a round loop
@@ -119,12 +153,16 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, double thin,
     return true;
 }
 
-// The same with as little left out as possible: where places are so near to each other that
-// rounding them to single precision makes the rim cross itself.
+// The same with as little left out as possible.
 bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
 {
-    for (const double thin : {0.0, 16.0, 256.0, 4096.0})
-        if (triangulate_thinned(loops, thin, options, cap)) return true;
+    // Where places are near to each other, rounding to single precision may make the rim cross
+    // itself
+    for (const double steps : {0.0, 16.0, 256.0})
+        if (triangulate_thinned(loops, {steps, {}}, options, cap)) return true;
+    const std::vector<char> places = tangled(loops, options);
+    for (const double steps : {16.0, 256.0, 4096.0})
+        if (triangulate_thinned(loops, {steps, places}, options, cap)) return true;
     return false;
 }
 
