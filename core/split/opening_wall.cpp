@@ -102,7 +102,8 @@ void certify(const ObstacleColumns& columns, const CutSurface& surface, double c
     constexpr double least_clearance = 1e-4; // metres: with less nothing is made certain
     if (clearance < least_clearance) return;
     for (int round = 0; round < most_lifts; ++round) {
-        const WallCertificate known = certificate(columns, surface, wall, side, clearance / 2);
+        const WallCertificate known =
+            certificate(columns, surface, wall.height, side, clearance / 2);
         wall.clear = known.clear;
         if (known.too_near.empty()) return;
         std::vector<Need> samples;

@@ -24,14 +24,14 @@ using Triangle = std::array<Corner, 3>;
 
 class Judge {
 public:
-    Judge(const CutSurface& surface, const OpeningWall& wall, std::size_t side, double wanted,
+    Judge(const CutSurface& surface, const Surface<double>& wall, std::size_t side, double wanted,
           int most_halvings)
         : surface_(surface),
-          wall_(wall.height),
+          wall_(wall),
           surface_bounds_(surface, false),
-          wall_bounds_(wall.height, true),
-          lo_(wall.lo()),
-          hi_(wall.hi()),
+          wall_bounds_(wall, true),
+          lo_(wall.axes[0].begin(), wall.axes[1].begin()),
+          hi_(wall.axes[0].end(), wall.axes[1].end()),
           sign_(side == 0 ? -1 : 1),
           wanted_(wanted),
           most_halvings_(most_halvings)
@@ -97,7 +97,7 @@ private:
 } // namespace
 
 WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
-                            const OpeningWall& wall, std::size_t side, double wanted)
+                            const Surface<double>& wall, std::size_t side, double wanted)
 {
     const std::vector<glm::uvec3>& triangles = obstacle.triangles();
     const auto share = all_halvings / std::max<std::size_t>(1, triangles.size());

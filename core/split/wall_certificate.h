@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/split/obstacle_columns.h"
-#include "core/split/opening_wall.h"
+#include "core/split/cut_surface.h"
 
 namespace trivar {
 
@@ -18,6 +17,6 @@ struct WallCertificate {
 // both; triangles for which that does not suffice are halved, up to some thousand times. About 0.2
 // microseconds a triangle, in parallel.
 WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
-                            const OpeningWall& wall, std::size_t side, double wanted);
+                            const Surface<double>& wall, std::size_t side, double wanted);
 
 } // namespace trivar
