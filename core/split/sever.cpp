@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/sever.h"
+
+#include "core/base/parallel.h"
+#include "core/split/cap.h"
+#include "core/split/halve_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t heights_per_turn = 1 << 12;
+constexpr int most_halvings = 16;
+constexpr double least_share_of_heights = 2e-4; // of that at the other end of an edge
+// Of the error of a function that is linear over a triangle, with the bounds of CutSheet::bends:
+// twice the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
+constexpr double share_of_bends = 1.0 / 6;
+
+// Heights of the vertices that have none yet.
+void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& sheet)
+{
+    const std::size_t first = heights.size();
+    heights.resize(mesh.vertex_count());
+    parallel_blocks(heights.size() - first, heights_per_turn,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = first + begin; v < first + end; ++v)
+                            heights[v] = sheet.height(sheet.uvw(glm::dvec3(mesh.positions[v])));
+                    });
+}
+
+// Moves heights away from 0 so far that a place on an edge is never nearer to an end than cut()
+// lets it be. All places then lie on the zeros of one function that grows along u: clamped one by
+// one, those round a vertex could run back and forth over each other on a face that is parallel to
+// u. Returns by how much the cut moved at most.
+double keep_apart(std::vector<double>& heights, const Mesh& mesh)
+{
+    std::vector<double> least(point_count(mesh), 0);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        double lo = 0, hi = 0;
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            lo = std::min(lo, heights[mesh.corners[c]]);
+            hi = std::max(hi, heights[mesh.corners[c]]);
+        }
+        if (!(lo < 0)) continue;
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const std::uint32_t v = mesh.corners[c];
+            double& each = least[mesh.point(v)];
+            each = std::max(each, least_share_of_heights * (heights[v] >= 0 ? -lo : hi));
+        }
+    }
+    double most = 0;
+    for (std::size_t v = 0; v < heights.size(); ++v) {
+        const double apart = least[mesh.point(static_cast<std::uint32_t>(v))];
+        if (std::abs(heights[v]) >= apart) continue;
+        most = std::max(most, apart - std::abs(heights[v]));
+        heights[v] = heights[v] >= 0 ? apart : -apart;
+    }
+    return most;
+}
+
+// Halves edges of triangles through which a curved surface goes, until all are fine enough.
+// Returns the bound of how far the cut is from the surface.
+double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet,
+                 const SeverOptions& options)
+{
+    mesh = triangulated(mesh);
+    std::vector<std::uint32_t> open(mesh.face_count());
+    std::iota(open.begin(), open.end(), 0u);
+    double fine = 0;
+    for (int round = 0;; ++round) {
+        EdgeNumbers marked;
+        double worst = 0;
+        for (const std::uint32_t f : open) {
+            const std::uint32_t* const c = mesh.corners.data() + 3 * std::size_t{f};
+            std::array<glm::dvec2, 3> vw;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::dvec3 uvw = sheet.uvw(glm::dvec3(mesh.positions[c[i]]));
+                vw[i] = {uvw.y, uvw.z};
+            }
+            const std::array<double, 3> bends = sheet.bends(vw);
+            const double off = share_of_bends * std::ranges::max(bends);
+            const auto [least, most] = std::minmax({heights[c[0]], heights[c[1]], heights[c[2]]});
+            if (least > off || most < -off) continue; // the surface does not meet it
+            worst = std::max(worst, off);
+            if (off <= options.tolerance) {
+                fine = std::max(fine, off);
+                continue;
+            }
+            for (std::size_t i = 0; i < 3; ++i)
+                if (share_of_bends * bends[i] > options.tolerance)
+                    marked.add(mesh.point(c[i]), mesh.point(c[(i + 1) % 3]));
+        }
+        if (marked.count() == 0) return fine;
+        if (round >= most_halvings || mesh.face_count() >= options.most_triangles) return worst;
+        open = halve_edges(mesh, marked);
+        measure(heights, mesh, sheet);
+    }
+}
+
+// Where caps get values of morph targets: from the rim of the same half, by the copies of the edges
+// that were cut; points inside from all of these, the nearer the more.
+void carry_to_caps(CutMesh& cut, const Caps& caps)
+{
+    const std::size_t places = cut.places.size();
+    const std::size_t per_half = (cut.mesh.vertex_count() - caps.first_vertex) / 2;
+    for (Mesh::MorphTarget& target : cut.mesh.morph_targets)
+        for (std::size_t half = 0; half < 2; ++half)
+            for (std::size_t k = 0; k < per_half && !target.positions.empty(); ++k) {
+                const std::size_t first = caps.first_vertex + half * per_half;
+                if (k < places) {
+                    target.positions[first + k] =
+                        target.positions[cut.first_vertex + 2 * cut.edge_of_place[k] + half];
+                    continue;
+                }
+                glm::dvec3 sum(0);
+                double all = 0;
+                for (std::size_t p = 0; p < places; ++p) {
+                    const glm::dvec2 way = caps.parameters[k] - caps.parameters[p];
+                    const double weight = 1 / std::max(1e-300, glm::dot(way, way));
+                    sum += weight * glm::dvec3(target.positions[first + p]);
+                    all += weight;
+                }
+                target.positions[first + k] = glm::vec3(sum / all);
+            }
+}
+
+// The faces of one half, with the vertices that they use.
+Mesh half_of(const CutMesh& cut, bool above)
+{
+    const Mesh& all = cut.mesh;
+    Mesh out = all;
+    out.corners.clear();
+    out.face_begin = {0};
+    out.face_material.clear();
+    out.face_group.clear();
+    for (std::size_t f = 0; f < all.face_count(); ++f) {
+        const std::uint32_t begin = all.face_begin[f], end = all.face_begin[f + 1];
+        if ((cut.above[all.corners[begin]] != 0) != above) continue;
+        add_face(out, {all.corners.data() + begin, end - begin});
+        if (!all.face_material.empty()) out.face_material.push_back(all.face_material[f]);
+        if (!all.face_group.empty()) out.face_group.push_back(all.face_group[f]);
+    }
+    return without_loose_vertices(std::move(out));
+}
+
+} // namespace
+
+std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const SeverOptions& options,
+                             bool& above)
+{
+    std::vector<double> heights;
+    measure(heights, given, sheet);
+    const auto is_above = [](double height) { return height >= 0; };
+    const bool none = std::ranges::none_of(heights, is_above);
+    above = !none;
+    // Between vertices on one side a curved surface may still go through
+    if (sheet.is_flat() && (none || std::ranges::all_of(heights, is_above))) return std::nullopt;
+
+    Mesh mesh = given;
+    mesh.creases.clear();
+    if (mesh.points.empty()) mesh.points = points_by_position(mesh.positions);
+    Severed out;
+    if (!sheet.is_flat()) out.off = make_fine(mesh, heights, sheet, options);
+    out.off += keep_apart(heights, mesh);
+    CutMesh cut_mesh = cut(mesh, heights);
+    if (cut_mesh.rim.empty() && (none || std::ranges::all_of(heights, is_above)))
+        return std::nullopt;
+    if (options.capped) {
+        CapOptions closing;
+        for (const glm::vec3& place : cut_mesh.places) {
+            const glm::dvec3 uvw = sheet.uvw(glm::dvec3(place));
+            closing.places.emplace_back(uvw.y, uvw.z);
+        }
+        const auto off = [&](const std::array<glm::dvec2, 3>& vw) {
+            return share_of_bends * std::ranges::max(sheet.bends(vw));
+        };
+        closing.point = [&](const glm::dvec2& vw) { return sheet.point(vw); };
+        closing.normal = [&](const glm::dvec2& vw) { return sheet.normal(vw); };
+        if (!sheet.is_flat())
+            closing.too_coarse = [&](const std::array<glm::dvec2, 3>& vw) {
+                return off(vw) > options.tolerance;
+            };
+        closing.material = options.material;
+        const Caps caps = cap(cut_mesh, closing);
+        carry_to_caps(cut_mesh, caps);
+        out.fans = caps.fans;
+        out.open = caps.open;
+        for (std::size_t f = caps.first_face; f < cut_mesh.mesh.face_count(); ++f) {
+            std::array<glm::dvec2, 3> vw;
+            for (std::size_t i = 0; i < 3; ++i)
+                vw[i] = caps.parameters[cut_mesh.mesh.corners[cut_mesh.mesh.face_begin[f] + i] -
+                                        caps.first_vertex];
+            out.off = std::max(out.off, off(vw));
+        }
+    }
+    for (const bool up : {false, true}) out.halves[up ? 1 : 0] = half_of(cut_mesh, up);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/split/cut_sheet.h"
+
+#include <optional>
+
+namespace trivar {
+
+struct SeverOptions {
+    // Units of the cut's space: no point of the cut is further from a curved surface than that, as
+    // long as there are at most that number of triangles.
+    double tolerance = 1e-3;
+    std::size_t most_triangles = 4000000;
+    bool capped = true;         // closed with caps; otherwise the halves are open
+    std::uint32_t material = 0; // face_material of the caps
+};
+
+// Severed is a mesh that was cut in two: below and above. A half may have no faces.
+struct Severed {
+    std::array<Mesh, 2> halves;
+    std::size_t fans = 0, open = 0; // see Caps
+    double off = 0; // units of the cut's space: bound of the distance of the cut from the surface
+};
+
+// Cuts a mesh along a surface and closes both halves. A curved surface is met by triangles that are
+// fine enough there. Vertices that are not on the cut keep their bits and their order. Morph
+// targets go along; those of caps come from their rims. None: all of the mesh is on one side, that
+// of `above`.
+std::optional<Severed> sever(const Mesh& mesh, const CutSheet& sheet, const SeverOptions& options,
+                             bool& above);
+
+} // namespace trivar
