@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t heights_per_turn = 1 << 12;
 constexpr int most_halvings = 16;
+constexpr double share_of_tolerance = 0.8;      // of the surface; the rest is for keep_apart()
 constexpr double least_share_of_heights = 2e-4; // of that at the other end of an edge
 // Of the error of a function that is linear over a triangle, with the bounds of CutSheet::bends:
 // twice the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
@@ -69,6 +70,7 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
     mesh = triangulated(mesh);
     std::vector<std::uint32_t> open(mesh.face_count());
     std::iota(open.begin(), open.end(), 0u);
+    const double tolerance = share_of_tolerance * options.tolerance;
     double fine = 0;
     for (int round = 0;; ++round) {
         EdgeNumbers marked;
@@ -85,12 +87,12 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
             const auto [least, most] = std::minmax({heights[c[0]], heights[c[1]], heights[c[2]]});
             if (least > off || most < -off) continue; // the surface does not meet it
             worst = std::max(worst, off);
-            if (off <= options.tolerance) {
+            if (off <= tolerance) {
                 fine = std::max(fine, off);
                 continue;
             }
             for (std::size_t i = 0; i < 3; ++i)
-                if (share_of_bends * bends[i] > options.tolerance)
+                if (share_of_bends * bends[i] > tolerance)
                     marked.add(mesh.point(c[i]), mesh.point(c[(i + 1) % 3]));
         }
         if (marked.count() == 0) return fine;
