@@ -13,7 +13,7 @@ namespace trivar {
 namespace {
 
 constexpr std::size_t heights_per_turn = 1 << 12;
-constexpr int most_halvings = 16;
+constexpr int most_edge_halvings = 16;
 constexpr double share_of_tolerance = 0.8;      // of the surface; the rest is for keep_apart()
 constexpr double least_share_of_heights = 2e-4; // of that at the other end of an edge
 // Of the error of a function that is linear over a triangle, with the bounds of CutSheet::bends:
@@ -96,7 +96,7 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
                     marked.add(mesh.point(c[i]), mesh.point(c[(i + 1) % 3]));
         }
         if (marked.count() == 0) return fine;
-        if (round >= most_halvings || mesh.face_count() >= options.most_triangles) return worst;
+        if (round >= most_edge_halvings || mesh.face_count() >= options.most_triangles) return worst;
         open = halve_edges(mesh, marked);
         measure(heights, mesh, sheet);
     }
