@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/copied_tiling.h"
+#include "core/commands/cut.h"
 #include "core/commands/heights.h"
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
@@ -68,6 +69,7 @@ struct CopiedObject {
     std::optional<Simplifying> simplifying;
     std::optional<Unwrapping> unwrapping = {};
     std::optional<CopiedTiling> tiling = {};
+    std::optional<Cutting> cutting = {};
     std::optional<CopiedSplitting> splitting = {};
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
@@ -128,6 +130,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("simplifying", c.simplifying, "how its triangles are reduced");
         field("unwrapping", c.unwrapping, "how its texture coordinates are made");
         field("tiling", c.tiling, "how copies of it are painted on another object");
+        field("cutting", c.cutting, "where it is cut in pieces");
         field("splitting", c.splitting, "what parts it, and how its halves are closed");
         field("tracks", c.tracks, "its animated parameters with their keys", later);
     }

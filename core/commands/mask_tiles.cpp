@@ -3,10 +3,10 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
+#include "core/commands/entry_tracks.h"
 #include "core/commands/field_words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -24,30 +24,6 @@ std::size_t mask_index(const Document& document, Id id, int number)
 std::string drives_word(const TileMask& mask)
 {
     return std::string(choice_names<MaskDrives>[static_cast<std::size_t>(mask.drives)]);
-}
-
-// The tracks of an object whose masks of these numbers are no longer there: those of the others
-// keep their mask.
-std::vector<Track> without_masks(const Tracks& tracks, const std::vector<char>& gone)
-{
-    static constexpr std::string_view begin = "tiles.masks.";
-    std::vector<Track> out;
-    for (Track track : tracks) {
-        std::size_t index = 0;
-        const std::string& name = track.parameter;
-        if (name.starts_with(begin)) {
-            const char* first = name.data() + begin.size();
-            const auto [rest, error] = std::from_chars(first, name.data() + name.size(), index);
-            if (error != std::errc() || index >= gone.size() || gone[index] != 0) continue;
-            const auto before =
-                std::count(gone.begin(), gone.begin() + static_cast<long>(index), char{1});
-            track.parameter = fmt::format("{}{}{}", begin, index - static_cast<std::size_t>(before),
-                                          std::string_view(rest, name.data() + name.size()));
-        }
-        out.push_back(std::move(track));
-    }
-    std::ranges::sort(out, {}, &Track::parameter);
-    return out;
 }
 
 } // namespace
@@ -101,7 +77,7 @@ Document applied(Document document, const RemoveTileMasks& command)
         for (std::size_t i = 0; i < gone.size(); ++i)
             if (gone[i] == 0) rest.push_back(o.tiles->masks[i]);
         o.tiles->masks = std::move(rest);
-        o.tracks = without_masks(o.tracks, gone);
+        o.tracks = without_entries(o.tracks, "tiles.masks.", gone);
     });
 }
 

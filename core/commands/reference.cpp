@@ -226,6 +226,9 @@ std::string commands_markdown()
         "## tile sample\n\nA point of such a stroke.\n\n" + field_table(fields_of(TileSample{}));
     text += "## tile cover\n\nHow tiles cover a whole surface.\n\n" +
             field_table(fields_of(TileCover{}));
+    text += "## obstacle\n\nWhat parts an object.\n\n" + field_table(fields_of(ObstacleUse{}));
+    text += "## plain cut\n\nA plane or a stroke that cuts an object in two.\n\n" +
+            field_table(fields_of(PlainCut{}));
     text += "## tile mask\n\nWhere a layer has more tiles, larger or higher ones.\n\n" +
             field_table(fields_of(TileMask{}));
     text +=

@@ -9,6 +9,7 @@
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
+#include "core/split/cutting.h"
 #include "core/split/splitting.h"
 #include "core/tiles/tile_cover.h"
 #include "core/tiles/tile_mask.h"
@@ -139,6 +140,7 @@ struct Object {
     std::optional<Simplifying> simplifying = {};
     std::optional<Unwrapping> unwrapping = {};
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
+    std::optional<Cutting> cutting = {};
     std::optional<Splitting> splitting = {};
     Tracks tracks = {}; // of the numbers that change in time, by parameter
     bool operator==(const Object&) const = default;

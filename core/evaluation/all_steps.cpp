@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/cutting.h"
 #include "core/evaluation/lacking.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/laying.h"
@@ -44,6 +45,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
     steps.push_back(std::make_unique<RefiningStep>());
+    steps.push_back(std::make_unique<CuttingStep>());
     steps.push_back(std::make_unique<SplittingStep>());
     return steps;
 }

@@ -2,6 +2,7 @@
 #include "core/evaluation/splitting.h"
 
 #include "core/base/rejected.h"
+#include "core/evaluation/inside_material.h"
 #include "core/split/split.h"
 
 #include <algorithm>
@@ -15,27 +16,6 @@ SplitFrame frame_of(const Splitting& splitting)
     const glm::dvec3 u = glm::normalize(splitting.opening);
     const glm::dvec3 v = glm::normalize(splitting.way - u * glm::dot(u, splitting.way));
     return {glm::dvec3(0), glm::dmat3(u, v, glm::cross(u, v))};
-}
-
-// The materials beside those of the shape, and the number of the one of the insides.
-struct InsideMaterial {
-    Ref<std::vector<Material>> beside;
-    std::uint32_t number = 0;
-};
-
-InsideMaterial inside_material(const Stage& stage, Filling filling)
-{
-    InsideMaterial out{stage.mixed_materials, 0};
-    if (filling == Filling::none) return out;
-    std::vector<Material> all;
-    if (stage.mixed_materials) all = *stage.mixed_materials;
-    out.number = static_cast<std::uint32_t>(stage.shape->materials->size() + all.size());
-    Material inside;
-    inside.name = "inside";
-    inside.filling = filling;
-    all.push_back(inside);
-    out.beside = make_ref(std::move(all));
-    return out;
 }
 
 Part parted(const Part& part, const SplitMesh& made, bool filled)
@@ -52,7 +32,7 @@ Part parted(const Part& part, const SplitMesh& made, bool filled)
     return out;
 }
 
-Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_filled,
+Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
                   const Ref<SplitField>& field)
 {
     Stage out = before;
@@ -64,9 +44,6 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
     options.material = inside.number;
     std::size_t open = 0, gaps = 0, fans = 0;
     bool any = false;
-    const auto is_filled = [](const Material& m) { return m.filling != Filling::none; };
-    const bool filled = splitting.inside != Filling::none || surface_filled ||
-                        std::ranges::any_of(*before.shape->materials, is_filled);
     options.keep_rest = filled;
     for (Part& part : out.parts) {
         Mesh world = part.to_world == glm::dmat4(1) ? *part.mesh()
@@ -83,7 +60,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool surface_
         part = parted(part, *made, filled);
     }
     if (!any) return out;
-    out.whole_parts = before.parts;
+    out.whole_parts = before.whole();
     out.mixed_materials = inside.beside;
     if (open > 0 && splitting.capped)
         out.notices.push_back("it is a sheet where it is cut, without an inside to close");
@@ -140,8 +117,7 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
         out.notices.push_back("nothing of its obstacles is there, so it is parted by nothing");
         return make_ref(std::move(out));
     }
-    const std::optional<Surfacing>& surfacing = input.object.surfacing;
-    const bool filled = surfacing && surfacing->filling != Filling::none;
+    const bool filled = is_filled(*before, splitting->inside, input.object.surfacing);
     try {
         return timed(input.timings, "split", [&] {
             const Ref<SplitField> field = fields_(key, [&] {

@@ -76,6 +76,11 @@ struct UnwrappingEffects {
     Ref<UnwrapFacts> unwrapped; // null: its texture coordinates are those of its file
 };
 
+struct CuttingEffects {
+    std::size_t pieces = 0; // into which it is cut; 0: nothing cuts it
+    double cut_off = 0;     // metres: bound of the distance of its cuts from curved cut surfaces
+};
+
 struct SplittingEffects {
     // The field that parts it, where it stands at this frame; null: it is parted by nothing.
     Ref<SplitField> split_field;
@@ -93,6 +98,7 @@ struct Stage : SimplifyingEffects,
                TravelEffects,
                RefiningEffects,
                TilingEffects,
+               CuttingEffects,
                SplittingEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be empty

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/split_actions.h"
 
+#include "core/commands/cut.h"
 #include "core/commands/split.h"
 #include "editor/editor.h"
 #include "editor/tools/split.h"
@@ -34,6 +35,14 @@ std::vector<Id> selected_parted(const Editor& e)
     return out;
 }
 
+std::vector<Id> selected_cut(const Editor& e)
+{
+    std::vector<Id> out;
+    for (const Id id : e.session.selected.ids())
+        if (object(e.session.document(), id).cutting) out.push_back(id);
+    return out;
+}
+
 } // namespace
 
 void add_split_actions(std::vector<Action>& actions)
@@ -54,6 +63,12 @@ void add_split_actions(std::vector<Action>& actions)
                        [](Editor& e) { e.session.run(ClearSplit{selected_parted(e)}); },
                        {[](const Editor& e) { return !selected_parted(e).empty(); },
                         "select an object that is parted by obstacles first"}});
+    actions.push_back({"Tools",
+                       "Clear cuts",
+                       {},
+                       [](Editor& e) { e.session.run(ClearCuts{selected_cut(e)}); },
+                       {[](const Editor& e) { return !selected_cut(e).empty(); },
+                        "select an object that is cut first"}});
 }
 
 } // namespace trivar

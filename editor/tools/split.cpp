@@ -6,6 +6,7 @@
 #include "core/document/parameters.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/topics.h"
+#include "editor/tools/cut_picture.h"
 #include "editor/tools/select.h"
 #include "editor/tools/split_picture.h"
 #include "ui/icons.h"
@@ -108,6 +109,20 @@ std::vector<Id> SplitTool::chosen(const Session& session)
 
 void SplitTool::use(Session& session, const ViewportInput& input)
 {
+    if (at_ == SplitAt::obstacle) return use_obstacles(session, input);
+    if (!cut_.going()) {
+        if (!input.pressed || session.committing()) return;
+        if (!cut_.begin(session, input, at_ == SplitAt::plane))
+            return select_by_click(session, input.under);
+    }
+    Cutting settings;
+    settings.capped = settings_.capped;
+    settings.inside = settings_.inside;
+    cut_.go_on(session, input, one_, settings);
+}
+
+void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
+{
     if (session.committing()) return;
     const std::vector<Id> objects = chosen(session);
     const Id seen = input.hovered && input.seen_at ? input.seen_at(input.mouse) : Id{0};
@@ -148,6 +163,7 @@ void SplitTool::use(Session& session, const ViewportInput& input)
 
 void SplitTool::cancel(Session& session)
 {
+    cut_.cancel(session);
     if (shown_ == 0) return;
     shown_ = 0;
     session.cancel();
@@ -160,6 +176,12 @@ std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme&
         if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
             for (gpu::Line& line : lines_of(*each->split_field, theme))
                 out.push_back(std::move(line));
+    if (at_ == SplitAt::obstacle) return out;
+    for (const Id id : chosen(session))
+        if (const EvaluatedObject* each = shown_object(session, id))
+            if (const std::optional<Cutting>& cutting = object(session.document(), id).cutting)
+                for (gpu::Line& line : borders_of(*each, *cutting, theme))
+                    out.push_back(std::move(line));
     return out;
 }
 
@@ -170,12 +192,51 @@ std::vector<gpu::Translucent> SplitTool::veils(const Session& session, const ui:
         if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
             for (gpu::Translucent& veil : walls_of(*each->split_field, theme))
                 out.push_back(std::move(veil));
+    if (at_ == SplitAt::obstacle) return out;
+    for (const Id id : chosen(session))
+        if (const EvaluatedObject* each = shown_object(session, id))
+            if (const std::optional<Cutting>& cutting = object(session.document(), id).cutting)
+                for (gpu::Translucent& veil : sheets_of(*each, *cutting, theme))
+                    out.push_back(std::move(veil));
     return out;
 }
 
-void SplitTool::options(Session&, const ui::Theme& theme, float width)
+void SplitTool::set_at(Session& session, SplitAt at)
+{
+    if (at == at_) return;
+    cancel(session);
+    at_ = at;
+}
+
+void SplitTool::options(Session& session, const ui::Theme& theme, float width)
 {
     std::vector<ui::Option> options;
+    options.push_back({"At", 84,
+                       [&](float field) {
+                           int at = static_cast<int>(at_);
+                           ui::choice(theme, "at", at, {"Obstacle", "Plane", "Stroke"}, field);
+                           set_at(session, static_cast<SplitAt>(at));
+                       },
+                       "Part it round an obstacle, or cut it along a line or a stroke."});
+    if (at_ == SplitAt::obstacle)
+        add_obstacle_options(options, theme);
+    else
+        add_cut_options(options, theme);
+    options.push_back({"Inside", 84,
+                       [&](float field) {
+                           int inside = static_cast<int>(settings_.inside);
+                           ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh"}, field);
+                           settings_.inside = static_cast<Filling>(inside);
+                       },
+                       "What fills it, seen where it opens."});
+    options.push_back({"Closed", 24,
+                       [&](float) { ui::check_box(theme, "closed", settings_.capped, ""); },
+                       "Close both halves, so that they stay solid."});
+    ui::option_bar(theme, options, width);
+}
+
+void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+{
     options.push_back({"Clearance", 84,
                        [&](float field) {
                            ui::number_field(theme, "clearance", use_.clearance,
@@ -197,24 +258,34 @@ void SplitTool::options(Session&, const ui::Theme& theme, float width)
              use_.kernel = static_cast<SplitKernel>(kernel);
          },
          "How the opening fades."});
-    options.push_back({"Inside", 84,
+}
+
+void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+{
+    options.push_back({"Keep", 112,
                        [&](float field) {
-                           int inside = static_cast<int>(settings_.inside);
-                           ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh"}, field);
-                           settings_.inside = static_cast<Filling>(inside);
+                           int keep = static_cast<int>(one_.keep);
+                           ui::choice(theme, "keep", keep, {"Both parts", "Above", "Below"}, field);
+                           one_.keep = static_cast<CutKeep>(keep);
                        },
-                       "What fills it, seen where it opens."});
-    options.push_back({"Closed", 24,
-                       [&](float) { ui::check_box(theme, "closed", settings_.capped, ""); },
-                       "Close both halves, so that they stay solid."});
-    ui::option_bar(theme, options, width);
+                       "What stays; above a line from left to right is what is seen above it."});
+    options.push_back({"Gap", 84,
+                       [&](float field) {
+                           ui::number_field(theme, "gap", one_.gap,
+                                            {.lo = -10000, .hi = 10000, .unit = "m"}, field);
+                       },
+                       "How far both parts stand apart."});
 }
 
 std::vector<Hint> SplitTool::hints(const Session& session) const
 {
+    if (cut_.going()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
     if (chosen(session).empty())
         return {{{"left"}, "Select what is to be parted"}, {{"Esc"}, "Select"}};
-    return {{{"left"}, "Click an obstacle"}, {{"middle"}, "Orbit"}, {{"Esc"}, "Select"}};
+    const char* verb = at_ == SplitAt::obstacle ? "Click an obstacle"
+                       : at_ == SplitAt::plane  ? "Drag a line across it"
+                                                : "Draw across it";
+    return {{{"left"}, verb}, {{"middle"}, "Orbit"}, {{"Esc"}, "Select"}};
 }
 
 } // namespace trivar

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/commands/split.h"
-#include "editor/tools/tool.h"
+#include "editor/tools/cut_gesture.h"
+#include "ui/option_bar.h"
 
 namespace trivar {
 
@@ -13,31 +14,47 @@ namespace trivar {
 std::optional<Split> split_at(const Session& session, const std::vector<Id>& objects, Id obstacle,
                               std::string* why = nullptr);
 
+enum class SplitAt { obstacle, plane, stroke };
+
 // Lets a click on an obstacle part what is selected, and shows the cut surface, both walls and the
-// gap between them: under the mouse before the click, and of what is parted already.
+// gap between them: under the mouse before the click, and of what is parted already. Or cuts the
+// active object along a line or a stroke that is drawn over it.
 class SplitTool : public Tool {
 public:
     std::string name() const override { return "Split"; }
     const char* icon() const override;
     std::string help() const override
     {
-        return "Let an object part round obstacles and close behind them.";
+        return "Let an object part round obstacles, or cut it by a plane or a stroke.";
     }
     std::string page() const override { return "split"; }
     std::vector<ui::Chord> keys() const override { return {{'K'}}; }
     void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return cut_.going(); }
+    bool crosshair() const override { return at_ != SplitAt::obstacle; }
     void cancel(Session& session) override;
+    void overlay(const Session&, const ui::Theme& theme, const ViewportInput& input) const override
+    {
+        cut_.paint(theme, input);
+    }
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     std::vector<gpu::Translucent> veils(const Session& session,
                                         const ui::Theme& theme) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
     std::vector<Hint> hints(const Session& session) const override;
+    void set_at(Session& session, SplitAt at); // as in the options bar
 
 private:
     // What is selected and can be parted.
     static std::vector<Id> chosen(const Session& session);
+    void use_obstacles(Session& session, const ViewportInput& input);
+    void add_obstacle_options(std::vector<ui::Option>& options, const ui::Theme& theme);
+    void add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme);
 
-    Splitting settings_; // of what it parts anew
+    SplitAt at_ = SplitAt::obstacle;
+    CutGesture cut_;
+    PlainCut one_{.gap = 0.1}; // how the next cut keeps and opens
+    Splitting settings_;       // of what it parts anew; what it cuts is closed and filled like that
     ObstacleUse use_;
     Id shown_ = 0; // the obstacle of which the opening is proposed; 0: none is
 };

@@ -191,7 +191,10 @@ std::vector<Command> fitting_commands()
             Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
             ClearUnwrap{.objects = {1}},
             Split{.objects = {1}, .splitting = {.obstacles = {{2}}}},
-            ClearSplit{.objects = {1}}};
+            ClearSplit{.objects = {1}},
+            CutThrough{.objects = {1}, .cutting = {.cuts = {{.point = {0, 0, 0.2}, .gap = 0.1}}}},
+            RemoveCut{.object = 1, .number = 1},
+            ClearCuts{.objects = {1}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -99,6 +99,9 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Give Table its own UVs back",
         "Split Table at Ball",
         "Close Table",
+        "Cut through Table",
+        "Remove cut 1 of Table",
+        "Make Table whole",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

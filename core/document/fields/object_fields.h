@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/fields/attachment_fields.h"
+#include "core/document/fields/cutting_fields.h"
 #include "core/document/fields/import_fields.h"
 #include "core/document/fields/lattice_fields.h"
 #include "core/document/fields/placement_fields.h"
@@ -75,6 +76,8 @@ template <> struct FieldsOf<Object> {
         field("unwrapping", o.unwrapping, "how its texture coordinates are made",
               any_value.counts(Counting::marked).without_keys());
         field("tiles", o.tiles, "how copies of it are painted on another object",
+              any_value.counts(Counting::marked));
+        field("cutting", o.cutting, "where it is cut in pieces",
               any_value.counts(Counting::marked));
         field("splitting", o.splitting, "what parts it, and how its halves are closed",
               any_value.counts(Counting::marked));

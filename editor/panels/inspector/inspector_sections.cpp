@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_sections.h"
 
+#include "editor/panels/inspector/inspector_cuts.h"
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_split.h"
@@ -44,6 +45,11 @@ bool is_parted(const Document& document, Id id)
     return object(document, id).splitting.has_value();
 }
 
+bool is_cut(const Document& document, Id id)
+{
+    return object(document, id).cutting.has_value();
+}
+
 bool always(const Document&, Id)
 {
     return true;
@@ -56,6 +62,7 @@ const std::vector<InspectorSection>& inspector_sections()
     static const std::vector<InspectorSection> all{
         {is_placed, draw_placement},
         {is_tile_layer, draw_tiles},
+        {is_cut, draw_cuts},
         {is_parted, draw_split},
         {is_made_of<LatticeShape>, draw_lattice},
         {has_a_volume, draw_shaping},

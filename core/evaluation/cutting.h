@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/recent.h"
+#include "core/evaluation/step.h"
+
+namespace trivar {
+
+// CuttingStep cuts what an object shows into pieces, as it stands at the frame: what was drawn over
+// a bent, posed or tiled model is what is cut. Every piece is a part by itself, so that a gap that
+// opens only moves parts. Stage: cut.
+class CuttingStep : public Step {
+public:
+    Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
+
+    // A piece of a part; without a mesh it is all of the part.
+    struct Piece {
+        Ref<Mesh> mesh = nullptr;
+        Ref<Mesh> rest = nullptr; // see Part::before_split
+        unsigned sides = 0;       // bit i: above cut i
+        Box bounds = {};
+    };
+    struct Pieces {
+        std::vector<std::vector<Piece>> of_parts;
+        std::size_t open = 0, fans = 0; // see Caps
+        double off = 0;                 // metres
+    };
+    // What pieces come from; gaps are 0 in `cutting`.
+    struct Whole {
+        Ref<Mesh> mesh;
+        Ref<Mesh> rest; // of what a pattern fills, where that is not the mesh
+        glm::dmat4 to_own{1};
+        bool operator==(const Whole&) const = default;
+    };
+    struct PiecesKey {
+        std::vector<Whole> parts;
+        Cutting cutting;
+        double metres = 1; // of a unit of the object's own space
+        std::uint32_t material = 0;
+        bool operator==(const PiecesKey&) const = default;
+    };
+
+private:
+    struct StageKey {
+        Ref<Stage> before;
+        Cutting cutting;
+        bool filled = false;
+        bool operator==(const StageKey&) const = default;
+    };
+    Recent<PiecesKey, Ref<Pieces>> pieces_;
+    Recent<StageKey, Ref<Stage>> known_;
+};
+
+} // namespace trivar

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/split/cutting.h"
+
+#include <optional>
+#include <string>
+
+namespace trivar {
+
+// What a hand drew over an object, to cut it there.
+struct DrawnWay {
+    std::vector<glm::dvec2> points_px; // of the picture
+    Camera camera;
+    glm::dmat4 own_to_world{1}; // of the object
+    glm::dvec3 middle{0};       // of the object, in the world: where the stroke is taken to lie
+};
+
+// The cut through all that is seen under a straight line from the first point to the last one, or
+// under the way itself, smoothed: a surface through the eye. What is seen above a line from left to
+// right is above. Nothing, and why: the line is too short, or the way turns back over its chord.
+std::optional<PlainCut> cut_along_line(const DrawnWay& way, std::string* why = nullptr);
+std::optional<PlainCut> cut_along_way(const DrawnWay& way, std::string* why = nullptr);
+
+// The same surface with above and below exchanged.
+PlainCut flipped(PlainCut cut);
+
+} // namespace trivar

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/commands/edits.h"
+#include "core/document/document_digest.h"
+#include "core/document/parameters.h"
+#include "core/evaluation/evaluate.h"
+#include "core/mesh/closed_body.h"
+#include "tests/document/commands.h"
+#include "tests/support/fixtures.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::new_evaluator;
+using ::testing::ThrowsMessage;
+
+Document one_ball()
+{
+    return after(Document{}, AddSphere{.shape = {.radius = 1, .segments = 48, .rings = 24}});
+}
+
+CutThrough across(double gap, CutKeep keep = CutKeep::both)
+{
+    return {{1}, {.cuts = {{.point = {0, 0, 0.2}, .normal = {0, 0, 1}, .keep = keep, .gap = gap}}}};
+}
+
+Ref<EvaluatedObject> shown_first(const Document& document, double frame = 1)
+{
+    return new_evaluator()(document_at(document, frame), frame).objects.at(1);
+}
+
+double volume_of_part(const Part& part)
+{
+    double six = 0;
+    const Mesh mesh = transformed(*part.mesh(), part.to_world);
+    for (const glm::uvec3& t : triangles(mesh))
+        six +=
+            glm::dot(glm::dvec3(mesh.positions[t.x]),
+                     glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])));
+    return six / 6;
+}
+
+TEST(Cutting, CutsABallIntoSolidPiecesThatStandApart)
+{
+    const Document document = one_ball();
+    const Ref<EvaluatedObject> ball = shown_first(after(document, across(0.5)));
+    ASSERT_EQ(ball->parts.size(), 2u);
+    EXPECT_EQ(ball->pieces, 2u);
+    EXPECT_TRUE(ball->notices.empty());
+    double sum = 0;
+    for (const Part& part : ball->parts) {
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        sum += volume_of_part(part);
+    }
+    EXPECT_NEAR(sum, volume_of_part(shown_first(document)->parts.at(0)), 1e-6);
+    EXPECT_NEAR(bounds_in_world(ball->parts[0]).hi.z, 0.2 - 0.25, 1e-6);
+    EXPECT_NEAR(bounds_in_world(ball->parts[1]).lo.z, 0.2 + 0.25, 1e-6);
+    EXPECT_NE(ball->parts[0].key, ball->parts[1].key);
+}
+
+TEST(Cutting, LeavesEverythingWhereItWasWithoutAGap)
+{
+    const Document document = one_ball();
+    const Ref<EvaluatedObject> ball = shown_first(after(document, across(0)));
+    const Mesh& whole = *shown_first(document)->parts.at(0).mesh();
+    for (const Part& part : ball->parts) {
+        EXPECT_EQ(part.to_world, glm::dmat4(1));
+        for (const glm::vec3& p : part.mesh()->positions)
+            EXPECT_TRUE(std::abs(p.z - 0.2f) < 1e-5f ||
+                        std::ranges::find(whole.positions, p) != whole.positions.end());
+    }
+}
+
+TEST(Cutting, KeepsOneSide)
+{
+    const Ref<EvaluatedObject> above = shown_first(after(one_ball(), across(0.5, CutKeep::above)));
+    ASSERT_EQ(above->parts.size(), 1u);
+    EXPECT_NEAR(bounds_in_world(above->parts[0]).lo.z, 0.2, 1e-5); // it does not move
+    const Ref<EvaluatedObject> below = shown_first(after(one_ball(), across(0.5, CutKeep::below)));
+    ASSERT_EQ(below->parts.size(), 1u);
+    EXPECT_NEAR(bounds_in_world(below->parts[0]).hi.z, 0.2, 1e-5);
+}
+
+TEST(Cutting, SaysSoWhereItKeepsNothing)
+{
+    CutThrough command = across(0, CutKeep::above);
+    command.cutting.cuts[0].point = {0, 0, 5};
+    const Ref<EvaluatedObject> ball = shown_first(after(one_ball(), command));
+    EXPECT_TRUE(ball->parts.empty());
+    EXPECT_THAT(ball->notices, ::testing::ElementsAre(HasSubstr("keep nothing")));
+    command.cutting.cuts[0].keep = CutKeep::both; // a cut that misses leaves the ball as it is
+    EXPECT_EQ(*shown_first(after(one_ball(), command))->parts.at(0).mesh(),
+              *shown_first(one_ball())->parts.at(0).mesh());
+}
+
+TEST(Cutting, CrossesCuts)
+{
+    CutThrough command = across(0.2);
+    command.cutting.cuts.push_back({.normal = {1, 0, 0}, .gap = 0.4});
+    command.cutting.cuts.push_back({.normal = {0, 1, 0.3}});
+    const Ref<EvaluatedObject> ball = shown_first(after(one_ball(), command));
+    EXPECT_EQ(ball->parts.size(), 8u);
+    double sum = 0;
+    for (const Part& part : ball->parts) {
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        EXPECT_GT(std::abs(bounds_in_world(part).center().x), 0.2);
+        sum += volume_of_part(part);
+    }
+    EXPECT_NEAR(sum, volume_of_part(shown_first(one_ball())->parts.at(0)), 1e-5);
+}
+
+TEST(Cutting, OpensByKeysAndOnlyMovesPieces)
+{
+    Document document = after(one_ball(), across(0));
+    document =
+        after(document, Animate{{{1, {{"cutting.cuts.0.gap", {{1, 0, Tween::linear}, {11, 1}}}}}}});
+    Evaluator evaluator = new_evaluator();
+    const auto at = [&](double frame) {
+        return evaluator(document_at(document, frame), frame).objects.at(1);
+    };
+    const Ref<EvaluatedObject> first = at(1), half = at(6), last = at(11);
+    EXPECT_NEAR(half->parts[1].to_world[3].z, 0.25, 1e-9);
+    EXPECT_NEAR(last->parts[1].to_world[3].z, 0.5, 1e-9);
+    for (std::size_t p = 0; p < 2; ++p) {
+        EXPECT_EQ(first->parts[p].mesh(), last->parts[p].mesh()); // the same one
+        EXPECT_EQ(first->parts[p].key, last->parts[p].key);
+    }
+}
+
+TEST(Cutting, RidesWithTheObject)
+{
+    Document document = after(one_ball(), across(0.5));
+    Transform turned;
+    turned.translation = {3, 0, 0};
+    turned.rotation_deg = {0, 90, 0};
+    turned.scale = {2, 2, 2};
+    document = after(document, SetTransform{.object = 1, .transform = turned});
+    const Ref<EvaluatedObject> ball = shown_first(document);
+    ASSERT_EQ(ball->parts.size(), 2u);
+    EXPECT_NEAR(bounds_in_world(ball->parts[0]).hi.x, 3 + 0.4 - 0.25, 1e-5); // metres of the world
+    EXPECT_NEAR(bounds_in_world(ball->parts[1]).lo.x, 3 + 0.4 + 0.25, 1e-5);
+    turned.scale = {2, 2, -2};
+    const Ref<EvaluatedObject> mirrored =
+        shown_first(after(document, SetTransform{.object = 1, .transform = turned}));
+    for (const Part& part : mirrored->parts) EXPECT_TRUE(is_closed_body(*part.mesh()));
+    EXPECT_NEAR(bounds_in_world(mirrored->parts[1]).hi.x, 3 - 0.4 - 0.25, 1e-5);
+}
+
+TEST(Cutting, CutsWhatALatticeBendsAsItIsSeen)
+{
+    Document document = after(one_ball(), AddLattice{.objects = {1}});
+    document =
+        after(document, MovePoints{.object = 2,
+                                   .shift = {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.5}}});
+    CutThrough command = across(0.2);
+    command.cutting.inside = Filling::wood;
+    const Ref<EvaluatedObject> whole = shown_first(document);
+    ASSERT_TRUE(whole->parts.at(0).bent);
+    const Ref<EvaluatedObject> ball = shown_first(after(document, command));
+    ASSERT_EQ(ball->parts.size(), 2u);
+    double sum = 0;
+    for (const Part& part : ball->parts) {
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        sum += volume_of_part(part);
+        ASSERT_TRUE(part.before_split); // the rings of the wood stay with the unbent ball
+        ASSERT_EQ(part.before_split->vertex_count(), part.mesh()->vertex_count());
+        for (const glm::vec3& p : part.before_split->positions)
+            EXPECT_LE(glm::length(glm::dvec3(p)), 1.0001);
+    }
+    EXPECT_NEAR(sum, volume_of_part(whole->parts[0]), 1e-5);
+}
+
+TEST(Cutting, IsSplitAfterwardsPieceByPiece)
+{
+    Document document = after(one_ball(), AddCylinder{.shape = {.radius = 0.2, .height = 4}});
+    CutThrough command = across(0.3);
+    command.cutting.inside = Filling::wood;
+    document = after(document, command);
+    document =
+        after(document, Split{{1}, {.obstacles = {{.object = 2}}, .inside = Filling::flesh}});
+    const Ref<EvaluatedObject> ball = shown_first(document);
+    EXPECT_TRUE(ball->notices.empty());
+    ASSERT_EQ(ball->parts.size(), 2u);
+    EXPECT_EQ(ball->materials->size(), 3u);
+    for (const Part& part : ball->parts) EXPECT_TRUE(is_closed_body(*part.mesh()));
+}
+
+TEST(Cutting, CutsTilesAndCarriesThemOnItsPieces)
+{
+    Document document =
+        after(one_ball(),
+              AddBox{.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}}, .transform = {}});
+    TileStroke fill;
+    fill.brush = TileBrush::fill;
+    fill.size = 0.2;
+    fill.samples = {{{{0, -1, 0}, {0, -1, 0}}}};
+    document = after(document, PaintTiles{2, 1, fill});
+    const Ref<EvaluatedObject> tiles = new_evaluator()(document, 1).objects.at(2);
+    CutThrough through_tiles = across(0.3);
+    through_tiles.objects = {2};
+    const Ref<EvaluatedObject> cut_tiles =
+        new_evaluator()(after(document, through_tiles), 1).objects.at(2);
+    ASSERT_EQ(cut_tiles->parts.size(), 2 * tiles->parts.size());
+    EXPECT_GT(bounds_in_world(cut_tiles->parts.back()).lo.z, 0.2);
+    const Ref<EvaluatedObject> carried =
+        new_evaluator()(after(document, across(0.3)), 1).objects.at(2);
+    EXPECT_FALSE(carried->parts.empty());
+}
+
+TEST(Cutting, IsTakenBack)
+{
+    const Document before = one_ball(), document = after(before, across(0.5));
+    EXPECT_NE(digest(document), digest(before));
+    EXPECT_EQ(digest(after(document, ClearCuts{{1}})), digest(before));
+    EXPECT_EQ(digest(after(document, RemoveCut{1, 1})), digest(before));
+}
+
+TEST(Cutting, KeepsTheKeysOfOtherCutsWhenOneIsRemoved)
+{
+    CutThrough command = across(0.1);
+    command.cutting.cuts.push_back({.normal = {1, 0, 0}, .gap = 0.2});
+    Document document = after(one_ball(), command);
+    document = after(
+        document,
+        Animate{{{1, {{"cutting.cuts.0.gap", {{1, 0}}}, {"cutting.cuts.1.gap", {{1, 0.7}}}}}}});
+    document = after(document, RemoveCut{1, 1});
+    ASSERT_EQ(object(document, 1).tracks.all().size(), 1u);
+    EXPECT_EQ(object(document, 1).tracks.all()[0].parameter, "cutting.cuts.0.gap");
+    EXPECT_EQ(object(document, 1).tracks.all()[0].keys[0].value, 0.7);
+}
+
+TEST(Cutting, IsCopiedAndHidden)
+{
+    const Document document = after(one_ball(), across(0.5));
+    const Document twin = after(document, Duplicate{{1}});
+    EXPECT_EQ(object(twin, 2).cutting, object(document, 1).cutting);
+    const Document pasted = after(document, copied(document, {1}, "/nowhere"));
+    EXPECT_EQ(object(pasted, 2).cutting, object(document, 1).cutting);
+    const Document hidden = after(document, Hide{{1}});
+    EXPECT_FALSE(new_evaluator()(hidden, 1).objects.contains(1));
+    EXPECT_EQ(shown_first(after(hidden, Show{{1}}))->parts.size(), 2u);
+}
+
+TEST(Cutting, RefusesWhatCutsNothing)
+{
+    const Document document = one_ball();
+    const auto refused = [&](CutThrough command, const std::string& words) {
+        EXPECT_THAT([&] { after(document, command); }, ThrowsMessage<Rejected>(HasSubstr(words)));
+    };
+    refused({{1}, {}}, "name a plane or a stroke");
+    CutThrough command = across(0);
+    command.cutting.cuts[0].normal = {0, 0, 0};
+    refused(command, "no direction");
+    command = across(0);
+    command.cutting.cuts[0].stroke = {{0, 0}, {1, 1}, {0.5, 2}};
+    refused(command, "turns back");
+    command.cutting.cuts[0].stroke = {{0, 0}, {1, 1}};
+    command.cutting.cuts[0].along = {0, 0, 2};
+    refused(command, "two different directions");
+    command = across(0);
+    command.cutting.cuts.resize(most_cuts + 1);
+    refused(command, "at most");
+    EXPECT_THAT(
+        [&] {
+            after(document, RemoveCut{1, 1});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("is not cut")));
+}
+
+} // namespace
+} // namespace trivar
