@@ -105,7 +105,8 @@ Document fitting_document()
                                 WarpVolume{.object = 7, .warp = {.taper = 0.5}});
     const Document painted = after(after(bent, AddCylinder{.shape = {.radius = 0.1}}),
                                    PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()});
-    return after(painted, AddHeights{.shape = {.image = "hills.png"}});
+    const Document heights = after(painted, AddHeights{.shape = {.image = "hills.png"}});
+    return after(heights, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.1}}}});
 }
 
 std::vector<Command> fitting_commands()
@@ -193,7 +194,7 @@ std::vector<Command> fitting_commands()
             Split{.objects = {1}, .splitting = {.obstacles = {{2}}}},
             ClearSplit{.objects = {1}},
             CutThrough{.objects = {1}, .cutting = {.cuts = {{.point = {0, 0, 0.2}, .gap = 0.1}}}},
-            RemoveCut{.object = 1, .number = 1},
+            RemoveCut{.object = 5, .number = 1},
             ClearCuts{.objects = {1}}};
 }
 

@@ -100,7 +100,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Split Table at Ball",
         "Close Table",
         "Cut through Table",
-        "Remove cut 1 of Table",
+        "Remove cut 1 of snail",
         "Make Table whole",
     };
     const std::vector<Command> commands = testing::fitting_commands();

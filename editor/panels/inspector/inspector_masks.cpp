@@ -6,6 +6,7 @@
 #include "editor/actions/mask_actions.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/tools/mask.h"
 #include "editor/words/file_words.h"

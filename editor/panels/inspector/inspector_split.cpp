@@ -4,7 +4,7 @@
 #include "core/commands/split.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/session/scene_names.h"
+#include "editor/session/scene_facts.h"
 #include "ui/icons.h"
 
 #include <fmt/format.h>
