@@ -65,6 +65,7 @@ TEST_P(EveryScene, ChangesSomethingAndSaysWhereItsPictureIsTakenFrom)
     EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
         return entry.second->stroke || entry.second->tiles || entry.second->splitting ||
+               entry.second->cutting ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);
     }));
 }
@@ -94,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
                     "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
                     "horse_hair", "face_hexagons", "brick_wall", "teapot_statues", "robot_bars",
-                    "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder"),
+                    "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder", "sliced"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

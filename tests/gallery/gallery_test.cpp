@@ -64,12 +64,16 @@ Scene replayed(const std::string& name)
 Scene shown(const std::string& name)
 {
     constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
-    constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47;
-    const std::map<std::string, int> frames{
-        {"bulldozer_parks", between_the_cars}, {"wreath", grown},
-        {"thorn_to_flower", half_open},        {"face_thorns", thorny},
-        {"robot_bars", between_the_bars},      {"robot_bars_tilted", between_the_bars},
-        {"bulldozer_tree", in_the_tree},       {"sphere_cylinder", round_the_column}};
+    constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47, sliced_apart = 48;
+    const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
+                                            {"wreath", grown},
+                                            {"thorn_to_flower", half_open},
+                                            {"face_thorns", thorny},
+                                            {"robot_bars", between_the_bars},
+                                            {"robot_bars_tilted", between_the_bars},
+                                            {"bulldozer_tree", in_the_tree},
+                                            {"sphere_cylinder", round_the_column},
+                                            {"sliced", sliced_apart}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);
