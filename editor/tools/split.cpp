@@ -211,7 +211,7 @@ void SplitTool::set_at(Session& session, SplitAt at)
 void SplitTool::options(Session& session, const ui::Theme& theme, float width)
 {
     std::vector<ui::Option> options;
-    options.push_back({"At", 84,
+    options.push_back({"At", 108,
                        [&](float field) {
                            int at = static_cast<int>(at_);
                            ui::choice(theme, "at", at, {"Obstacle", "Plane", "Stroke"}, field);

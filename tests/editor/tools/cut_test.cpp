@@ -57,7 +57,7 @@ TEST(CutByPlane, CutsAlongALineThroughTheEye)
     EXPECT_NEAR(glm::dot(cut.normal, glm::dvec3(0, -5, 0) - cut.point), 0, 1e-3);
     EXPECT_GT(cut.point.z, 0.05);
     EXPECT_EQ(rig.parts(), 2u);
-    rig.drag({{0, -200}, {0, 200}}); // across it
+    rig.drag({{10, -120}, {-10, 120}}); // across it
     EXPECT_EQ(rig.cutting()->cuts.size(), 2u);
     EXPECT_EQ(rig.parts(), 4u);
     rig.editor.session.undo();
