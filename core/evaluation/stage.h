@@ -116,7 +116,8 @@ struct Stage : SimplifyingEffects,
     {
         return bent_cage ? **bent_cage : Ref<Lattice>(placement, &placement->volume);
     }
-    // The parts with the faces of its model: what lies on it by these does not see that it is split.
+    // The parts with the faces of its model: what lies on it by these does not see that it is
+    // split.
     const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }
     bool shows_nothing() const { return parts.empty() && curves.empty(); }
     // A sentence for the user that says why the stroke gave nothing; the object then stands

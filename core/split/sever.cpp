@@ -96,7 +96,8 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
                     marked.add(mesh.point(c[i]), mesh.point(c[(i + 1) % 3]));
         }
         if (marked.count() == 0) return fine;
-        if (round >= most_edge_halvings || mesh.face_count() >= options.most_triangles) return worst;
+        if (round >= most_edge_halvings || mesh.face_count() >= options.most_triangles)
+            return worst;
         open = halve_edges(mesh, marked);
         measure(heights, mesh, sheet);
     }
