@@ -74,8 +74,9 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
                 next.push_back(std::move(each));
                 continue;
             }
-            facts.open += made->open;
-            facts.fans += made->fans;
+            facts.caps.open += made->open;
+            facts.caps.gaps += made->gaps;
+            facts.caps.fans += made->fans;
             facts.off = std::max(facts.off, made->off * key.metres);
             for (const unsigned side : {0u, 1u})
                 if (Mesh& half = made->halves[side];
@@ -145,14 +146,7 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
     stage.pieces = stage.parts.size();
     if (stage.parts.empty())
         stage.notices.emplace_back("its cuts keep nothing of it; keep the other side of one");
-    if (pieces.open > 0 && cutting.capped)
-        stage.notices.push_back(fmt::format("its surface is open where it is cut, so that it stays "
-                                            "open there ({} edges)",
-                                            pieces.open));
-    if (pieces.fans > 0)
-        stage.notices.push_back(fmt::format("its surface runs through itself where it is cut: {} "
-                                            "openings are closed by triangles that overlap",
-                                            pieces.fans));
+    std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
     if (pieces.off > cutting.tolerance)
         stage.notices.push_back(fmt::format("its cut is up to {:.3g} m from what was drawn, more "
                                             "than its tolerance",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/evaluation/cap_notices.h"
 #include "core/evaluation/step.h"
 
 namespace trivar {
@@ -22,8 +23,8 @@ public:
     };
     struct Pieces {
         std::vector<std::vector<Piece>> of_parts;
-        std::size_t open = 0, fans = 0; // see Caps
-        double off = 0;                 // metres
+        CapCounts caps;
+        double off = 0; // metres
     };
     // What pieces come from; gaps are 0 in `cutting`.
     struct Whole {

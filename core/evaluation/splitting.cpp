@@ -2,6 +2,7 @@
 #include "core/evaluation/splitting.h"
 
 #include "core/base/rejected.h"
+#include "core/evaluation/cap_notices.h"
 #include "core/evaluation/inside_material.h"
 #include "core/split/split.h"
 
@@ -42,7 +43,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
     options.tolerance = splitting.tolerance;
     options.capped = splitting.capped;
     options.material = inside.number;
-    std::size_t open = 0, gaps = 0, fans = 0;
+    CapCounts counts;
     bool any = false;
     options.keep_rest = filled;
     for (Part& part : out.parts) {
@@ -53,24 +54,16 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
         const std::optional<SplitMesh> made = split(world, *field, options);
         if (!made) continue;
         any = true;
-        open += made->open;
-        gaps += made->gaps;
-        fans += made->fans;
+        counts.open += made->open;
+        counts.gaps += made->gaps;
+        counts.fans += made->fans;
         out.split_off = std::max(out.split_off, made->off);
         part = parted(part, *made, filled);
     }
     if (!any) return out;
     out.whole_parts = before.whole();
     out.mixed_materials = inside.beside;
-    if (open > 0 && splitting.capped)
-        out.notices.push_back("it is a sheet where it is cut, without an inside to close");
-    if (gaps > 0 && splitting.capped)
-        out.notices.push_back("its surface has holes where it is cut; the cut is closed straight "
-                              "across them, and they stay open");
-    if (fans > 0)
-        out.notices.push_back(fmt::format("its surface runs through itself where it is cut: {} "
-                                          "openings are closed by triangles that overlap",
-                                          fans));
+    std::ranges::move(notices_of(counts), std::back_inserter(out.notices));
     if (out.split_off > splitting.tolerance)
         out.notices.push_back(fmt::format("its triangles are up to {:.3g} m from the true walls, "
                                           "more than its tolerance",

@@ -29,6 +29,14 @@ public:
     {
         return slots_[find(key(a, b))].number;
     }
+    // Calls use(a, b) for every edge, a < b, in no order that counts.
+    void for_each(auto&& use) const
+    {
+        for (const Slot& slot : slots_)
+            if (slot.number != none)
+                use(static_cast<std::uint32_t>(slot.key >> 32),
+                    static_cast<std::uint32_t>(slot.key));
+    }
 
 private:
     struct Slot {

@@ -67,7 +67,7 @@ double keep_apart(std::vector<double>& heights, const Mesh& mesh)
 double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet,
                  const SeverOptions& options)
 {
-    mesh = triangulated(mesh);
+    mesh = triangulated(std::move(mesh));
     std::vector<std::uint32_t> open(mesh.face_count());
     std::iota(open.begin(), open.end(), 0u);
     const double tolerance = share_of_tolerance * options.tolerance;
@@ -98,7 +98,7 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
         if (marked.count() == 0) return fine;
         if (round >= most_edge_halvings || mesh.face_count() >= options.most_triangles)
             return worst;
-        open = halve_edges(mesh, marked);
+        open = halve_edges(mesh, point_count(mesh), marked);
         measure(heights, mesh, sheet);
     }
 }
@@ -191,6 +191,7 @@ std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const Sev
         carry_to_caps(cut_mesh, caps);
         out.fans = caps.fans;
         out.open = caps.open;
+        out.gaps = caps.gaps;
         for (std::size_t f = caps.first_face; f < cut_mesh.mesh.face_count(); ++f) {
             std::array<glm::dvec2, 3> vw;
             for (std::size_t i = 0; i < 3; ++i)

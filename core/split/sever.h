@@ -20,7 +20,7 @@ struct SeverOptions {
 // Severed is a mesh that was cut in two: below and above. A half may have no faces.
 struct Severed {
     std::array<Mesh, 2> halves;
-    std::size_t fans = 0, open = 0; // see Caps
+    std::size_t fans = 0, open = 0, gaps = 0; // see Caps
     double off = 0; // units of the cut's space: bound of the distance of the cut from the surface
 };
 

@@ -81,16 +81,6 @@ Closedness closedness(const Mesh& mesh)
     return out;
 }
 
-double volume_of(const Mesh& mesh)
-{
-    double sum = 0;
-    for (const glm::uvec3& t : triangles(mesh))
-        sum +=
-            glm::dot(glm::dvec3(mesh.positions[t.x]),
-                     glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])));
-    return sum / 6;
-}
-
 Mesh half_of(const Mesh& mesh, const std::vector<char>& above, bool which)
 {
     Mesh out = mesh;

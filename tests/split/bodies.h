@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/mesh.h"
+#include "tests/mesh/edges.h"
 
 #include <functional>
 
@@ -21,7 +21,6 @@ struct Closedness {
     long euler = 0;
 };
 Closedness closedness(const Mesh& mesh);
-double volume_of(const Mesh& mesh);
 // The faces of which all vertices have `which` in `above`.
 Mesh half_of(const Mesh& mesh, const std::vector<char>& above, bool which);
 

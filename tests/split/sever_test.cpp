@@ -27,10 +27,10 @@ void expect_solid_halves(const Mesh& mesh, const Severed& made)
     double sum = 0;
     for (const Mesh& half : made.halves) {
         EXPECT_TRUE(is_closed_body(half));
-        EXPECT_GT(volume_of(half), 0);
-        sum += volume_of(half);
+        EXPECT_GT(volume(half), 0);
+        sum += volume(half);
     }
-    EXPECT_NEAR(sum, volume_of(mesh), 1e-6 * volume_of(mesh));
+    EXPECT_NEAR(sum, volume(mesh), 1e-6 * volume(mesh));
     EXPECT_EQ(made.fans, 0u);
     EXPECT_EQ(made.open, 0u);
 }

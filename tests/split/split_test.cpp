@@ -57,10 +57,10 @@ void expect_two_closed_halves(const Mesh& mesh, const CutInTwo& halves)
         EXPECT_EQ(closed.twice, 0u);
         EXPECT_EQ(closed.euler % 2, 0);
         EXPECT_GT(half.face_count(), 0u);
-        EXPECT_GT(volume_of(half), 0);
-        sum += volume_of(half);
+        EXPECT_GT(volume(half), 0);
+        sum += volume(half);
     }
-    EXPECT_NEAR(sum, volume_of(mesh), 2e-7 * volume_of(mesh));
+    EXPECT_NEAR(sum, volume(mesh), 2e-7 * volume(mesh));
 }
 
 TEST(Cut, PartsATorusIntoClosedHalves)
@@ -76,8 +76,8 @@ TEST(Cut, PartsHalvesOfTheTorusThatAreEqualEqually)
 {
     const Mesh torus = welded(torus_mesh(1, 0.4, {100, 50}));
     const CutInTwo halves = cut_by(torus, {{0, 0, 1}, 0});
-    EXPECT_NEAR(volume_of(half_of(halves.cut.mesh, halves.cut.above, true)), volume_of(torus) / 2,
-                2e-4 * volume_of(torus));
+    EXPECT_NEAR(volume(half_of(halves.cut.mesh, halves.cut.above, true)), volume(torus) / 2,
+                2e-4 * volume(torus));
 }
 
 TEST(Cut, ClosesHalvesByRandomPlanes)
@@ -276,7 +276,7 @@ TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
             EXPECT_LE(parted->off, 2e-3);
             Mesh rest = parted->mesh;
             rest.positions = parted->rest_positions;
-            EXPECT_NEAR(volume_of(rest), volume_of(model), 1e-5);
+            EXPECT_NEAR(volume(rest), volume(model), 1e-5);
             for (const glm::vec3& p : parted->mesh.positions)
                 EXPECT_FALSE(inside(scene, glm::dvec3(p)));
         }
