@@ -37,7 +37,7 @@ std::string name_of(int key)
     return printed ? std::string(1, static_cast<char>(key)) : std::string();
 }
 
-bool pressed(const Chord& chord, bool again = false)
+bool chord_pressed(const Chord& chord, bool again = false)
 {
     const ImGuiIO& io = ImGui::GetIO();
     return chord.key > 0 && io.KeyCtrl == chord.ctrl && io.KeyShift == chord.shift &&
@@ -103,12 +103,12 @@ void swallow_keys()
 
 bool struck(const Chord& chord, bool again)
 {
-    return !ImGui::GetIO().WantTextInput && pressed(chord, again);
+    return !ImGui::GetIO().WantTextInput && chord_pressed(chord, again);
 }
 
 bool struck_while_typing(const Chord& chord)
 {
-    return (chord.ctrl || chord.alt || chord.key >= key_escape) && pressed(chord);
+    return (chord.ctrl || chord.alt || chord.key >= key_escape) && chord_pressed(chord);
 }
 
 } // namespace trivar::ui

@@ -17,7 +17,7 @@
 namespace trivar {
 namespace {
 
-constexpr double turn = glm::two_pi<double>();
+constexpr double round_turn = glm::two_pi<double>();
 constexpr int chords_round = 720; // for measuring the length round
 
 // A Frame is the surface with its derivatives by the angle and across.
@@ -59,7 +59,7 @@ double length_round(const Band& band)
     double sum = 0;
     glm::dvec3 before = band.at(0, 0);
     for (int i = 1; i <= chords_round; ++i) {
-        const glm::dvec3 p = band.at(turn * i / chords_round, 0);
+        const glm::dvec3 p = band.at(round_turn * i / chords_round, 0);
         sum += glm::distance(before, p);
         before = p;
     }
@@ -301,7 +301,7 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     const Sizes sizes = sizes_of(p, axes[2], width / scale, band.twisted() ? 2 * height : height,
                                  band.twisted() ? 0.5 : p.contact_level);
     const GroundAt ground = [&](glm::dvec2 uv) {
-        const double angle = turn * uv.x, across = across_at(sizes, uv);
+        const double angle = round_turn * uv.x, across = across_at(sizes, uv);
         return Standing{band.at(angle, across), band.normal(angle, across)};
     };
     std::vector<glm::dvec3> places;

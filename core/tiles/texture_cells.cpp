@@ -93,7 +93,7 @@ std::optional<TextureSpots> texture_spots(const Mesh& mesh, const glm::dmat4& to
         };
         const std::array<glm::dvec2, 3> given = flat.at;
         if (flat.area < 0) std::swap(flat.at[1], flat.at[2]);
-        const auto [low, high] = std::ranges::minmax({given[0].y, given[1].y, given[2].y});
+        const auto [low, high] = std::minmax({given[0].y, given[1].y, given[2].y});
         for (auto j = std::llround(std::floor(low - 0.5)); static_cast<double>(j) + 0.5 <= high;
              ++j) {
             if (++lines > most_lines) {

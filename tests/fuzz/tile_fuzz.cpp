@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
         const trivar::Model model =
             trivar::read_model_bytes(bytes, std::string(name_of(bytes)), "");
-        const auto places = trivar::make_ref(two_places());
+        const std::vector<trivar::PlacedTile> places = two_places();
         for (const trivar::Ref<trivar::Mesh>& mesh : model.meshes) {
             const trivar::Box box = trivar::bounding_box(*mesh);
             if (box.empty() || mesh->vertex_count() > 5000) continue;
@@ -58,9 +58,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const auto tile = trivar::tile_model(std::move(unit));
             for (const trivar::TileLevel& level : *tile->levels)
                 trivar::validate(*level.mesh, "level");
-            const auto set = trivar::tile_set(tile, places);
+            const auto set = trivar::tile_set(tile, trivar::make_ref(trivar::PlacedTiles(places)));
             for (const trivar::Ref<trivar::Mesh>& all :
-                 {*set->mesh, trivar::make_ref(trivar::strand_mesh(strand.mesh, *places))}) {
+                 {*set->mesh, trivar::make_ref(trivar::strand_mesh(strand.mesh, places))}) {
                 trivar::validate(*all, "tiles");
                 for (const glm::vec3& p : all->positions)
                     if (!trivar::finite(p)) std::abort();
