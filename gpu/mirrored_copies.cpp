@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <epoxy/gl.h>
 #include <vector>
 
 namespace trivar::gpu {
@@ -49,7 +50,9 @@ void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_val
 {
     if (patches) {
         constexpr int step = sizeof(std::uint32_t);
-        vertices.integers(tile_location, rows, 1, step, static_cast<std::size_t>(first) * step, 1);
+        const std::size_t from =
+            static_cast<std::size_t>(first) + (chosen ? level * chosen->capacity : 0);
+        vertices.integers(tile_location, chosen ? chosen->rows : rows, 1, step, from * step, 1);
         return;
     }
     constexpr int stride = sizeof(Row);
@@ -62,6 +65,22 @@ void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_val
     vertices.integers(id_location, rows, 1, stride, from + offsetof(Row, id), 1);
     if (shows_values)
         vertices.attribute(value_location, rows, 1, stride, from + offsetof(Row, value), 1);
+}
+
+void MirroredCopies::draw(unsigned primitive, int index_count, int first_index, int copies,
+                          std::size_t command) const
+{
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    if (!chosen) {
+        const std::size_t from = static_cast<std::size_t>(first_index) * sizeof(std::uint32_t);
+        glDrawElementsInstanced(primitive, index_count, GL_UNSIGNED_INT, offset(from), copies);
+        return;
+    }
+    constexpr std::size_t command_bytes = 32; // tiles.comp.glsl
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, chosen->commands.name());
+    glDrawElementsIndirect(primitive, GL_UNSIGNED_INT,
+                           offset((first_command + command) * command_bytes));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 MirroredCopies uploaded(std::span<const std::uint32_t> tiles)

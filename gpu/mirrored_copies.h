@@ -20,6 +20,13 @@ struct CopiesAt {
     bool operator==(const CopiesAt&) const = default;
 };
 
+// ChosenRows are rows of tiles that the GPU has written, and the commands that draw them: a draw
+// takes from one of them how many there are. A level's rows begin at its number times the capacity.
+struct ChosenRows {
+    Buffer rows, commands;
+    std::size_t capacity = 0;
+};
+
 // MirroredCopies are the copies of an instance on the GPU, for instanced draws.
 struct MirroredCopies {
     Buffer rows;                   // one row per copy; the mirroring ones come last
@@ -30,10 +37,19 @@ struct MirroredCopies {
     // Not null: the copies are tiles, bent over these patches, and a row is the number of a tile.
     std::shared_ptr<const TilePatches> patches;
     bool footprints = false; // of the tiles: beyond the unit square they go on as they bend
+    // Not null: the tiles are those of a level here, and their number is known on the GPU alone;
+    // `upright` is the most that it can be. A command for each part of the level's mesh, then one
+    // for its edges.
+    std::shared_ptr<const ChosenRows> chosen;
+    std::size_t level = 0, first_command = 0;
 
     // Binds the rows from `first` on to the attributes of place.glsl; if `shows_values`, their
     // values to those of values.glsl.
     void feed(const VertexArray& vertices, int first, bool shows_values) const;
+    // Draws so many copies of a range of the bound indices, points, lines or triangles; where the
+    // GPU has chosen them, by a command.
+    void draw(unsigned primitive, int index_count, int first_index, int copies,
+              std::size_t command) const;
 };
 
 // The rows of tiles, which patches and a serial then complete.

@@ -85,7 +85,9 @@ struct Renderer::State {
                 vertices);
         else
             tools.deformed().update(picture, tools.mirror());
-        const auto choose_tiles = [&] { tools.tiles().update(picture, camera, tools.mirror()); };
+        const auto choose_tiles = [&] {
+            tools.tiles().update(picture, camera, tools.mirror(), tools.programs());
+        };
         if (TileMirror::any(picture))
             clock.pass("cull tiles", choose_tiles);
         else
@@ -305,6 +307,11 @@ std::string Renderer::shader_trouble() const
 const TileCounts& Renderer::tile_counts() const
 {
     return state_->brushes.tools.tiles().counts();
+}
+
+void Renderer::choose_tiles_on_card(bool on_card)
+{
+    state_->brushes.tools.tiles().choose_on_card(on_card);
 }
 
 const Timings& Renderer::timings() const

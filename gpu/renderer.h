@@ -50,7 +50,12 @@ public:
 
     // The times of the passes of the last picture (by fences on software GL).
     const Timings& timings() const;
-    const TileCounts& tile_counts() const; // of the last picture that was begun
+    // Of the last picture that was begun, or of an earlier one where the graphics card chooses and
+    // is not done yet: then this does not wait.
+    const TileCounts& tile_counts() const;
+    // Whether the graphics card chooses which tiles are drawn, or the processor does; the same
+    // tiles. Without a call the faster one. Without OpenGL 4.3 it is always the processor.
+    void choose_tiles_on_card(bool on_card);
     // A sentence that says what of the last picture was not drawn as asked; empty: everything was.
     const std::string& notice() const;
     // A sentence with file and line that says why a shader of the picture is not the given one;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timing_overlay.h"
 
+#include "core/base/text.h"
 #include "ui/timing_graph.h"
 #include "ui/widgets.h"
 
@@ -146,7 +147,8 @@ std::optional<Rect> draw_card(const Theme& theme, const Rect& room, const Timing
     }
     float ways_height =
         s.ways.empty() ? 0 : theme.px(row_px) * static_cast<float>(s.ways.size() + 1);
-    float drawn_height = s.drawn.empty() ? 0 : theme.px(row_px);
+    const std::vector<std::string_view> drawn = trimmed_lines(s.drawn);
+    float drawn_height = s.drawn.empty() ? 0 : theme.px(row_px) * static_cast<float>(drawn.size());
     const auto height = [&] {
         float sum =
             drawn_height + ways_height + graph_height + foot_height + theme.px(2 * margin_px);
@@ -176,10 +178,12 @@ std::optional<Rect> draw_card(const Theme& theme, const Rect& room, const Timing
         paint_text(theme.font.small, head, c.text_2, note, Align::right);
     draw_timing_graph(theme, s.history, graph, chosen);
     rows.y = graph.hi.y + theme.px(gap_px);
-    if (drawn_height > 0) {
-        const Rect row = rows.next();
-        paint_text(theme.font.small, row, c.text_2, elided(theme.font.small, s.drawn, row.width()));
-    }
+    if (drawn_height > 0)
+        for (const std::string_view line : drawn) {
+            const Rect row = rows.next();
+            paint_text(theme.font.small, row, c.text_2,
+                       elided(theme.font.small, std::string(line), row.width()));
+        }
     if (ways_height > 0)
         draw_ways(s.ways, rows, view); // first: what is below has more or less rows
     for (const Group& group : groups) draw_group(group, rows);

@@ -23,7 +23,7 @@ struct TimingSources {
     const Timings& at_rest;    // the passes of the last full picture, for which nobody waits
     std::size_t program_bytes = 0, uploaded_bytes = 0;
     std::vector<TimedWay> ways = {}; // of deforming
-    std::string drawn = {}; // a line that says how much of the scene is drawn; empty: all of it
+    std::string drawn = {}; // lines that say how much of the scene is drawn; empty: all of it
 };
 
 // A TimingView is what the overlay remembers between frames.

@@ -86,13 +86,21 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     return helpers;
 }
 
-// How many tiles are seen, and with how many vertices; empty: there are none.
+// How many tiles are seen, with how many vertices, and by which levels of detail, from the finest
+// on: a line each; empty: there are none.
 std::string drawn_words(const gpu::TileCounts& counts)
 {
     if (counts.tiles == 0) return {};
-    return fmt::format("{} of {} tiles seen, with {} of {} vertices", ui::with_commas(counts.drawn),
-                       ui::with_commas(counts.tiles), ui::with_commas(counts.vertices),
-                       ui::with_commas(counts.all_vertices));
+    std::string levels;
+    for (const std::size_t drawn : counts.by_level)
+        levels += (levels.empty() ? "" : " / ") + ui::with_commas(drawn);
+    return fmt::format("{} of {} tiles seen, {} hidden, {} outside\n"
+                       "{} of {} vertices\n"
+                       "By level of detail: {}",
+                       ui::with_commas(counts.drawn), ui::with_commas(counts.tiles),
+                       ui::with_commas(counts.hidden), ui::with_commas(counts.outside()),
+                       ui::with_commas(counts.vertices), ui::with_commas(counts.all_vertices),
+                       levels);
 }
 
 // That most of the scene is left out, and how it comes back.

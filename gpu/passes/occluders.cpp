@@ -26,7 +26,7 @@ bool Occluders::worthwhile(const Scene& scene, const TileCounts& tiles)
     return corners > 0 && corners_per_vertex * tiles.vertices > 4 * corners;
 }
 
-DepthPyramid Occluders::depths(Tools& tools, const Frame& frame, const Scene& scene)
+void Occluders::draw(Tools& tools, const Frame& frame, const Scene& scene)
 {
     const glm::ivec2 size = glm::max(glm::ivec2(frame.size_px) / 2, 1);
     if (depth_.size_px() != size) {
@@ -44,10 +44,22 @@ DepthPyramid Occluders::depths(Tools& tools, const Frame& frame, const Scene& sc
         return may_hide(item) && opaque(item, part);
     };
     tools.draw(scene.items, pass);
+}
+
+DepthPyramid Occluders::read_back() const
+{
+    const glm::ivec2 size = depth_.size_px();
+    target_.bind();
     std::vector<float> depths(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     return {std::move(depths), size};
+}
+
+const DevicePyramid& Occluders::on_card(Tools& tools)
+{
+    pyramid_.write(tools.programs(), depth_);
+    return pyramid_;
 }
 
 } // namespace trivar::gpu

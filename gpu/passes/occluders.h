@@ -4,6 +4,7 @@
 #include "gpu/passes/tools.h"
 #include "gpu/scene.h"
 #include "gpu/tiles/depth_pyramid.h"
+#include "gpu/tiles/device_pyramid.h"
 
 namespace trivar::gpu {
 
@@ -13,12 +14,16 @@ public:
     // Whether what they hide may be worth the time to find it: the tiles that are drawn have many
     // more vertices than they.
     static bool worthwhile(const Scene& scene, const TileCounts& tiles);
-    // Draws their depths at half the size of the picture and reads them back, for which it waits.
-    DepthPyramid depths(Tools& tools, const Frame& frame, const Scene& scene);
+    // Draws their depths at half the size of the picture.
+    void draw(Tools& tools, const Frame& frame, const Scene& scene);
+    // What was drawn last: read back, for which it waits, or made on the graphics card.
+    DepthPyramid read_back() const;
+    const DevicePyramid& on_card(Tools& tools);
 
 private:
     Texture2D depth_;
     Framebuffer target_;
+    DevicePyramid pyramid_;
 };
 
 } // namespace trivar::gpu

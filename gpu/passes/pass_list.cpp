@@ -21,15 +21,18 @@ bool by_several_samples(const Brushes&, const Work& w)
 }
 
 constexpr std::array of_maps{
-    Pass{"cull tiles",
-         [](const Brushes& b, const Work&) { return b.tools.tiles().counts().tiles > 0; },
+    Pass{"cull tiles", [](const Brushes&, const Work& w) { return TileMirror::any(w.picture); },
          [](Brushes& b, const Work& w, const Frame& frame) {
              TileMirror& tiles = b.tools.tiles();
-             DepthPyramid before;
-             if (w.picture.draft && Occluders::worthwhile(w.scene, tiles.counts()))
-                 before = b.occluders.depths(b.tools, frame, w.scene);
-             const glm::dmat4 to_clip(frame.view_clip);
-             tiles.show(before, glm::translate(to_clip, -w.scene.origin_world));
+             const bool hides = w.picture.draft && Occluders::worthwhile(w.scene, tiles.counts());
+             if (hides) b.occluders.draw(b.tools, frame, w.scene);
+             const glm::dmat4 to_clip =
+                 glm::translate(glm::dmat4(frame.view_clip), -w.scene.origin_world);
+             if (tiles.on_card())
+                 tiles.show(hides ? &b.occluders.on_card(b.tools) : nullptr, to_clip,
+                            b.tools.programs());
+             else
+                 tiles.show(hides ? b.occluders.read_back() : DepthPyramid(), to_clip);
          }},
     Pass{"shadow map",
          [](const Brushes& b, const Work& w) {

@@ -184,13 +184,14 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
         item.copies->feed(item.mesh->vertices, item.first_copy, values && item.values_by_copy);
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.mesh->vertices.bind();
-    const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);
-    const auto* first = reinterpret_cast<const void*>(offset);
-    if (item.copies)
-        glDrawElementsInstanced(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first,
-                                item.drawn_count());
-    else
-        glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first);
+    if (item.copies) {
+        const auto number = static_cast<std::size_t>(&part - item.mesh->parts().data());
+        item.copies->draw(GL_TRIANGLES, part.count, part.first, item.drawn_count(), number);
+    } else {
+        const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);
+        glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(offset));
+    }
 }
 
 void Tools::draw(std::span<const SceneItem> items, const MeshPass& pass)

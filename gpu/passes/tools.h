@@ -42,6 +42,7 @@ class Tools {
 public:
     Tools();
     const Program& use(const ProgramName& name) { return programs_.use(name); }
+    Programs& programs() { return programs_; }
     // Sets the shader texts of all programs, also of those that deform: see Programs. Returns
     // whether they changed.
     bool take(const Ref<ShaderTexts>& texts);

@@ -51,7 +51,7 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
         item.edges->vertices.bind();
         const int count = item.edges->indices->count;
         if (item.copies)
-            glDrawElementsInstanced(GL_LINES, count, GL_UNSIGNED_INT, nullptr, item.drawn_count());
+            item.copies->draw(GL_LINES, count, 0, item.drawn_count(), item.mesh->parts().size());
         else
             glDrawElements(GL_LINES, count, GL_UNSIGNED_INT, nullptr);
     }

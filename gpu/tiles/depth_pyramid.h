@@ -1,36 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/box.h"
-
+#include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace trivar::gpu {
 
 // A DepthPyramid tells what lies behind what a picture shows: it holds the depths of the picture,
-// and in each smaller level the greatest of four of them [Greene, Kass, Miller 1993].
+// and in each smaller level the greatest of four of them [Greene, Kass, Miller 1993]. A level has
+// half of the texels of the one before along each side, rounded up; the last has one.
 class DepthPyramid {
 public:
     DepthPyramid() = default;
     // `depths` are those of a depth buffer, 0..1, the lowest row first. O(#depths).
     DepthPyramid(std::vector<float> depths, glm::ivec2 size_px);
 
-    // Whether what lies in a box cannot be seen, where `to_clip` takes its space to clip space:
-    // all that is drawn over its place in the picture, and a texel round it, is nearer than its
-    // nearest corner. False where the box reaches behind the camera. About 0.1 microseconds.
-    bool hides(const Box& box, const glm::dmat4& to_clip) const;
+    glm::ivec2 size_px() const { return size_px_; }           // of the picture; 0: there is none
+    std::span<const float> depths() const { return depths_; } // level by level, row by row
 
 private:
-    struct Level {
-        glm::ivec2 size_px{0};
-        std::vector<float> depths;
-        float at(glm::ivec2 p_px) const
-        {
-            return depths[static_cast<std::size_t>(p_px.y) * static_cast<std::size_t>(size_px.x) +
-                          static_cast<std::size_t>(p_px.x)];
-        }
-    };
-    std::vector<Level> levels_;
+    glm::ivec2 size_px_{0};
+    std::vector<float> depths_;
 };
 
 } // namespace trivar::gpu

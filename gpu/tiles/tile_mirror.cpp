@@ -4,8 +4,11 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
+#include "gpu/context.h"
 
 #include <algorithm>
+#include <atomic>
+#include <epoxy/gl.h>
 #include <numeric>
 #include <set>
 
@@ -13,11 +16,6 @@ namespace trivar::gpu {
 namespace {
 
 constexpr std::uint8_t unseen = 255;
-
-// How far a tile of a draft may be off by the bound of its stretch, in half pixels: that is about
-// one pixel, for the bound is about twice what tiles are stretched by. Pictures that are no drafts
-// show every tile as it is.
-constexpr double half_pixels_off = 4;
 
 bool has_tiles(const Instance& instance)
 {
@@ -52,14 +50,41 @@ double mean_size(const TileSet& set)
 
 } // namespace
 
+TileMirror::TileMirror() : wants_card_(!is_software()) {}
+
+void TileMirror::choose_on_card(bool on_card)
+{
+    wants_card_ = on_card;
+}
+
+// Its programs are made here, so that a driver that does not compile them leaves it to the
+// processor.
+bool TileMirror::can_choose_on_card(const Picture& picture, Programs& programs) const
+{
+    if (!wants_card_ || epoxy_gl_version() < 43) return false;
+    for (const Instance& instance : picture.instances)
+        if (has_tiles(instance) && !TileSieve::fits(instance.tiles->tiles->size())) return false;
+    try {
+        for (const ProgramName& name : TileSieve::programs()) programs.use(name);
+        for (const ProgramName& name : pyramid_programs()) programs.use(name);
+    } catch (const Rejected&) {
+        return false;
+    }
+    return true;
+}
+
 bool TileMirror::any(const Picture& picture)
 {
     return std::ranges::any_of(picture.instances, has_tiles);
 }
 
-void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mirror)
+void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mirror,
+                        Programs& programs)
 {
     of_instance_.assign(picture.instances.size(), nullptr);
+    const TileCounts before = counts();
+    const bool on_card = any(picture) && can_choose_on_card(picture, programs);
+    if (std::exchange(on_card_, on_card) != on_card) entries_.clear();
     counts_ = {};
     ++pictures_;
     std::map<std::pair<int, PartKey>, int> met;
@@ -76,12 +101,18 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         }
         wanted.insert(key);
         entry.picture = pictures_;
-        const TileView view(camera, instance.to_world, picture.draft);
+        const TileRule rule = rule_of(camera, instance.to_world, entry.patches->origin(),
+                                      picture.draft, *entry.set->model->levels);
         const bool anew = entry.changes != entry.patches->changes();
+        const bool other = anew || entry.rule != rule;
         entry.changes = entry.patches->changes();
         entry.to_world = instance.to_world;
-        if (anew || entry.view != view) choose_levels(entry, view);
-        choose_casting(entry, view, mirror, anew);
+        entry.rule = rule;
+        if (on_card)
+            sieve_levels(entry, mirror, picture.settings.wire);
+        else if (other)
+            choose_levels(entry);
+        choose_casting(entry, mirror, anew);
         DrawnTiles& drawn = entry.drawn;
         // Tiles of strands and covers leave no gaps between them.
         const bool apart = instance.part.piece == 0;
@@ -98,11 +129,11 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         of_instance_[i] = &drawn;
         counts_.tiles += entry.set->tiles->size();
         counts_.all_vertices += entry.set->vertex_count();
-        for (const DrawnTiles::Level& level : drawn.levels) {
-            counts_.drawn += level.chosen;
-            counts_.vertices += level.chosen * level.mesh->vertex_count();
-        }
+        // Of the card: the most that there can be, until it has told.
+        for (std::size_t l = 0; l < (on_card ? 1 : drawn.levels.size()); ++l)
+            counts_.add(l, drawn.levels[l].chosen, drawn.levels[l].mesh->vertex_count());
     }
+    if (on_card && before.tiles == counts_.tiles) counts_ = before; // more likely than the most
     std::erase_if(entries_, [&](const auto& item) { return !wanted.contains(item.first); });
 }
 
@@ -125,7 +156,7 @@ void TileMirror::take(Entry& entry, const Ref<TileSet>& set)
         entry.patches->write(set->tiles, set->box);
     }
     entry.set = set;
-    entry.view.reset();
+    entry.rule.reset();
     entry.changes = 0;
     DrawnTiles& drawn = entry.drawn;
     drawn.patches = entry.patches;
@@ -137,70 +168,129 @@ void TileMirror::take(Entry& entry, const Ref<TileSet>& set)
     entry.seen.assign(drawn.levels.size(), {});
     entry.casting.assign(drawn.levels.size(), {});
     entry.levels.clear();
+    if (entry.sieve) entry.sieve->forget_levels();
 }
 
 void TileMirror::show(const DepthPyramid& before, const glm::dmat4& world_to_clip)
 {
-    counts_.drawn = counts_.vertices = 0;
+    counts_ = {counts_.tiles, 0, 0, 0, counts_.all_vertices, {}};
     for (auto& [key, entry] : entries_) {
         const TileSet& set = *entry.set;
-        const glm::dmat4 to_clip = world_to_clip * entry.to_world;
+        const glm::dvec3& origin = entry.patches->origin();
+        const TileRule rule =
+            with_pyramid(*entry.rule, before.size_px(), world_to_clip, entry.to_world, origin);
         std::vector<std::uint8_t> levels = entry.levels;
+        std::atomic<std::size_t> hidden = 0;
         parallel_blocks(levels.size(), 512, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (levels[i] != unseen && before.hides(set.extents[i].hull, to_clip))
-                    levels[i] = unseen;
+            TileChooser chooser{rule, before.depths()};
+            std::size_t here = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (levels[i] == unseen) continue;
+                const TileHull hull = hull_of(set.extents[i], origin);
+                if (!chooser.hidden(hull.lo, hull.hi)) continue;
+                levels[i] = unseen;
+                ++here;
+            }
+            hidden += here;
         });
+        counts_.hidden += hidden;
         std::vector<Numbers> seen = by_level(levels, entry.drawn.levels.size());
         for (std::size_t l = 0; l < seen.size(); ++l) {
             DrawnTiles::Level& level = entry.drawn.levels[l];
             rewrite(level.seen, entry.seen[l], seen[l]);
             level.seen.patches = entry.patches;
-            counts_.drawn += seen[l].size();
-            counts_.vertices += seen[l].size() * level.mesh->vertex_count();
+            counts_.add(l, seen[l].size(), level.mesh->vertex_count());
         }
         entry.seen = std::move(seen);
     }
 }
 
-void TileMirror::choose_levels(Entry& entry, const TileView& view)
+void TileMirror::show(const DevicePyramid* before, const glm::dmat4& world_to_clip,
+                      Programs& programs)
+{
+    std::vector<LateCounts::Layer> layers;
+    for (const auto& [key, entry] : entries_) {
+        LateCounts::Layer layer{entry.set->tiles->size(), entry.set->vertex_count(), {}};
+        for (const DrawnTiles::Level& level : entry.drawn.levels)
+            layer.vertices.push_back(level.mesh->vertex_count());
+        layers.push_back(std::move(layer));
+    }
+    const Buffer& totals = late_counts_.next(std::move(layers));
+    std::size_t first_total = 0;
+    for (const auto& [key, entry] : entries_) {
+        const TileRule rule = with_pyramid(*entry.rule, before ? before->size_px() : glm::ivec2(0),
+                                           world_to_clip, entry.to_world, entry.patches->origin());
+        entry.sieve->choose(programs, rule, before, totals, first_total);
+        first_total += LateCounts::kinds;
+    }
+    late_counts_.asked();
+}
+
+const TileCounts& TileMirror::counts()
+{
+    if (const std::optional<TileCounts> told = on_card_ ? late_counts_.told() : std::nullopt)
+        counts_ = *told;
+    return counts_;
+}
+
+void TileMirror::choose_levels(Entry& entry)
 {
     const TileSet& set = *entry.set;
-    const std::vector<TileLevel>& levels = *set.model->levels;
-    entry.view = view;
     entry.levels.resize(set.tiles->size(), unseen);
     parallel_blocks(entry.levels.size(), 512, [&](std::size_t begin, std::size_t end) {
+        TileChooser chooser{*entry.rule};
         for (std::size_t i = begin; i < end; ++i) {
-            const TileSet::Extent& extent = set.extents[i];
+            const TileHull hull = hull_of(set.extents[i], entry.patches->origin());
             std::uint8_t& level = entry.levels[i];
-            if (!view.sees(extent.hull)) {
-                level = unseen;
-                continue;
-            }
-            const std::optional<std::size_t> last =
-                level != unseen ? std::optional<std::size_t>(level) : std::nullopt;
-            const double tolerance = half_pixels_off * view.tolerance(extent.hull);
-            level = 0;
-            if (view.steady())
-                level =
-                    static_cast<std::uint8_t>(level_for(levels, extent.stretch, tolerance, last));
+            const int last = level == unseen ? chooser.UNSEEN : level;
+            const int next = chooser.chosen_level(hull.lo, hull.hi, hull.stretch, last);
+            level = next == chooser.UNSEEN ? unseen : static_cast<std::uint8_t>(next);
         }
     });
-    for (std::size_t l = 0; l < levels.size(); ++l)
+    for (std::size_t l = 0; l < entry.drawn.levels.size(); ++l)
         entry.drawn.levels[l].chosen = static_cast<std::size_t>(
             std::ranges::count(entry.levels, static_cast<std::uint8_t>(l)));
 }
 
-void TileMirror::choose_casting(Entry& entry, const TileView& view, Mirror& mirror, bool anew)
+void TileMirror::sieve_levels(Entry& entry, Mirror& mirror, bool edges)
+{
+    if (!entry.sieve) entry.sieve = std::make_unique<TileSieve>();
+    entry.sieve->write(*entry.set, entry.patches->origin());
+    std::vector<TileSieve::Command> commands;
+    const auto draw = [&](std::size_t level, int count, int first) {
+        TileSieve::Command& command = commands.emplace_back();
+        command.count = static_cast<std::uint32_t>(count);
+        command.first = static_cast<std::uint32_t>(first);
+        command.level = static_cast<std::uint32_t>(level);
+    };
+    for (std::size_t l = 0; l < entry.drawn.levels.size(); ++l) {
+        DrawnTiles::Level& level = entry.drawn.levels[l];
+        level.chosen = l == 0 || entry.rule->steady ? entry.set->tiles->size() : 0;
+        level.seen.upright = static_cast<int>(level.chosen);
+        level.seen.patches = entry.patches;
+        level.seen.chosen = entry.sieve->rows();
+        level.seen.level = l;
+        level.seen.first_command = commands.size();
+        for (const MirroredMesh::Part& part : mirror.mesh(level.mesh).parts())
+            draw(l, part.count, part.first);
+        draw(l, edges ? mirror.edges(level.mesh, level.mesh).indices->count : 0, 0);
+    }
+    entry.sieve->take(std::move(commands));
+}
+
+void TileMirror::choose_casting(Entry& entry, Mirror& mirror, bool anew)
 {
     const TileSet& set = *entry.set;
+    TileChooser chooser{*entry.rule};
+    const TileHull whole = hull_of({set.box, 0}, entry.patches->origin());
     // Two texels of a draft's shadow map over all of them, or about a pixel of a view that is
     // nearer. What was chosen stays while it is fine enough and not by far too fine, so that maps
     // are not drawn anew wherever the camera moves.
     const double coarse = glm::length(set.box.size()) / 512;
-    const double most = std::clamp(half_pixels_off * view.tolerance(set.box), coarse / 64, coarse);
+    const double most =
+        std::clamp<double>(chooser.tolerance_for(whole.lo, whole.hi), coarse / 64, coarse);
     const double last = entry.caster_tolerance;
-    const double tolerance = !view.steady()                    ? 0
+    const double tolerance = !entry.rule->steady               ? 0
                              : last <= most && 3 * last > most ? last
                                                                : 0.8 * most;
     if (!anew && tolerance == entry.caster_tolerance) return;
@@ -208,9 +298,10 @@ void TileMirror::choose_casting(Entry& entry, const TileView& view, Mirror& mirr
     const std::vector<TileLevel>& levels = *set.model->levels;
     std::vector<std::uint8_t> chosen(set.tiles->size());
     parallel_blocks(chosen.size(), 512, [&](std::size_t begin, std::size_t end) {
+        TileChooser here{*entry.rule};
         for (std::size_t i = begin; i < end; ++i)
-            chosen[i] =
-                static_cast<std::uint8_t>(level_for(levels, set.extents[i].stretch, tolerance));
+            chosen[i] = static_cast<std::uint8_t>(here.coarsest_within(
+                static_cast<float>(set.extents[i].stretch), static_cast<float>(tolerance)));
     });
     std::vector<Numbers> casting = by_level(chosen, levels.size());
     for (std::size_t l = 0; l < casting.size(); ++l) {

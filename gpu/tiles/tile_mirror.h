@@ -3,10 +3,9 @@
 
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
-#include "gpu/tiles/depth_pyramid.h"
-#include "gpu/tiles/tile_counts.h"
+#include "gpu/tiles/late_counts.h"
 #include "gpu/tiles/tile_patches.h"
-#include "gpu/tiles/tile_view.h"
+#include "gpu/tiles/tile_sieve.h"
 
 #include <tuple>
 
@@ -17,7 +16,9 @@ namespace trivar::gpu {
 struct DrawnTiles {
     struct Level {
         Ref<Mesh> mesh;
-        std::size_t chosen = 0; // number of tiles in view that are drawn so if nothing hides them
+        // Number of tiles in view that are drawn so if nothing hides them; the most that there can
+        // be where the graphics card chooses.
+        std::size_t chosen = 0;
         MirroredCopies seen, casting;
     };
     std::vector<Level> levels;
@@ -30,18 +31,26 @@ struct DrawnTiles {
 };
 
 // A TileMirror keeps the tiles of pictures on the GPU, by the id and part of their instances. Only
-// what changed is uploaded: patches that differ, and the numbers of tiles whose level is another.
+// what changed is uploaded: patches that differ, and, where the processor chooses, the numbers of
+// tiles whose level is another. Processor and graphics card choose the same tiles.
 class TileMirror {
 public:
-    // Chooses how the picture's tiles are drawn, as a camera sees them.
-    void update(const Picture& picture, const Camera& camera, Mirror& mirror);
-    // Uploads which of the chosen tiles are seen: those that nothing hides which lies `before`
-    // them. Draws of the picture's tiles must come after it.
+    TileMirror(); // who chooses: the card, unless it is software or has no OpenGL 4.3
+    void choose_on_card(bool on_card);
+    bool on_card() const { return on_card_; } // in the last update
+
+    // Chooses how the picture's tiles are drawn, as a camera sees them, or prepares that.
+    void update(const Picture& picture, const Camera& camera, Mirror& mirror, Programs& programs);
+    // Shows those of them that nothing hides which lies `before` them: what the processor has
+    // chosen, or else, on the card, what it chooses now; null: nothing does. Draws of the picture's
+    // tiles must come after it.
     void show(const DepthPyramid& before, const glm::dmat4& world_to_clip);
+    void show(const DevicePyramid* before, const glm::dmat4& world_to_clip, Programs& programs);
     // For the index of an instance of that picture; null: it has no tiles, or they do not fit into
     // the device and are drawn as one mesh.
     const DrawnTiles* of(std::size_t instance) const { return of_instance_.at(instance); }
-    const TileCounts& counts() const { return counts_; }
+    // Of the last update, or of an earlier one where the card is not done yet.
+    const TileCounts& counts();
     std::size_t bytes() const; // memory of all patches
     static bool any(const Picture& picture);
 
@@ -52,7 +61,8 @@ private:
         std::uint64_t changes = 0; // of the patches
         std::uint64_t picture = 0; // number of the last picture that showed it
         std::shared_ptr<TilePatches> patches;
-        std::optional<TileView> view; // for which the levels were chosen
+        std::optional<TileRule> rule;     // by which the levels were chosen
+        std::unique_ptr<TileSieve> sieve; // null: the processor chooses
         double caster_tolerance = 0;
         std::vector<std::uint8_t> levels;   // by tile; as they were when it was last seen
         std::vector<Numbers> seen, casting; // by level, as they are uploaded
@@ -62,11 +72,15 @@ private:
     // The key is id and part, and the number of instances before this one that have the same.
     using Key = std::tuple<int, PartKey, int>;
     void take(Entry& entry, const Ref<TileSet>& set);
-    static void choose_levels(Entry& entry, const TileView& view);
-    void choose_casting(Entry& entry, const TileView& view, Mirror& mirror, bool anew);
+    bool can_choose_on_card(const Picture& picture, Programs& programs) const;
+    static void choose_levels(Entry& entry);
+    static void sieve_levels(Entry& entry, Mirror& mirror, bool edges);
+    void choose_casting(Entry& entry, Mirror& mirror, bool anew);
     std::map<Key, Entry> entries_;
     std::vector<const DrawnTiles*> of_instance_;
     std::uint64_t pictures_ = 0; // number of updates
+    bool wants_card_ = false, on_card_ = false;
+    LateCounts late_counts_;
     Ref<Mesh> footprint_;
     TileCounts counts_;
 };

@@ -9,8 +9,10 @@
 #include "core/tiles/layouter.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
+#include "gpu/tiles/tile_mirror.h"
 
 #include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
 #include <hwy/targets.h>
 
 // About 10,000 tiles that fill a torus of 20,000 triangles, and what each part of their evaluation
@@ -217,7 +219,7 @@ void tiles_bent(benchmark::State& state)
                             static_cast<std::int64_t>(placed->size() * unit.vertex_count()));
 }
 
-enum class Drawn { from_tiles, from_tiles_again, as_one_mesh };
+enum class Drawn { from_tiles, from_tiles_by_card, from_tiles_again, as_one_mesh };
 
 // A draft of the torus with tiles of 281 vertices, 3 million in all, while the camera turns round
 // it; or while the base moves, so that every patch is another.
@@ -244,6 +246,7 @@ void tiles_picture(benchmark::State& state, Drawn drawn)
     base.id = 2;
     picture.instances = {instance, base};
     gpu::Renderer renderer;
+    renderer.choose_tiles_on_card(drawn == Drawn::from_tiles_by_card);
     constexpr glm::ivec2 size_px{1280, 720};
     renderer.draw(picture, size_px);
     double angle = 0;
@@ -266,6 +269,52 @@ void tiles_picture(benchmark::State& state, Drawn drawn)
         static_cast<double>(placed->size() * model->mesh->vertex_count());
 }
 
+// Only the choice, and nothing drawn: which of the tiles on the torus, and of nine such layers, are
+// seen and by which level, while the camera turns round them. What may hide them are depths of half
+// the size of a picture, which the processor has already read back.
+void tiles_choice(benchmark::State& state, bool on_card)
+{
+    const gpu::HeadlessContext context;
+    const Ref<TileModel> model = tile_model(unit_of(sphere_mesh(0.5, 20, 14)));
+    const Ref<TileSet> set = tile_set(model, placed_tiles());
+    gpu::Picture picture;
+    picture.draft = true;
+    for (int i = 0; i < state.range(0); ++i) {
+        gpu::Instance& layer = picture.instances.emplace_back();
+        layer.id = i + 1;
+        layer.mesh = model->mesh;
+        layer.tiles = set;
+    }
+    constexpr glm::ivec2 size_px{640, 360};
+    const std::vector<float> depths(640 * 360, 0.98f);
+    gpu::Texture2D texture(GL_R32F, size_px);
+    texture.bind(0);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px.x, size_px.y, GL_RED, GL_FLOAT, depths.data());
+    gpu::Mirror mirror;
+    gpu::Programs programs;
+    gpu::TileMirror tiles;
+    tiles.choose_on_card(on_card);
+    gpu::DevicePyramid pyramid;
+    double angle = 0;
+    for (auto _ : state) {
+        angle += 0.02;
+        picture.camera.eye = {3.2 * std::sin(angle), -3.2 * std::cos(angle), 2};
+        const glm::dmat4 to_clip =
+            projection_matrix(picture.camera, 0.1, 10) * view_matrix(picture.camera);
+        tiles.update(picture, picture.camera, mirror, programs);
+        if (on_card) {
+            pyramid.write(programs, texture);
+            tiles.show(&pyramid, to_clip, programs);
+        } else {
+            tiles.show(gpu::DepthPyramid(depths, size_px), to_clip);
+        }
+        glFinish();
+    }
+    state.counters["tiles"] = static_cast<double>(tiles.counts().tiles);
+    state.counters["drawn"] = static_cast<double>(tiles.counts().drawn);
+    state.counters["hidden"] = static_cast<double>(tiles.counts().hidden);
+}
+
 BENCHMARK(tiles_layout)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_charts)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_patches)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
@@ -281,10 +330,23 @@ BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, turning, Drawn::from_tiles)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_picture, turning_by_card, Drawn::from_tiles_by_card)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, moving, Drawn::from_tiles_again)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, one_mesh, Drawn::as_one_mesh)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_choice, processor, false)
+    ->Arg(1)
+    ->Arg(9)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tiles_choice, card, true)
+    ->Arg(1)
+    ->Arg(9)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

@@ -8,7 +8,10 @@ namespace trivar::testing {
 // Counts the calls that draw by indices while it lives. One at a time.
 class DrawCalls {
 public:
-    DrawCalls() : single_(epoxy_glDrawElements), instanced_(epoxy_glDrawElementsInstanced)
+    DrawCalls()
+        : single_(epoxy_glDrawElements),
+          instanced_(epoxy_glDrawElementsInstanced),
+          indirect_(epoxy_glDrawElementsIndirect)
     {
         present_ = this;
         stand_between();
@@ -28,6 +31,7 @@ private:
     {
         epoxy_glDrawElements = single_;
         epoxy_glDrawElementsInstanced = instanced_;
+        epoxy_glDrawElementsIndirect = indirect_;
     }
     // Looked up when it is first called, a function of epoxy puts itself back in its place.
     static void stand_between()
@@ -45,10 +49,17 @@ private:
             glDrawElementsInstanced(mode, count, type, from, instances);
             stand_between();
         };
+        epoxy_glDrawElementsIndirect = [](GLenum mode, GLenum type, const void* command) {
+            ++present_->count;
+            present_->step_aside();
+            glDrawElementsIndirect(mode, type, command);
+            stand_between();
+        };
     }
     static inline DrawCalls* present_ = nullptr;
     decltype(epoxy_glDrawElements) single_;
     decltype(epoxy_glDrawElementsInstanced) instanced_;
+    decltype(epoxy_glDrawElementsIndirect) indirect_;
 };
 
 } // namespace trivar::testing

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which tiles a camera sees, and how fine they are to be; without drawing.
-#include "gpu/tiles/depth_pyramid.h"
-#include "gpu/tiles/tile_view.h"
+#include "gpu/tiles/tile_rule.h"
 #include "tests/gpu/support.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,7 +9,13 @@
 namespace trivar::gpu::testing {
 namespace {
 
-TEST(TileView, SeesWhatProjectsIntoThePicture)
+bool hidden_by(const TileRule& rule, const DepthPyramid& pyramid, const Box& box)
+{
+    const TileHull hull = hull_of({box, 1}, glm::dvec3(0));
+    return TileChooser{rule, pyramid.depths()}.hidden(hull.lo, hull.hi);
+}
+
+TEST(TileRules, SeesWhatProjectsIntoThePicture)
 {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-6, 6);
@@ -18,24 +23,26 @@ TEST(TileView, SeesWhatProjectsIntoThePicture)
         Camera camera;
         camera.perspective = perspective;
         const glm::dmat4 to_world = glm::rotate(moved(0.5, 1, 0), 0.4, {1, 2, 3});
-        const TileView view(camera, to_world, false);
+        const glm::dvec3 origin(1, 2, 3);
+        const TileRule rule = rule_of(camera, to_world, origin, false, {{nullptr, 0}});
+        TileChooser chooser{rule};
         int seen = 0;
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 p(place(random), place(random), place(random));
             const PicturePoint at = project(camera, glm::dvec3(to_world * glm::dvec4(p, 1)));
             const bool inside = at.depth_world > 0 && at.p_px.x > 0 && at.p_px.y > 0 &&
                                 at.p_px.x < camera.size_px.x && at.p_px.y < camera.size_px.y;
-            const Box box{p - 0.01, p + 0.01};
+            const TileHull box = hull_of({{p - 0.01, p + 0.01}, 1}, origin);
             seen += inside;
             if (inside) {
-                EXPECT_TRUE(view.sees(box));
+                EXPECT_TRUE(chooser.in_view(box.lo, box.hi));
                 const double pixel = pixel_size_world(camera, at.depth_world);
-                EXPECT_LT(view.tolerance(box), 0.5 * pixel);
-                EXPECT_GT(view.tolerance(box), 0.1 * pixel);
+                EXPECT_LT(chooser.tolerance_for(box.lo, box.hi), 2 * pixel);
+                EXPECT_GT(chooser.tolerance_for(box.lo, box.hi), 0.4 * pixel);
             }
             const bool far_out = at.depth_world > 0.1 && (at.p_px.x < -50 || at.p_px.y < -50 ||
                                                           at.p_px.x > camera.size_px.x + 50);
-            EXPECT_FALSE(far_out && view.sees(box));
+            EXPECT_FALSE(far_out && chooser.in_view(box.lo, box.hi));
         }
         EXPECT_GT(seen, 100);
     }
@@ -59,34 +66,45 @@ TEST(DepthPyramid, HidesNoBoxOfWhichSomethingIsNearer)
                               static_cast<int>(share(random) * size.y));
         depths[static_cast<std::size_t>(hole.y * size.x + hole.x)] = 1;
         const DepthPyramid pyramid(depths, size);
+        const TileRule rule = with_pyramid({}, size, matrix, glm::dmat4(1), glm::dvec3(0));
         const glm::dvec3 lo(share(random), share(random), 0.35 + 0.3 * share(random));
         const glm::dvec3 extent(share(random), share(random), 0.2);
         const Box box{lo, lo + 0.4 * extent};
         const glm::dvec2 there = (glm::dvec2(hole) + 0.5) / glm::dvec2(size);
         const bool open =
             there.x > box.lo.x && there.y > box.lo.y && there.x < box.hi.x && there.y < box.hi.y;
-        const bool hides = pyramid.hides(box, matrix);
+        const bool hides = hidden_by(rule, pyramid, box);
         hidden += hides;
         EXPECT_FALSE(hides && (open || lo.z < 0.4));
     }
     EXPECT_GT(hidden, 50);
     glm::dmat4 behind = matrix;
     behind[3].w = -1;
-    EXPECT_FALSE(
-        DepthPyramid({0, 0, 0, 0}, {2, 2}).hides({glm::dvec3(0.2), glm::dvec3(0.6)}, behind));
-    EXPECT_FALSE(DepthPyramid().hides({glm::dvec3(0.2), glm::dvec3(0.6)}, matrix));
+    const auto rule_with = [](glm::ivec2 size_px, const glm::dmat4& clip) {
+        return with_pyramid({}, size_px, clip, glm::dmat4(1), glm::dvec3(0));
+    };
+    const DepthPyramid nearest({0, 0, 0, 0}, {2, 2});
+    const Box box{glm::dvec3(0.2), glm::dvec3(0.6)};
+    EXPECT_TRUE(hidden_by(rule_with({2, 2}, matrix), nearest, box));
+    EXPECT_FALSE(hidden_by(rule_with({2, 2}, behind), nearest, box));
+    EXPECT_FALSE(hidden_by(rule_with({0, 0}, matrix), {}, box));
 }
 
-TEST(TileView, KeepsALevelUntilAnotherIsClearlyBetter)
+TEST(TileRules, KeepsALevelUntilAnotherIsClearlyBetter)
 {
-    const std::vector<TileLevel> levels{{nullptr, 0}, {nullptr, 0.001}, {nullptr, 0.01}};
-    EXPECT_EQ(level_for(levels, 1, 0.0105), 2u);
-    EXPECT_EQ(level_for(levels, 1, 0.0105, 1), 1u);
-    EXPECT_EQ(level_for(levels, 1, 0.014, 1), 2u);
-    EXPECT_EQ(level_for(levels, 1, 0.0095), 1u);
-    EXPECT_EQ(level_for(levels, 1, 0.0095, 2), 2u);
-    EXPECT_EQ(level_for(levels, 1, 0.007, 2), 1u);
-    EXPECT_EQ(level_for(levels, 1, 0, 2), 0u);
+    const TileRule rule = rule_of({}, glm::dmat4(1), glm::dvec3(0), true,
+                                  {{nullptr, 0}, {nullptr, 0.001}, {nullptr, 0.01}});
+    TileChooser chooser{rule};
+    const auto level_for = [&](float tolerance, int before) {
+        return chooser.level_for(1, tolerance, before);
+    };
+    EXPECT_EQ(level_for(0.0105f, chooser.UNSEEN), 2);
+    EXPECT_EQ(level_for(0.0105f, 1), 1);
+    EXPECT_EQ(level_for(0.014f, 1), 2);
+    EXPECT_EQ(level_for(0.0095f, chooser.UNSEEN), 1);
+    EXPECT_EQ(level_for(0.0095f, 2), 2);
+    EXPECT_EQ(level_for(0.007f, 2), 1);
+    EXPECT_EQ(level_for(0.0f, 2), 0);
 }
 
 } // namespace
