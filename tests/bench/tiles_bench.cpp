@@ -328,23 +328,29 @@ BENCHMARK_CAPTURE(tiles_vertices, kernel, Bending::as_wide_as_can_be)
 BENCHMARK_CAPTURE(tiles_vertices, kernel_avx2, Bending::by_avx2)->Unit(benchmark::kMillisecond);
 BENCHMARK(tiles_bent)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, turning, Drawn::from_tiles)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, turning_by_card, Drawn::from_tiles_by_card)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, moving, Drawn::from_tiles_again)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_picture, one_mesh, Drawn::as_one_mesh)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_choice, processor, false)
+    ->MeasureProcessCPUTime()
     ->Arg(1)
     ->Arg(9)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tiles_choice, card, true)
+    ->MeasureProcessCPUTime()
     ->Arg(1)
     ->Arg(9)
     ->UseRealTime()
