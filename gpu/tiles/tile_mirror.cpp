@@ -96,6 +96,8 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         Entry& entry = entries_[key];
         try {
             take(entry, instance.tiles);
+            if (on_card && !entry.sieve) entry.sieve = std::make_unique<TileSieve>();
+            if (on_card) entry.sieve->write(*entry.set, entry.patches->origin());
         } catch (const Rejected&) { // its mesh is drawn
             continue;
         }
@@ -109,7 +111,7 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         entry.to_world = instance.to_world;
         entry.rule = rule;
         if (on_card)
-            sieve_levels(entry, mirror, picture.settings.wire);
+            prepare_draws(entry, mirror, picture.settings.wire);
         else if (other)
             choose_levels(entry);
         choose_casting(entry, mirror, anew);
@@ -252,10 +254,8 @@ void TileMirror::choose_levels(Entry& entry)
             std::ranges::count(entry.levels, static_cast<std::uint8_t>(l)));
 }
 
-void TileMirror::sieve_levels(Entry& entry, Mirror& mirror, bool edges)
+void TileMirror::prepare_draws(Entry& entry, Mirror& mirror, bool edges)
 {
-    if (!entry.sieve) entry.sieve = std::make_unique<TileSieve>();
-    entry.sieve->write(*entry.set, entry.patches->origin());
     std::vector<TileSieve::Command> commands;
     const auto draw = [&](std::size_t level, int count, int first) {
         TileSieve::Command& command = commands.emplace_back();

@@ -74,7 +74,7 @@ private:
     void take(Entry& entry, const Ref<TileSet>& set);
     bool can_choose_on_card(const Picture& picture, Programs& programs) const;
     static void choose_levels(Entry& entry);
-    static void sieve_levels(Entry& entry, Mirror& mirror, bool edges);
+    static void prepare_draws(Entry& entry, Mirror& mirror, bool edges); // by the card
     void choose_casting(Entry& entry, Mirror& mirror, bool anew);
     std::map<Key, Entry> entries_;
     std::vector<const DrawnTiles*> of_instance_;

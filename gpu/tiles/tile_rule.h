@@ -24,6 +24,8 @@ struct TileRule {
     bool operator==(const TileRule&) const = default;
 };
 
+static_assert(sizeof(TileRule) == 16 * (5 + 1 + 2 + 4 + 1 + 1));
+
 // The rule of a picture, without what hides. `origin` is that of the patches, and `to_world` takes
 // the space of the tiles to the world; `draft`: levels are chosen. At most `most_levels` levels.
 TileRule rule_of(const Camera& camera, const glm::dmat4& to_world, const glm::dvec3& origin,

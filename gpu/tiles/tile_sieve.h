@@ -21,6 +21,7 @@ public:
         std::array<std::uint32_t, 2> unused{};
         bool operator==(const Command&) const = default;
     };
+    static_assert(sizeof(Command) == 32); // tiles.comp, MirroredCopies::draw()
     static std::vector<ProgramName> programs();
     static bool fits(std::size_t tiles); // whether shaders of this device see as many
 
