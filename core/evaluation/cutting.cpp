@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/cutting.h"
 
+#include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/inside_material.h"
+#include "core/evaluation/tile_pieces.h"
 #include "core/split/sever.h"
 
 #include <algorithm>
@@ -10,12 +12,21 @@
 namespace trivar {
 namespace {
 
-// A piece is numbered by its sides, and in higher bits by what was cut, from 1 on.
-constexpr int sides_bits = 16;
+// A piece is numbered by its sides, by a bit for whole tiles, and in higher bits by what was cut,
+// from 1 on.
+constexpr int sides_bits = 16, tiles_bit = 1 << sides_bits;
+constexpr int numbers_per_part = 2 * tiles_bit;
 
 bool drops(CutKeep keep, bool above)
 {
     return keep != CutKeep::both && (keep == CutKeep::above) != above;
+}
+
+bool keeps(const Cutting& cutting, unsigned sides)
+{
+    for (std::size_t i = 0; i < cutting.cuts.size(); ++i)
+        if (drops(cutting.cuts[i].keep, (sides >> i & 1u) != 0)) return false;
+    return true;
 }
 
 // The mesh with the places of another one's vertices as its morph target, to be taken back from
@@ -45,10 +56,11 @@ CuttingStep::Piece cut_piece(Mesh mesh, unsigned sides, bool has_rest)
     return out;
 }
 
-// Cuts one part at all surfaces, one after the other.
-std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
-                                           const CuttingStep::PiecesKey& key,
-                                           CuttingStep::Pieces& facts)
+// Cuts a mesh at all surfaces, one after the other.
+std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& rest,
+                                            const std::vector<CutSheet>& sheets,
+                                            const CuttingStep::PiecesKey& key,
+                                            CuttingStep::Pieces& facts)
 {
     struct Cutoff {
         Mesh mesh;
@@ -56,18 +68,18 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
         bool whole = true;
     };
     std::vector<Cutoff> all(1);
-    all[0].mesh = with_places(*whole.mesh, whole.rest);
+    all[0].mesh = with_places(mesh, rest);
     SeverOptions options;
     options.tolerance = key.cutting.tolerance / key.metres;
     options.capped = key.cutting.capped;
-    options.material = key.material;
+    options.material = key.material.value_or(
+        mesh.face_material.empty() ? 0 : mesh.face_material.front());
     for (std::size_t i = 0; i < key.cutting.cuts.size(); ++i) {
         const PlainCut& cut = key.cutting.cuts[i];
-        const CutSheet sheet(cut, whole.to_own);
         std::vector<Cutoff> next;
         for (Cutoff& each : all) {
             bool above = false;
-            std::optional<Severed> made = sever(each.mesh, sheet, options, above);
+            std::optional<Severed> made = sever(each.mesh, sheets[i], options, above);
             if (!made) {
                 if (drops(cut.keep, above)) continue;
                 each.sides |= (above ? 1u : 0u) << i;
@@ -90,7 +102,33 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
         if (each.whole)
             out.push_back({.sides = each.sides});
         else
-            out.push_back(cut_piece(std::move(each.mesh), each.sides, whole.rest != nullptr));
+            out.push_back(cut_piece(std::move(each.mesh), each.sides, rest != nullptr));
+    }
+    return out;
+}
+
+std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
+                                           const CuttingStep::PiecesKey& key,
+                                           CuttingStep::Pieces& facts)
+{
+    std::vector<CutSheet> sheets;
+    for (const PlainCut& cut : key.cutting.cuts) sheets.emplace_back(cut, whole.to_own);
+    if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, sheets, key, facts);
+    const TilePieces tiles =
+        tile_pieces(whole.tiles, sheets, whole.alone,
+                    [&](unsigned sides) { return keeps(key.cutting, sides); });
+    std::vector<CuttingStep::Piece> out;
+    for (const auto& [sides, set] : tiles.whole) {
+        out.push_back({.sides = sides});
+        if (set != whole.tiles) out.back().tiles = set;
+    }
+    if (!tiles.crossed) return out;
+    for (CuttingStep::Piece& each : mesh_pieces(*tiles.crossed, nullptr, sheets, key, facts)) {
+        if (!each.mesh && whole.alone) { // it was not cut: hulls are larger than tiles
+            each.mesh = tiles.crossed;
+            each.bounds = bounding_box(*tiles.crossed);
+        }
+        out.push_back(std::move(each));
     }
     return out;
 }
@@ -127,16 +165,29 @@ Part baked(const Part& part, Ref<Mesh> mesh, const Ref<Mesh>& rest)
     return out;
 }
 
+PartKey key_of(const Part& part, const CuttingStep::Piece& piece)
+{
+    PartKey key = part.key;
+    key.piece = (key.piece + 1) * numbers_per_part + (piece.tiles ? tiles_bit : 0) +
+                static_cast<int>(piece.sides);
+    return key;
+}
+
 Part part_for(const Part& part, const CuttingStep::Whole& whole, const CuttingStep::Piece& piece,
               const glm::dvec3& way, bool refined)
 {
+    if (piece.tiles) {
+        Part out = part_of(piece.tiles, key_of(part, piece));
+        out.to_world = part.to_world;
+        return moved_by(std::move(out), way);
+    }
     if (!piece.mesh) {
         // The facts of refined parts go by their numbers, which are others now
         if (!part.bent || (way == glm::dvec3(0) && !refined)) return moved_by(part, way);
         return moved_by(baked(part, whole.mesh, whole.rest), way);
     }
     Part out = baked(part, piece.mesh, piece.rest);
-    out.key.piece = (part.key.piece + 1) * (1 << sides_bits) + static_cast<int>(piece.sides);
+    out.key = key_of(part, piece);
     return moved_by(std::move(out), way);
 }
 
@@ -144,8 +195,6 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
 {
     stage.cut_off = pieces.off;
     stage.pieces = stage.parts.size();
-    if (stage.parts.empty())
-        stage.notices.emplace_back("its cuts keep nothing of it; keep the other side of one");
     std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
     if (pieces.off > cutting.tolerance)
         stage.notices.push_back(fmt::format("its cut is up to {:.3g} m from what was drawn, more "
@@ -153,39 +202,72 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
                                             pieces.off));
 }
 
-// What can cut at this frame: keys can take the direction away.
-Cutting present(Cutting cutting, Stage& stage)
+// What cuts an object, and whose space that is in; without cuts nothing does.
+struct CutsOf {
+    Cutting cutting;
+    glm::dmat4 own_to_world{1};
+    bool own = true; // not those of the base of a layer of tiles
+};
+
+CutsOf cuts_of(const Stage& stage, const StepInput& input)
+{
+    if (input.object.cutting) return {*input.object.cutting, stage.own_to_world, true};
+    const Id base = base_that(input.document, input.object,
+                              [](const Object& o) { return o.cutting.has_value(); });
+    const auto found = input.done.find(base);
+    if (found == input.done.end()) return {};
+    CutsOf out{*object(input.document, base).cutting, found->second->own_to_world, false};
+    out.cutting.inside = Filling::none; // tiles are not made of what their base is made of
+    return out;
+}
+
+// Keys can take the direction of a cut away; it then cuts nothing.
+void leave_out_blunt(CutsOf& cuts, Stage& stage)
 {
     const auto blunt = [](const PlainCut& cut) { return !(glm::length(cut.normal) > 1e-9); };
-    if (std::erase_if(cutting.cuts, blunt) > 0)
+    if (std::erase_if(cuts.cutting.cuts, blunt) > 0 && cuts.own)
         stage.notices.emplace_back(
             "the normal of a cut is 0 at this frame, so that it cuts nothing");
-    return cutting;
+}
+
+CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bool filled,
+                            Timings& timings)
+{
+    CuttingStep::Whole out;
+    if (part.drawn_from_tiles()) {
+        out.tiles = part.tiles;
+        out.alone = part.key.piece == 0; // tiles of strands and covers share their borders
+    } else {
+        out.mesh = mesh_of(part, timings);
+        if (filled && (part.bent || part.posed)) out.rest = part.rest;
+    }
+    if (part.to_world != own_to_world) out.to_own = glm::inverse(own_to_world) * part.to_world;
+    return out;
 }
 
 } // namespace
 
 Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    if (!input.object.cutting || before->parts.empty()) return before;
-    const glm::dmat4& own_to_world = before->own_to_world;
-    if (!(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0)) return before;
-    const bool filled = is_filled(*before, input.object.cutting->inside, input.object.surfacing);
-    return known_({before, *input.object.cutting, filled}, [&] {
+    if (before->parts.empty()) return before;
+    CutsOf cuts = cuts_of(*before, input);
+    const glm::dmat4 own_to_world = cuts.own_to_world;
+    if (cuts.cutting.cuts.empty() ||
+        !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
+        return before;
+    const bool filled = is_filled(*before, cuts.cutting.inside, input.object.surfacing);
+    return known_({before, cuts.cutting, own_to_world, filled}, [&] {
         Stage out = *before;
-        const Cutting cutting = present(*input.object.cutting, out);
+        leave_out_blunt(cuts, out);
+        const Cutting& cutting = cuts.cutting;
         const InsideMaterial inside = inside_material(*before, cutting.inside);
         PiecesKey key{{}, cutting, 1, inside.number};
+        if (input.object.tiles && cutting.inside == Filling::none) key.material.reset();
         for (PlainCut& cut : key.cutting.cuts) cut.gap = 0;
         const glm::dmat3 axes(own_to_world);
         key.metres = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-        for (const Part& part : before->parts) {
-            Whole whole{mesh_of(part, input.timings), nullptr, glm::dmat4(1)};
-            if (filled && (part.bent || part.posed)) whole.rest = part.rest;
-            if (part.to_world != own_to_world)
-                whole.to_own = glm::inverse(own_to_world) * part.to_world;
-            key.parts.push_back(std::move(whole));
-        }
+        for (const Part& part : before->parts)
+            key.parts.push_back(whole_of(part, own_to_world, filled, input.timings));
         const Ref<Pieces> pieces = timed(input.timings, "cut", [&] {
             return pieces_(key, [&] {
                 Pieces made;
@@ -194,8 +276,9 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
                 return make_ref(std::move(made));
             });
         });
-        const bool is_cut = std::ranges::any_of(
-            pieces->of_parts, [](const auto& of) { return of.size() != 1 || of[0].mesh; });
+        const bool is_cut = std::ranges::any_of(pieces->of_parts, [](const auto& of) {
+            return of.size() != 1 || of[0].mesh || of[0].tiles;
+        });
         out.parts.clear();
         for (std::size_t p = 0; p < before->parts.size(); ++p)
             for (const Piece& piece : pieces->of_parts[p]) {
@@ -203,11 +286,12 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
                 out.parts.push_back(part_for(before->parts[p], key.parts[p], piece, way,
                                              is_cut && before->refined));
             }
-        if (is_cut) {
-            out.whole_parts = before->parts;
-            out.mixed_materials = inside.beside;
-        }
+        if (is_cut) out.mixed_materials = inside.beside;
+        // Tiles are laid on what was there before, and then are cut with it
+        if (out.parts != before->parts) out.whole_parts = before->parts;
         tell_of_cuts(out, *pieces, cutting);
+        if (out.parts.empty() && cuts.own)
+            out.notices.emplace_back("its cuts keep nothing of it; keep the other side of one");
         return make_ref(std::move(out));
     });
 }

@@ -9,14 +9,17 @@ namespace trivar {
 
 // CuttingStep cuts what an object shows into pieces, as it stands at the frame: what was drawn over
 // a bent, posed or tiled model is what is cut. Every piece is a part by itself, so that a gap that
-// opens only moves parts. Stage: cut.
+// opens only moves parts. A layer of tiles without cuts of its own is cut with what it is painted
+// on: tiles that no cut goes through move with their piece or go with it, the others are cut, too.
+// Stage: cut.
 class CuttingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
-    // A piece of a part; without a mesh it is all of the part.
+    // A piece of a part; without a mesh and tiles it is all of the part.
     struct Piece {
         Ref<Mesh> mesh = nullptr;
+        Ref<TileSet> tiles = nullptr; // whole ones
         Ref<Mesh> rest = nullptr; // see Part::before_split
         unsigned sides = 0;       // bit i: above cut i
         Box bounds = {};
@@ -28,16 +31,18 @@ public:
     };
     // What pieces come from; gaps are 0 in `cutting`.
     struct Whole {
-        Ref<Mesh> mesh;
+        Ref<Mesh> mesh;     // null: tiles
+        Ref<TileSet> tiles; // null: a mesh
+        bool alone = false; // see tile_pieces()
         Ref<Mesh> rest; // of what a pattern fills, where that is not the mesh
-        glm::dmat4 to_own{1};
+        glm::dmat4 to_own{1}; // the space of the cuts
         bool operator==(const Whole&) const = default;
     };
     struct PiecesKey {
         std::vector<Whole> parts;
         Cutting cutting;
         double metres = 1; // of a unit of the object's own space
-        std::uint32_t material = 0;
+        std::optional<std::uint32_t> material = 0; // of caps; none: that of a part's first face
         bool operator==(const PiecesKey&) const = default;
     };
 
@@ -45,6 +50,7 @@ private:
     struct StageKey {
         Ref<Stage> before;
         Cutting cutting;
+        glm::dmat4 own_to_world{1};
         bool filled = false;
         bool operator==(const StageKey&) const = default;
     };

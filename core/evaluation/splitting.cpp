@@ -2,6 +2,7 @@
 #include "core/evaluation/splitting.h"
 
 #include "core/base/rejected.h"
+#include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/cap_notices.h"
 #include "core/evaluation/inside_material.h"
 #include "core/split/split.h"
@@ -33,7 +34,7 @@ Part parted(const Part& part, const SplitMesh& made, bool filled)
     return out;
 }
 
-Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
+Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, bool of_tiles,
                   const Ref<SplitField>& field)
 {
     Stage out = before;
@@ -49,6 +50,8 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
     for (Part& part : out.parts) {
         Mesh world = part.to_world == glm::dmat4(1) ? *part.mesh()
                                                     : transformed(*part.mesh(), part.to_world);
+        if (of_tiles && splitting.inside == Filling::none)
+            options.material = world.face_material.empty() ? 0 : world.face_material.front();
         // Where a file gives each face vertices of its own, what lies at one place is one point
         if (world.points.empty()) world.points = points_by_position(world.positions);
         const std::optional<SplitMesh> made = split(world, *field, options);
@@ -71,14 +74,15 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled,
     return out;
 }
 
-// What parts an object: its own splitting, or for a layer of tiles that of their base, so that
-// tiles part with what they are painted on.
+// What parts an object: its own splitting, or for a layer of tiles that of their base, or of
+// the base of that, so that tiles part with what they are painted on.
 std::optional<Splitting> splitting_of(const StepInput& input)
 {
     if (input.object.splitting || !input.object.tiles) return input.object.splitting;
-    const auto base = input.document.objects.find(input.object.tiles->base);
-    if (base == input.document.objects.end() || !(*base).second->splitting) return {};
-    Splitting out = *(*base).second->splitting;
+    const Id base = base_that(input.document, input.object,
+                              [](const Object& o) { return o.splitting.has_value(); });
+    if (base == 0) return {};
+    Splitting out = *object(input.document, base).splitting;
     out.inside = Filling::none;
     return out;
 }
@@ -127,8 +131,9 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
             return known_({before, field, *origin, *splitting, filled}, [&] {
                 SplitField there = *field;
                 there.frame.origin += *origin;
-                return make_ref(
-                    split_stage(*before, *splitting, filled, make_ref(std::move(there))));
+                return make_ref(split_stage(*before, *splitting, filled,
+                                            input.object.tiles.has_value(),
+                                            make_ref(std::move(there))));
             });
         });
     } catch (const Rejected& error) {

@@ -70,6 +70,14 @@ private:
     std::size_t count_overlaps(const Painted& strokes, const LaidKinds& laid,
                                const OutlineKey& key);
 
+    // What of a base its tiles are laid on. While only its cuts and its splitting change, it is the
+    // same, and so is all that is laid.
+    struct Uncut {
+        std::vector<Part> parts;
+        Ref<Shape> shape;
+        bool operator==(const Uncut&) const = default;
+    };
+    Recent<Uncut, Ref<EvaluatedObject>> uncut_;
     LimitBases limits_;
     Recent<Pieces, Ref<TileBase>> bases_;
     Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -189,26 +190,140 @@ TEST(Cutting, IsSplitAfterwardsPieceByPiece)
     for (const Part& part : ball->parts) EXPECT_TRUE(is_closed_body(*part.mesh()));
 }
 
-TEST(Cutting, CutsTilesAndCarriesThemOnItsPieces)
+// The ball and boxes on it, object 2, all over.
+Document tiled_ball()
 {
     Document document =
-        after(one_ball(),
-              AddBox{.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}}, .transform = {}});
+        after(one_ball(), AddBox{.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}}});
     TileStroke fill;
     fill.brush = TileBrush::fill;
     fill.size = 0.2;
     fill.samples = {{{{0, -1, 0}, {0, -1, 0}}}};
-    document = after(document, PaintTiles{2, 1, fill});
-    const Ref<EvaluatedObject> tiles = new_evaluator()(document, 1).objects.at(2);
+    return after(document, PaintTiles{2, 1, fill});
+}
+
+Ref<EvaluatedObject> shown_tiles(const Document& document)
+{
+    return new_evaluator()(document, 1).objects.at(2);
+}
+
+double volume_of(const EvaluatedObject& object)
+{
+    double sum = 0;
+    for (const Part& part : object.parts) sum += volume_of_part(part);
+    return sum;
+}
+
+TEST(Cutting, CutsALayerOfTiles)
+{
     CutThrough through_tiles = across(0.3);
     through_tiles.objects = {2};
-    const Ref<EvaluatedObject> cut_tiles =
-        new_evaluator()(after(document, through_tiles), 1).objects.at(2);
-    ASSERT_EQ(cut_tiles->parts.size(), 2 * tiles->parts.size());
-    EXPECT_GT(bounds_in_world(cut_tiles->parts.back()).lo.z, 0.2);
-    const Ref<EvaluatedObject> carried =
-        new_evaluator()(after(document, across(0.3)), 1).objects.at(2);
-    EXPECT_FALSE(carried->parts.empty());
+    const Ref<EvaluatedObject> tiles = shown_tiles(after(tiled_ball(), through_tiles));
+    ASSERT_EQ(tiles->parts.size(), 4u); // whole tiles and cut ones, below and above
+    for (const Part& part : tiles->parts) {
+        const Box box = bounds_in_world(part);
+        EXPECT_TRUE(box.hi.z < 0.2 - 0.1499 || box.lo.z > 0.2 + 0.1499);
+    }
+}
+
+TEST(Cutting, TakesTilesAlongWithWhatTheyArePaintedOn)
+{
+    const Document document = tiled_ball();
+    const Ref<EvaluatedObject> whole = shown_tiles(document),
+                               tiles = shown_tiles(after(document, across(0.3)));
+    EXPECT_EQ(tiles->painted, whole->painted); // they are laid on the ball as it was
+    EXPECT_TRUE(tiles->notices.empty());
+    ASSERT_EQ(tiles->parts.size(), 4u);
+    EXPECT_NEAR(volume_of(*tiles), volume_of(*whole), 1e-5);
+    std::size_t drawn_as_tiles = 0;
+    std::set<PartKey> keys;
+    for (const Part& part : tiles->parts) {
+        keys.insert(part.key);
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        const Box box = bounds_in_world(part);
+        EXPECT_TRUE(box.hi.z < 0.2 - 0.1499 || box.lo.z > 0.2 + 0.1499);
+        if (part.drawn_from_tiles()) drawn_as_tiles += part.tiles->tiles->size();
+    }
+    EXPECT_EQ(keys.size(), 4u);
+    EXPECT_GT(drawn_as_tiles, whole->painted * 3 / 4);
+}
+
+TEST(Cutting, TakesTilesAwayWithAHalf)
+{
+    const Document document = tiled_ball();
+    const Ref<EvaluatedObject> whole = shown_tiles(document);
+    double sum = 0;
+    for (const CutKeep keep : {CutKeep::above, CutKeep::below}) {
+        const Ref<EvaluatedObject> kept = shown_tiles(after(document, across(0.3, keep)));
+        ASSERT_EQ(kept->parts.size(), 2u);
+        for (const Part& part : kept->parts) // a half that stays does not move
+            EXPECT_TRUE(keep == CutKeep::above ? bounds_in_world(part).lo.z > 0.1999
+                                               : bounds_in_world(part).hi.z < 0.2001);
+        sum += volume_of(*kept);
+    }
+    EXPECT_NEAR(sum, volume_of(*whole), 1e-5);
+    CutThrough nothing = across(0, CutKeep::above);
+    nothing.cutting.cuts[0].point = {0, 0, 5};
+    const Ref<EvaluatedObject> gone = shown_tiles(after(document, nothing));
+    EXPECT_TRUE(gone->parts.empty());
+    EXPECT_TRUE(gone->notices.empty()); // the ball's notice says it
+}
+
+TEST(Cutting, CutsTilesByAStrokeInTheSpaceOfTheirBase)
+{
+    CutThrough wave = across(0.3);
+    wave.cutting.cuts[0].stroke = {{-1, 0}, {-0.3, 0.25}, {0.4, -0.2}, {1, 0.1}};
+    wave.cutting.cuts[0].eye = 6;
+    Transform turned;
+    turned.translation = {3, 0, 0};
+    turned.rotation_deg = {20, 70, 10};
+    turned.scale = {2, 2, 2};
+    Document document = after(tiled_ball(), wave);
+    const Ref<EvaluatedObject> before = shown_tiles(document);
+    document = after(document, SetTransform{.object = 1, .transform = turned});
+    const Ref<EvaluatedObject> ball = shown_first(document), tiles = shown_tiles(document);
+    ASSERT_EQ(tiles->parts.size(), before->parts.size());
+    EXPECT_NEAR(volume_of(*tiles), 8 * volume_of(*before), 0.02);
+    for (const Part& part : tiles->parts) EXPECT_TRUE(is_closed_body(*part.mesh()));
+    // They go as far as the halves of the ball
+    EXPECT_LT(glm::distance(glm::dvec3(tiles->parts.front().to_world[3]),
+                            glm::dvec3(ball->parts[0].to_world[3]) - turned.translation),
+              1e-12);
+}
+
+TEST(Cutting, TakesTilesOnTilesAlong)
+{
+    Document document =
+        after(tiled_ball(), AddBox{.shape = {.size = {0.05, 0.05, 0.05}, .segments = {1, 1, 1}}});
+    TileStroke fill;
+    fill.brush = TileBrush::fill;
+    fill.size = 0.05;
+    fill.samples = {{{{0, -1.1, 0}, {0, -1, 0}}}};
+    document = after(document, PaintTiles{3, 2, fill});
+    const Ref<EvaluatedObject> upper =
+        new_evaluator()(after(document, across(0.3, CutKeep::above)), 1).objects.at(3);
+    for (const Part& part : upper->parts) EXPECT_GT(bounds_in_world(part).lo.z, 0.1999);
+}
+
+TEST(Cutting, MovesTilesWithoutBendingOrCuttingThemAgainWhileAGapOpens)
+{
+    Document document = after(tiled_ball(), across(0));
+    document =
+        after(document, Animate{{{1, {{"cutting.cuts.0.gap", {{1, 0, Tween::linear}, {11, 1}}}}}}});
+    Evaluator evaluator = new_evaluator();
+    const auto at = [&](double frame) {
+        return evaluator(document_at(document, frame), frame).objects.at(2);
+    };
+    const Ref<EvaluatedObject> first = at(1), last = at(11);
+    ASSERT_EQ(first->parts.size(), 4u);
+    for (std::size_t p = 0; p < 4; ++p) {
+        EXPECT_EQ(first->parts[p].key, last->parts[p].key);
+        EXPECT_EQ(first->parts[p].tiles, last->parts[p].tiles);
+        if (first->parts[p].tiles)
+            EXPECT_FALSE(first->parts[p].rest.ready());
+        else
+            EXPECT_EQ(first->parts[p].rest, last->parts[p].rest);
+    }
 }
 
 TEST(Cutting, IsTakenBack)
