@@ -72,8 +72,8 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
     SeverOptions options;
     options.tolerance = key.cutting.tolerance / key.metres;
     options.capped = key.cutting.capped;
-    options.material = key.material.value_or(
-        mesh.face_material.empty() ? 0 : mesh.face_material.front());
+    options.material =
+        key.material.value_or(mesh.face_material.empty() ? 0 : mesh.face_material.front());
     for (std::size_t i = 0; i < key.cutting.cuts.size(); ++i) {
         const PlainCut& cut = key.cutting.cuts[i];
         std::vector<Cutoff> next;
@@ -114,9 +114,8 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
     std::vector<CutSheet> sheets;
     for (const PlainCut& cut : key.cutting.cuts) sheets.emplace_back(cut, whole.to_own);
     if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, sheets, key, facts);
-    const TilePieces tiles =
-        tile_pieces(whole.tiles, sheets, whole.alone,
-                    [&](unsigned sides) { return keeps(key.cutting, sides); });
+    const TilePieces tiles = tile_pieces(whole.tiles, sheets, whole.alone,
+                                         [&](unsigned sides) { return keeps(key.cutting, sides); });
     std::vector<CuttingStep::Piece> out;
     for (const auto& [sides, set] : tiles.whole) {
         out.push_back({.sides = sides});
@@ -252,8 +251,7 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
     if (before->parts.empty()) return before;
     CutsOf cuts = cuts_of(*before, input);
     const glm::dmat4 own_to_world = cuts.own_to_world;
-    if (cuts.cutting.cuts.empty() ||
-        !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
+    if (cuts.cutting.cuts.empty() || !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
         return before;
     const bool filled = is_filled(*before, cuts.cutting.inside, input.object.surfacing);
     return known_({before, cuts.cutting, own_to_world, filled}, [&] {

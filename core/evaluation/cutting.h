@@ -20,8 +20,8 @@ public:
     struct Piece {
         Ref<Mesh> mesh = nullptr;
         Ref<TileSet> tiles = nullptr; // whole ones
-        Ref<Mesh> rest = nullptr; // see Part::before_split
-        unsigned sides = 0;       // bit i: above cut i
+        Ref<Mesh> rest = nullptr;     // see Part::before_split
+        unsigned sides = 0;           // bit i: above cut i
         Box bounds = {};
     };
     struct Pieces {
@@ -31,17 +31,17 @@ public:
     };
     // What pieces come from; gaps are 0 in `cutting`.
     struct Whole {
-        Ref<Mesh> mesh;     // null: tiles
-        Ref<TileSet> tiles; // null: a mesh
-        bool alone = false; // see tile_pieces()
-        Ref<Mesh> rest; // of what a pattern fills, where that is not the mesh
+        Ref<Mesh> mesh;       // null: tiles
+        Ref<TileSet> tiles;   // null: a mesh
+        bool alone = false;   // see tile_pieces()
+        Ref<Mesh> rest;       // of what a pattern fills, where that is not the mesh
         glm::dmat4 to_own{1}; // the space of the cuts
         bool operator==(const Whole&) const = default;
     };
     struct PiecesKey {
         std::vector<Whole> parts;
         Cutting cutting;
-        double metres = 1; // of a unit of the object's own space
+        double metres = 1;                         // of a unit of the object's own space
         std::optional<std::uint32_t> material = 0; // of caps; none: that of a part's first face
         bool operator==(const PiecesKey&) const = default;
     };

@@ -121,7 +121,8 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
                 std::vector<SplitObstacle> obstacles;
                 for (std::size_t i = 0; i < splitting->obstacles.size(); ++i) {
                     const ObstacleUse& use = splitting->obstacles[i];
-                    SplitObstacle each{names[i], {}, use.clearance, use.reach, use.kernel};
+                    SplitObstacle each{names[i],  {},         use.clearance,
+                                       use.reach, use.kernel, {use.object}};
                     for (const Body& body : key.bodies)
                         if (body.obstacle == i) each.bodies.push_back({body.mesh, body.to_origin});
                     if (!each.bodies.empty()) obstacles.push_back(std::move(each));

@@ -53,7 +53,8 @@ TilePieces tile_pieces(const Ref<TileSet>& set, const std::vector<CutSheet>& she
     for (auto& [wanted, tiles] : of) {
         if (wanted != crossed && !kept(wanted)) continue;
         for (std::size_t r = 0; r < set->tiles->runs().size(); ++r)
-            tiles.add(chosen(set->tiles->runs()[r], sides.data() + set->tiles->begin_of(r), wanted));
+            tiles.add(
+                chosen(set->tiles->runs()[r], sides.data() + set->tiles->begin_of(r), wanted));
         if (wanted == crossed)
             out.crossed = make_ref(bent_tiles(*set->model->mesh, tiles));
         else

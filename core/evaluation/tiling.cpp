@@ -178,8 +178,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const auto found = input.done.find(tiling.base);
     if (found == input.done.end())
         return refused(before, "what its tiles were painted on is no longer there");
-    const Ref<EvaluatedObject> shown = uncut_({found->second->whole(), found->second->shape},
-                                              [&] { return found->second; });
+    const Ref<EvaluatedObject> shown =
+        uncut_({found->second->whole(), found->second->shape}, [&] { return found->second; });
     const std::map<int, std::vector<Part>> members = by_member(*shown);
     if (members.empty()) return refused(before, "what its tiles were painted on has no surface");
 

@@ -30,8 +30,7 @@ std::optional<bool> side_of(const Box& box, const CutSheet& sheet)
     if (box.empty()) return std::nullopt;
     Box there; // (u, v, w)
     for (const glm::dvec3& corner : box.corners()) there.add(sheet.uvw(corner));
-    const Heights surface =
-        heights_over(sheet, {there.lo.y, there.lo.z}, {there.hi.y, there.hi.z});
+    const Heights surface = heights_over(sheet, {there.lo.y, there.lo.z}, {there.hi.y, there.hi.z});
     if (there.lo.x >= surface.hi) return true;
     if (there.hi.x < surface.lo) return false;
     return std::nullopt;

@@ -49,6 +49,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
                     {obstacle.reach, obstacle.reach},
                     obstacle.kernel,
                     obstacle.name,
+                    obstacle.objects,
                     BicubicCells(surface),
                     {}};
         for (std::size_t side = 0; side < 2; ++side)
@@ -64,14 +65,10 @@ SplitObstacle joined(const SplitObstacle& a, const SplitObstacle& b)
     SplitObstacle out = a;
     out.name += " and " + b.name;
     out.bodies.insert(out.bodies.end(), b.bodies.begin(), b.bodies.end());
+    out.objects.insert(out.objects.end(), b.objects.begin(), b.objects.end());
     out.clearance = std::max(a.clearance, b.clearance);
     out.reach = std::max(a.reach, b.reach);
     return out;
-}
-
-double needed(const Opening& opening, std::size_t side, SplitKernel kernel)
-{
-    return steepest(kernel) * opening.walls[side].most / (1 - least_stretch);
 }
 
 // Gives each side of each opening its reach: what was asked, or what its kernel needs, in the room
@@ -92,23 +89,29 @@ void give_reaches(std::vector<Opening>& openings)
         }
         Opening& opening = openings[i];
         const auto fits = [&](SplitKernel kernel) {
-            return needed(opening, 0, kernel) <= room[0] && needed(opening, 1, kernel) <= room[1];
+            return needed_reach(opening, 0, kernel) <= room[0] &&
+                   needed_reach(opening, 1, kernel) <= room[1];
         };
         if (!fits(opening.kernel)) opening.kernel = SplitKernel::hat;
         if (!fits(opening.kernel))
             throw Rejected(fmt::format("{} is too near to another obstacle: there are {:.3g} m "
                                        "between them for the parts, which need {:.3g} m",
                                        opening.name, std::min(room[0], room[1]),
-                                       std::max(needed(opening, 0, SplitKernel::hat),
-                                                needed(opening, 1, SplitKernel::hat))));
+                                       std::max(needed_reach(opening, 0, SplitKernel::hat),
+                                                needed_reach(opening, 1, SplitKernel::hat))));
         for (std::size_t side = 0; side < 2; ++side)
             opening.reach[side] = std::min(
                 room[side],
-                std::max({opening.reach[side], 1e-9, needed(opening, side, opening.kernel)}));
+                std::max({opening.reach[side], 1e-9, needed_reach(opening, side, opening.kernel)}));
     }
 }
 
 } // namespace
+
+double needed_reach(const Opening& opening, std::size_t side, SplitKernel kernel)
+{
+    return steepest(kernel) * opening.walls[side].most / (1 - least_stretch);
+}
 
 SplitField split_field(const std::vector<SplitObstacle>& obstacles, const SplitFrame& frame)
 {

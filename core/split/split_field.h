@@ -16,6 +16,7 @@ struct SplitObstacle {
     double clearance = 0.005; // metres between the obstacle and the walls, at least
     double reach = 0;         // metres from the cut surface; 0, or too small: what the kernel needs
     SplitKernel kernel = SplitKernel::quadratic;
+    std::vector<int> objects = {}; // ids, for who asks what opened it
 };
 
 // An Opening is the gap that an obstacle asks for. Below the cut surface is 0, above it 1.
@@ -25,6 +26,7 @@ struct Opening {
     std::array<double, 2> reach{0, 0}; // metres
     SplitKernel kernel = SplitKernel::quadratic;
     std::string name;
+    std::vector<int> objects; // of all obstacles that are parted by as one
     // the same, to be evaluated fast
     BicubicCells surface_cells;
     std::array<BicubicCells, 2> wall_cells;
@@ -39,6 +41,9 @@ struct Opening {
         return !(vw.x > lo.x && vw.x < hi.x && vw.y > lo.y && vw.y < hi.y);
     }
 };
+
+// The reach on a side (0 below, 1 above) that the kernel needs so that nothing folds.
+double needed_reach(const Opening& opening, std::size_t side, SplitKernel kernel);
 
 // A SplitField is the function with discontinuities that parts a model:
 //
