@@ -2,6 +2,7 @@
 #include "editor/tools/placement_handles.h"
 
 #include "core/evaluation/attaching.h"
+#include "editor/tools/arrow_head.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -32,21 +33,6 @@ ui::Color color_of(const ui::Theme& theme, HoldKind kind)
     case HoldKind::sunk: return c.contact;
     default: return c.stroke;
     }
-}
-
-// Start and end are arrow heads that look out along the stroke; all others are dots.
-void paint_arrow(const ui::Theme& theme, glm::vec2 at, glm::vec2 direction, float radius,
-                 ui::Color color)
-{
-    const float length = glm::length(direction);
-    const glm::vec2 d = length > 0 ? direction / length : glm::vec2(1, 0), n(-d.y, d.x);
-    const glm::vec2 arrow_tip = at + d * radius * 1.3f;
-    const glm::vec2 a = at - d * radius * 0.8f + n * radius,
-                    b = at - d * radius * 0.8f - n * radius;
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddTriangleFilled({arrow_tip.x, arrow_tip.y}, {a.x, a.y}, {b.x, b.y}, color);
-    draw.AddTriangle({arrow_tip.x, arrow_tip.y}, {a.x, a.y}, {b.x, b.y}, theme.color.halo,
-                     1.5f * theme.scale);
 }
 
 const char* drag_words(HoldKind kind)
@@ -176,7 +162,7 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
                            kind == HoldKind::rise;
         const bool stalk = glm::distance(p, at(point.p_world)) > 1;
         if (kind == HoldKind::start || kind == HoldKind::end) {
-            paint_arrow(theme, p, p - from, radius, color);
+            paint_arrow_head(theme, p, p - from, radius, color);
             continue;
         }
         // A thread to what its size is measured from, in the hand or where it would look lost.

@@ -109,6 +109,13 @@ std::vector<Id> SplitTool::chosen(const Session& session)
 
 void SplitTool::use(Session& session, const ViewportInput& input)
 {
+    if (!cut_.going() && handles_.use(session, input, handles_of())) {
+        if (shown_ != 0) { // an obstacle behind the handle, before it
+            shown_ = 0;
+            if (!handles_.busy()) session.cancel();
+        }
+        return;
+    }
     if (at_ == SplitAt::obstacle) return use_obstacles(session, input);
     if (!cut_.going()) {
         if (!input.pressed || session.committing()) return;
@@ -164,9 +171,17 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
 void SplitTool::cancel(Session& session)
 {
     cut_.cancel(session);
+    handles_.cancel(session);
     if (shown_ == 0) return;
     shown_ = 0;
     session.cancel();
+}
+
+void SplitTool::overlay(const Session& session, const ui::Theme& theme,
+                        const ViewportInput& input) const
+{
+    cut_.paint(theme, input);
+    if (!cut_.going()) handles_.overlay(session, theme, input, handles_of());
 }
 
 std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme& theme) const
@@ -280,6 +295,7 @@ void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Them
 std::vector<Hint> SplitTool::hints(const Session& session) const
 {
     if (cut_.going()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
+    if (handles_.busy() || handles_.hovers()) return handles_.hints();
     if (chosen(session).empty())
         return {{{"left"}, "Select what is to be parted"}, {{"Esc"}, "Select"}};
     const char* verb = at_ == SplitAt::obstacle ? "Click an obstacle"

@@ -3,6 +3,7 @@
 
 #include "core/commands/split.h"
 #include "editor/tools/cut_gesture.h"
+#include "editor/tools/split_handles.h"
 #include "ui/option_bar.h"
 
 namespace trivar {
@@ -18,7 +19,8 @@ enum class SplitAt { obstacle, plane, stroke };
 
 // Lets a click on an obstacle part what is selected, and shows the cut surface, both walls and the
 // gap between them: under the mouse before the click, and of what is parted already. Or cuts the
-// active object along a line or a stroke that is drawn over it.
+// active object along a line or a stroke that is drawn over it. What parts or cuts the selected
+// object has handles.
 class SplitTool : public Tool {
 public:
     std::string name() const override { return "Split"; }
@@ -30,13 +32,15 @@ public:
     std::string page() const override { return "split"; }
     std::vector<ui::Chord> keys() const override { return {{'K'}}; }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return cut_.going(); }
-    bool crosshair() const override { return at_ != SplitAt::obstacle; }
-    void cancel(Session& session) override;
-    void overlay(const Session&, const ui::Theme& theme, const ViewportInput& input) const override
+    bool busy() const override { return cut_.going() || handles_.busy(); }
+    int mode() const override { return static_cast<int>(at_); }
+    bool crosshair() const override
     {
-        cut_.paint(theme, input);
+        return at_ != SplitAt::obstacle && !handles_.hovers() && !handles_.busy();
     }
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     std::vector<gpu::Translucent> veils(const Session& session,
                                         const ui::Theme& theme) const override;
@@ -47,12 +51,17 @@ public:
 private:
     // What is selected and can be parted.
     static std::vector<Id> chosen(const Session& session);
+    SplitHandlesOf handles_of() const
+    {
+        return at_ == SplitAt::obstacle ? SplitHandlesOf::openings : SplitHandlesOf::cuts;
+    }
     void use_obstacles(Session& session, const ViewportInput& input);
     void add_obstacle_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     void add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme);
 
     SplitAt at_ = SplitAt::obstacle;
     CutGesture cut_;
+    SplitHandles handles_;
     PlainCut one_{.gap = 0.1}; // how the next cut keeps and opens
     Splitting settings_;       // of what it parts anew; what it cuts is closed and filled like that
     ObstacleUse use_;

@@ -95,6 +95,7 @@ public:
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement
+    virtual int mode() const { return 0; } // below 4: in which it draws, where its bar offers some
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
     // Its brush or ball becomes so much larger; false where it has none.
