@@ -50,6 +50,8 @@ std::vector<Row> table()
             {"goblet", {.50f, 1.00f, .50f}, 19},
             {"dodecahedron", {1.00f, .86f, 1.05f}, 1},
             {"bars", {.69f, 1.00f, .09f}, 3},
+            {"profile", {.61f, 1.00f, .80f}, 1},
+            {"gear", {.99f, .20f, .99f}, 1},
             {"moebius", {.95f, .27f, 1.00f}, 1},
             {"moebius_lattice", {.96f, .29f, 1.02f}, 1},
             {"teapot", {1.61f, .79f, 1.00f}, 3, 160},

@@ -28,6 +28,8 @@ std::vector<Entry> catalogue()
             {"goblet", goblet},
             {"dodecahedron", dodecahedron},
             {"bars", bars},
+            {"profile", profile},
+            {"gear", gear},
             {"moebius", moebius},
             {"moebius_lattice", moebius_lattice},
             {"teapot", teapot},

@@ -40,6 +40,8 @@ Model goblet();
 Model jar();
 Model dodecahedron();
 Model bars();
+Model profile();
+Model gear();
 Model moebius();
 Model moebius_lattice();
 Model teapot();
