@@ -95,7 +95,6 @@ public:
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement
-    virtual int mode() const { return 0; } // below 4: in which it draws, where its bar offers some
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
     // Its brush or ball becomes so much larger; false where it has none.
@@ -123,6 +122,8 @@ public:
     virtual std::optional<std::string> take_wanted_model() { return {}; }
     virtual void take_read(Session& session, const TileFile& model) { (void)session, (void)model; }
     virtual void cancel(Session& session) { (void)session; } // the gesture
+    // Which of up to four ways of working is chosen in its bar, if it shows other things in each.
+    virtual int mode() const { return 0; }
     // Of the volume of the selected placement all that bends with what it has hold of.
     virtual std::vector<VolumePart> held_parts(const Session&) const { return {}; }
 

@@ -22,8 +22,7 @@ Model gear()
     auto f = [&](vec3 p) {
         const float r = glm::length(vec2(p.x, p.z));
         float d = prism(polygon({p.x, p.z}, outline), p.y - half, half, .016f);
-        const float groove =
-            smax(std::abs(r - .285f) - .055f, .07f - std::abs(p.y - half), .012f);
+        const float groove = smax(std::abs(r - .285f) - .055f, .07f - std::abs(p.y - half), .012f);
         return Sample{smax(d, -groove, .012f), vec3(1)};
     };
     Model m;
