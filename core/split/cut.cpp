@@ -4,16 +4,17 @@
 #include "core/base/parallel.h"
 #include "core/refinement/born_vertices.h"
 #include "core/split/array_copies.h"
+#include "core/split/heights_apart.h"
 #include "core/split/mesh_region.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 
 namespace trivar {
 namespace {
 
-constexpr double least_share = 1e-4; // of an edge, between its end and a place on it
 constexpr std::size_t faces_per_cut_block = 1 << 15, vertices_per_sign_block = 1 << 16;
 
 // The numbers of the faces whose corners are not all on one side, ascending.
@@ -249,12 +250,20 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
         static_cast<std::uint32_t>(mesh.points.empty() ? mesh.vertex_count() : point_count(mesh));
     std::vector<BornVertex> born;
     born.reserve(2 * crossings.edges().size());
+    std::vector<CrossedEdge> crossed;
+    crossed.reserve(crossings.edges().size());
+    for (const CutEdge& e : crossings.edges())
+        crossed.push_back({{mesh.point(e.a), mesh.point(e.b)}, {heights[e.a], heights[e.b]}});
+    move_apart(crossed);
+    out.moved.resize(crossings.place_count());
     std::vector<std::uint32_t> place_of_edge;
     out.edge_of_place.resize(crossings.place_count());
     for (const CutEdge& e : crossings.edges()) {
-        const double share = heights[e.a] / (heights[e.a] - heights[e.b]);
-        const auto t = static_cast<float>(std::clamp(share, least_share, 1 - least_share));
+        const auto& [a, b] = crossed[out.edges.size()].heights;
+        const auto t = static_cast<float>(a / (a - b));
         place_of_edge.push_back(crossings.place(e));
+        out.moved[place_of_edge.back()] =
+            std::max(std::abs(a - heights[e.a]), std::abs(b - heights[e.b]));
         out.edge_of_place[place_of_edge.back()] = static_cast<std::uint32_t>(out.edges.size());
         out.edges.emplace_back(e.a, e.b);
         for (const bool up : {false, true}) {

@@ -27,6 +27,9 @@ struct CutMesh {
         0; // of the copies; those below the cut have even distances from it
     std::uint32_t first_point = 0;
     std::size_t first_new_face = 0; // of those that were made of faces that were cut
+    // By how much, at most, the function of the cut was moved at each place, where it was near 0 at
+    // an end of the edge.
+    std::vector<double> moved;
 
     std::uint32_t point(std::uint32_t place, bool above_cut) const
     {
@@ -36,8 +39,9 @@ struct CutMesh {
 
 // Cuts a mesh where `heights` (#V, equal for the vertices of one point, finite) change their sign.
 // Zero counts as above: so there is one rule, and no vertex lies on the cut. Along an edge the
-// function is taken as linear; the place stays on the edge, at least 1e-4 of its length from either
-// end, and the attributes of vertices are blended. Faces that are cut become triangles.
+// function is taken as linear; heights near 0 are moved a little apart (see move_apart()), so that
+// the place stays on the edge, at least 1e-4 of its length from either end. The attributes of
+// vertices are blended. Faces that are cut become triangles.
 // O(#V + #C), and O(k log k) for k faces that are cut. The same bits for any number of threads.
 // `memory` is a result that is not needed any more, of an earlier place of a cut that moves: its
 // memory is used again. [Schein, thesis, chapter 6]

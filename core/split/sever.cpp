@@ -6,7 +6,6 @@
 #include "core/split/halve_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace trivar {
@@ -14,8 +13,7 @@ namespace {
 
 constexpr std::size_t heights_per_turn = 1 << 12;
 constexpr int most_edge_halvings = 16;
-constexpr double share_of_tolerance = 0.8;      // of the surface; the rest is for keep_apart()
-constexpr double least_share_of_heights = 2e-4; // of that at the other end of an edge
+constexpr double share_of_tolerance = 0.8; // of the surface; the rest is for CutMesh::moved
 // Of the error of a function that is linear over a triangle, with the bounds of CutSheet::bends:
 // twice the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
 constexpr double share_of_bends = 1.0 / 6;
@@ -30,36 +28,6 @@ void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& she
                         for (std::size_t v = first + begin; v < first + end; ++v)
                             heights[v] = sheet.height(sheet.uvw(glm::dvec3(mesh.positions[v])));
                     });
-}
-
-// Moves heights away from 0 so far that a place on an edge is never nearer to an end than cut()
-// lets it be. All places then lie on the zeros of one function that grows along u: clamped one by
-// one, those round a vertex could run back and forth over each other on a face that is parallel to
-// u. Returns by how much the cut moved at most.
-double keep_apart(std::vector<double>& heights, const Mesh& mesh)
-{
-    std::vector<double> least(point_count(mesh), 0);
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        double lo = 0, hi = 0;
-        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-            lo = std::min(lo, heights[mesh.corners[c]]);
-            hi = std::max(hi, heights[mesh.corners[c]]);
-        }
-        if (!(lo < 0)) continue;
-        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-            const std::uint32_t v = mesh.corners[c];
-            double& each = least[mesh.point(v)];
-            each = std::max(each, least_share_of_heights * (heights[v] >= 0 ? -lo : hi));
-        }
-    }
-    double most = 0;
-    for (std::size_t v = 0; v < heights.size(); ++v) {
-        const double apart = least[mesh.point(static_cast<std::uint32_t>(v))];
-        if (std::abs(heights[v]) >= apart) continue;
-        most = std::max(most, apart - std::abs(heights[v]));
-        heights[v] = heights[v] >= 0 ? apart : -apart;
-    }
-    return most;
 }
 
 // Halves edges of triangles through which a curved surface goes, until all are fine enough.
@@ -167,8 +135,8 @@ std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const Sev
     if (mesh.points.empty()) mesh.points = points_by_position(mesh.positions);
     Severed out;
     if (!sheet.is_flat()) out.off = make_fine(mesh, heights, sheet, options);
-    out.off += keep_apart(heights, mesh);
     CutMesh cut_mesh = cut(mesh, heights);
+    if (!cut_mesh.moved.empty()) out.off += std::ranges::max(cut_mesh.moved);
     if (cut_mesh.rim.empty() && (none || std::ranges::all_of(heights, is_above)))
         return std::nullopt;
     if (options.capped) {

@@ -158,6 +158,17 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     return most;
 }
 
+// By how much a cut is beside its surface at most, where that opens.
+double beside(const CutMesh& cut, const SplitField& field, std::size_t opening)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < cut.places.size(); ++i)
+        if (cut.moved[i] > most &&
+            !field.openings[opening].beyond_walls(parameters_of(field.frame, cut.places[i])))
+            most = cut.moved[i];
+    return most;
+}
+
 // Where the vertices of a mesh are: beyond which sides of the field's reach, one bit each, and on
 // which side of every cut surface; those of the first two are bits as well.
 struct VertexPlaces {
@@ -334,11 +345,13 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
         for (std::size_t v = 0; v < heights.size(); ++v)
             heights[v] = fine.heights[openings * v + i];
         CutMesh cut_mesh = cut(out.mesh, heights, std::move(before));
+        const double moved = beside(cut_mesh, field, i);
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
         if (options.capped)
-            caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error, tolerance, options));
+            caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error,
+                                             std::max(tolerance - moved, tolerance / 2), options));
         all.resize(cut_mesh.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v) all.side(v, i) = cut_mesh.above[v];
         for (std::size_t e = 0; e < cut_mesh.edges.size(); ++e)
@@ -346,7 +359,7 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
                 all.between(cut_mesh.first_vertex + 2 * e + above, cut_mesh.edges[e].x,
                             cut_mesh.edges[e].y, i, above == 1);
         take_sides_of_caps(all, cut_mesh, caps, i);
-        out.off = std::max(out.off, bound_of(cut_mesh, caps, error, i));
+        out.off = std::max({out.off, fine.off + moved, bound_of(cut_mesh, caps, error, i) + moved});
         out.fans += caps.fans;
         out.gaps += caps.gaps;
         out.open += caps.open;

@@ -7,6 +7,7 @@
 #include "core/split/cap.h"
 #include "tests/split/bodies.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -70,6 +71,19 @@ TEST(Cut, PartsATorusIntoClosedHalves)
     expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03})); // a ring
     expect_two_closed_halves(torus, cut_by(torus, {{0.15, 0.1, 1}, 0.03}, 0.02));
     expect_two_closed_halves(torus, cut_by(torus, {{0, 0, 1}, 0})); // through vertices
+}
+
+TEST(Cut, GoesThroughVerticesOfFacesThatItMeetsAtRightAngles)
+{
+    const Mesh box = welded(box_mesh({2, 2, 2}, {4, 4, 4}));
+    for (const Plane& plane : {Plane{{1, 0, 0}, 0}, Plane{{0, 1, 0}, 0.5}, Plane{{1, 1, 0}, 0},
+                               Plane{{0, 0, 1}, 1e-9}, Plane{{1, 0, 1}, -1e-12}}) {
+        const CutInTwo halves = cut_by(box, plane);
+        expect_two_closed_halves(box, halves);
+        EXPECT_EQ(halves.caps.fans, 0u);
+        EXPECT_GT(std::ranges::max(halves.cut.moved), 0);
+        EXPECT_LE(std::ranges::max(halves.cut.moved), 1e-3);
+    }
 }
 
 TEST(Cut, PartsHalvesOfTheTorusThatAreEqualEqually)
