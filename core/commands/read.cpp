@@ -154,9 +154,10 @@ template <class T> void read_value(const std::string& name, const json& from, T&
 {
     if constexpr (Nested<T>)
         read_fields(nested(name, from), value);
-    else if constexpr (std::is_enum_v<T>)
-        value = static_cast<T>(choice(name, from, choice_names<T>));
-    else if constexpr (is_optional<T>)
+    else if constexpr (std::is_enum_v<T>) {
+        const bool old = was_switch<T> && from.is_boolean();
+        value = static_cast<T>(old ? from.get<bool>() : choice(name, from, choice_names<T>));
+    } else if constexpr (is_optional<T>)
         read_value(name, from, value.emplace());
     else if constexpr (is_list<T>) {
         check_list(name, from);

@@ -32,6 +32,8 @@ template <class... T> inline constexpr bool is_choice<std::variant<T...>> = true
 template <class E> constexpr std::array<std::string_view, 0> choice_names{};
 // The same as a person says them, where that is not the text with blanks.
 template <class E> constexpr std::array<std::string_view, 0> choice_words{};
+// Whether it was a switch in older files: false and true are read as its first two values.
+template <class E> constexpr bool was_switch = false;
 template <>
 inline constexpr std::array<std::string_view, 4> choice_words<Misses>{
     "membrane", "drop to the ground", "nearest point", "shrink"};

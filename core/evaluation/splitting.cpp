@@ -42,7 +42,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
     const InsideMaterial inside = inside_material(before, splitting.inside);
     SplitOptions options;
     options.tolerance = splitting.tolerance;
-    options.capped = splitting.capped;
+    options.closing = splitting.closing;
     options.material = inside.number;
     CapCounts counts;
     bool any = false;
@@ -123,6 +123,7 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
                     const ObstacleUse& use = splitting->obstacles[i];
                     SplitObstacle each{names[i],  {},         use.clearance,
                                        use.reach, use.kernel, {use.object}};
+                    if (splitting->closing == SplitClosing::stitched) each.margin = sewn_margin;
                     for (const Body& body : key.bodies)
                         if (body.obstacle == i) each.bodies.push_back({body.mesh, body.to_origin});
                     if (!each.bodies.empty()) obstacles.push_back(std::move(each));

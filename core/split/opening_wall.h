@@ -16,10 +16,13 @@ struct OpeningWall {
     glm::dvec2 hi() const { return {height.axes[0].end(), height.axes[1].end()}; }
 };
 
+// Shares of the length of a shadow that an opening begins before it: so that the round ends of an
+// obstacle, of infinite slope, are cleared as well; and so that a skin is drawn in gently.
+constexpr double round_margin = 0.12, sewn_margin = 0.35;
+
 // Where an obstacle opens a model: its shadow and, along v, `margin` times the length of that on
-// both sides, so that the round ends of an obstacle, of infinite slope, are cleared as well.
-SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance,
-                                 double margin = 0.12);
+// both sides.
+SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance, double margin);
 
 // The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the
 // Greville points and then lifted until it is at least `clearance` beyond the obstacle at a grid of

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/split/cap.h"
 #include "core/split/halve_edges.h"
+#include "core/split/split_error.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,9 +15,6 @@ namespace {
 constexpr std::size_t heights_per_turn = 1 << 12;
 constexpr int most_edge_halvings = 16;
 constexpr double share_of_tolerance = 0.8; // of the surface; the rest is for CutMesh::moved
-// Of the error of a function that is linear over a triangle, with the bounds of CutSheet::bends:
-// twice the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
-constexpr double share_of_bends = 1.0 / 6;
 
 // Heights of the vertices that have none yet.
 void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& sheet)

@@ -6,6 +6,7 @@
 #include "core/split/cap.h"
 #include "core/split/finer.h"
 #include "core/split/mesh_region.h"
+#include "core/split/sew.h"
 
 #include <algorithm>
 #include <atomic>
@@ -47,6 +48,38 @@ glm::dvec2 parameters_of(const SplitFrame& frame, const glm::vec3& p_world)
     return {uvw.y, uvw.z};
 }
 
+// The seam of each opening; none unless the mesh is to be stitched.
+std::vector<Seam> seams_of(const Mesh& mesh, const SplitField& field, SplitClosing closing)
+{
+    if (closing != SplitClosing::stitched) return {};
+    const std::size_t openings = field.openings.size();
+    std::vector<double> all, heights(mesh.vertex_count());
+    add_heights(all, mesh, field);
+    std::vector<Seam> out;
+    for (std::size_t i = 0; i < openings; ++i) {
+        for (std::size_t v = 0; v < heights.size(); ++v) heights[v] = all[openings * v + i];
+        out.push_back(seam_of(cut(mesh, heights), field, i));
+    }
+    return out;
+}
+
+// Leaves out the vertices that no face uses, before they are moved.
+void leave_out_loose(Mesh& mesh, VertexSides& all)
+{
+    std::vector<char> used(mesh.vertex_count(), 0);
+    for (const std::uint32_t v : mesh.corners) used[v] = 1;
+    std::size_t to = 0;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        if (!used[v]) continue;
+        for (std::size_t i = 0; i < all.openings; ++i) {
+            all.side(to, i) = all.side(v, i);
+            all.is_on(to, i) = all.is_on(v, i);
+        }
+        ++to;
+    }
+    mesh = without_loose_vertices(std::move(mesh));
+}
+
 CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMesh& cut,
                        const SplitError& error, double tolerance, const SplitOptions& options)
 {
@@ -64,6 +97,11 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
     out.too_coarse = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
         return error.cap(opening, vw) > tolerance;
     };
+    if (options.closing == SplitClosing::stitched)
+        out.too_coarse = [&field, opening,
+                          bent = out.too_coarse](const std::array<glm::dvec2, 3>& vw) {
+            return bent(vw) || reaches_beyond(vw, field.openings[opening]);
+        };
     out.material = options.material;
     return out;
 }
@@ -103,7 +141,7 @@ void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, 
     }
 }
 
-void move(SplitMesh& out, const SplitField& field, VertexSides& all)
+void move(SplitMesh& out, const SplitField& field, const std::vector<Seam>& seams, VertexSides& all)
 {
     const Box reach = field.reach();
     out.rest_positions = out.mesh.positions;
@@ -115,6 +153,11 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
                 if (glm::any(glm::lessThan(uvw, reach.lo)) ||
                     glm::any(glm::greaterThan(uvw, reach.hi)))
                     continue;
+                if (!seams.empty()) {
+                    move_sewn(out.mesh, v, field, seams, {&all.side(v, 0), all.openings},
+                              {&all.is_on(v, 0), all.openings});
+                    continue;
+                }
                 const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
                                                             {&all.is_on(v, 0), all.openings});
                 if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
@@ -325,7 +368,8 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
 // Parts a mesh as `split` does, all of its faces.
 SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& options)
 {
-    const SplitError error(field);
+    const std::vector<Seam> seams = seams_of(mesh, field, options.closing);
+    const SplitError error(field, seams);
     const double tolerance = tolerance_of(field, options);
     SplitMesh out;
     // An edge of the cut may be worse than the edges of the triangle that it runs through
@@ -349,7 +393,7 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
-        if (options.capped)
+        if (options.closing != SplitClosing::open)
             caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error,
                                              std::max(tolerance - moved, tolerance / 2), options));
         all.resize(cut_mesh.mesh.vertex_count());
@@ -359,15 +403,17 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
                 all.between(cut_mesh.first_vertex + 2 * e + above, cut_mesh.edges[e].x,
                             cut_mesh.edges[e].y, i, above == 1);
         take_sides_of_caps(all, cut_mesh, caps, i);
+        if (options.closing == SplitClosing::stitched) sew(cut_mesh, caps, field, i);
         out.off = std::max({out.off, fine.off + moved, bound_of(cut_mesh, caps, error, i) + moved});
         out.fans += caps.fans;
         out.gaps += caps.gaps;
-        out.open += caps.open;
+        if (options.closing != SplitClosing::stitched) out.open += caps.open;
         out.first_new_face = std::min(out.first_new_face, cut_mesh.first_new_face);
         std::swap(out.mesh, cut_mesh.mesh);
         before = std::move(cut_mesh);
     }
-    move(out, field, all);
+    if (options.closing == SplitClosing::stitched) leave_out_loose(out.mesh, all);
+    move(out, field, seams, all);
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/split/split_closing.h"
 #include "core/split/split_field.h"
 
 #include <optional>
@@ -12,14 +13,14 @@ struct SplitOptions {
     // are at most that number of triangles.
     double tolerance = 1e-3;
     std::size_t most_triangles = 4000000;
-    bool capped = true;         // closed with caps; otherwise the halves are open
+    SplitClosing closing = SplitClosing::capped;
     bool keep_rest = false;     // rest_positions are wanted
     std::uint32_t material = 0; // face_material of the caps
 };
 
 // A SplitMesh is a mesh that was parted by the openings of a field.
 struct SplitMesh {
-    Mesh mesh;                             // cut, capped and moved by the field
+    Mesh mesh;                             // cut, closed and moved by the field
     std::vector<glm::vec3> rest_positions; // #V, before they were moved; empty: not wanted
     // The first face of those of caps and of triangles that were cut; all later ones are such.
     std::size_t first_new_face = 0;
@@ -30,7 +31,8 @@ struct SplitMesh {
 
 // Parts a mesh in the world: makes it fine enough near the openings, cuts it along each cut
 // surface, closes both halves with caps, and moves its vertices by the field. A closed mesh becomes
-// closed parts; none of its vertices lies in an obstacle. None: the field moves nothing of the
+// closed parts; none of its vertices lies in an obstacle. Stitched, its skin is drawn in beside the
+// openings (see Seam) and stays one beyond them (see sew()). None: the field moves nothing of the
 // mesh. Vertices that the field does not move keep their bits. Faces that are neither in reach nor
 // cut keep their order and stand first. O(#V + #C) to find the others, and the work of these.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,

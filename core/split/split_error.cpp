@@ -7,9 +7,6 @@
 namespace trivar {
 namespace {
 
-// 2 times the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
-constexpr double share_of_bend = 1.0 / 6;
-
 bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_lo,
            const glm::dvec2& other_hi)
 {
@@ -18,7 +15,9 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 
 } // namespace
 
-SplitError::SplitError(const SplitField& field) : field_(field)
+SplitError::SplitError(const SplitField& field, std::vector<Seam> seams)
+    : field_(field),
+      seams_(std::move(seams))
 {
     for (const Opening& o : field.openings)
         all_.push_back(
@@ -48,6 +47,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
     if (apart(lo2, hi2, each.lo, each.hi)) return;
+    if (draws(k)) return add_drawn_in(k, uvw, heights, edges);
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& from = uvw[i];
@@ -60,7 +60,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const JetBound phi = each.surface.over(lo2, hi2);
     std::array<double, 3> phi_ee; // second derivatives along the edges
     for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
-    const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
+    const double bend = share_of_bends * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
         if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
@@ -77,7 +77,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
             const double second = kernel.value * w.second(e[i]) + 2 * slope * w.first(e[i]) * a +
                                   w.value * (curve * a * a + slope * phi_ee[i]);
             // Where the cut goes through, the chord of the surface counts as well
-            edges[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));
+            edges[i] += share_of_bends * (second + (across ? phi_ee[i] : 0));
         }
     }
 }
@@ -105,13 +105,14 @@ double SplitError::own_cap(std::size_t opening, const std::array<glm::dvec2, 3>&
     const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
     const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
     if (apart(lo, hi, each.lo, each.hi)) return 0; // both caps are one there
+    if (draws(opening)) return drawn_in_cap(opening, vw);
     const JetBound phi = each.surface.over(lo, hi);
     double most = 0;
     for (const SurfaceBounds& wall : each.walls) {
         const JetBound w = wall.over(lo, hi);
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 e = vw[(i + 1) % 3] - vw[i];
-            most = std::max(most, share_of_bend * (phi.second(e) + w.second(e)));
+            most = std::max(most, share_of_bends * (phi.second(e) + w.second(e)));
         }
     }
     return most;

@@ -42,7 +42,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
 {
     try {
         const ObstacleColumns columns(obstacle.bodies, frame);
-        const SplitRectangle over = opening_rectangle(columns, obstacle.clearance);
+        const SplitRectangle over = opening_rectangle(columns, obstacle.clearance, obstacle.margin);
         const CutSurface surface = middle_surface(columns, over);
         Opening out{surface,
                     opening_walls(columns, surface, over, obstacle.clearance),
@@ -50,6 +50,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
                     obstacle.kernel,
                     obstacle.name,
                     obstacle.objects,
+                    columns.box().lo.y - over.lo.x,
                     BicubicCells(surface),
                     {}};
         for (std::size_t side = 0; side < 2; ++side)
@@ -68,6 +69,7 @@ SplitObstacle joined(const SplitObstacle& a, const SplitObstacle& b)
     out.objects.insert(out.objects.end(), b.objects.begin(), b.objects.end());
     out.clearance = std::max(a.clearance, b.clearance);
     out.reach = std::max(a.reach, b.reach);
+    out.margin = std::max(a.margin, b.margin);
     return out;
 }
 

@@ -17,6 +17,7 @@ struct SplitObstacle {
     double reach = 0;         // metres from the cut surface; 0, or too small: what the kernel needs
     SplitKernel kernel = SplitKernel::quadratic;
     std::vector<int> objects = {}; // ids, for who asks what opened it
+    double margin = round_margin; // see opening_rectangle()
 };
 
 // An Opening is the gap that an obstacle asks for. Below the cut surface is 0, above it 1.
@@ -27,6 +28,7 @@ struct Opening {
     SplitKernel kernel = SplitKernel::quadratic;
     std::string name;
     std::vector<int> objects; // of all obstacles that are parted by as one
+    double ends = 0; // metres along v between its walls' ends and the obstacle's
     // the same, to be evaluated fast
     BicubicCells surface_cells;
     std::array<BicubicCells, 2> wall_cells;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/model.h"
+#include "core/split/split_closing.h"
 #include "core/split/split_kernel.h"
 
 #include <glm/glm.hpp>
@@ -21,9 +22,9 @@ struct ObstacleUse {
 // Splitting says by what an object is parted, and how its halves are closed.
 struct Splitting {
     std::vector<ObstacleUse> obstacles;
-    glm::dvec3 opening{1, 0, 0};    // direction in the world in which the halves part
-    glm::dvec3 way{0, 1, 0};        // direction in the world in which the object passes
-    bool capped = true;             // the halves are closed
+    glm::dvec3 opening{1, 0, 0}; // direction in the world in which the halves part
+    glm::dvec3 way{0, 1, 0};     // direction in the world in which the object passes
+    SplitClosing closing = SplitClosing::capped;
     Filling inside = Filling::none; // what the caps show; none: the object's first material
     double tolerance = 2e-3;        // metres between flat triangles and the true walls, at most
     bool operator==(const Splitting&) const = default;

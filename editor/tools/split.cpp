@@ -123,7 +123,7 @@ void SplitTool::use(Session& session, const ViewportInput& input)
             return select_by_click(session, input.under);
     }
     Cutting settings;
-    settings.capped = settings_.capped;
+    settings.capped = settings_.closing != SplitClosing::open;
     settings.inside = settings_.inside;
     cut_.go_on(session, input, one_, settings);
 }
@@ -142,7 +142,7 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     const auto with_settings = [&](Split command) {
         ObstacleUse& last = command.splitting.obstacles.back();
         last = {last.object, use_.clearance, use_.reach, use_.kernel};
-        command.splitting.capped = settings_.capped;
+        command.splitting.closing = settings_.closing;
         command.splitting.inside = settings_.inside;
         return command;
     };
@@ -244,9 +244,6 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
                            settings_.inside = static_cast<Filling>(inside);
                        },
                        "What fills it, seen where it opens."});
-    options.push_back({"Closed", 24,
-                       [&](float) { ui::check_box(theme, "closed", settings_.capped, ""); },
-                       "Close both halves, so that they stay solid."});
     ui::option_bar(theme, options, width);
 }
 
@@ -273,6 +270,15 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const ui:
              use_.kernel = static_cast<SplitKernel>(kernel);
          },
          "How the opening fades."});
+    options.push_back(
+        {"Closing", 100,
+         [&](float field) {
+             int closing = static_cast<int>(settings_.closing);
+             ui::choice(theme, "closing", closing, {"Open", "Capped", "Stitched"}, field);
+             settings_.closing = static_cast<SplitClosing>(closing);
+         },
+         "Cap both halves, so that they stay solid, or stitch the skin together beside the "
+         "obstacle."});
 }
 
 void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme)
@@ -290,6 +296,14 @@ void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Them
                                             {.lo = -10000, .hi = 10000, .unit = "m"}, field);
                        },
                        "How far both parts stand apart."});
+    options.push_back({"Closed", 24,
+                       [&](float) {
+                           bool closed = settings_.closing != SplitClosing::open;
+                           if (ui::check_box(theme, "closed", closed, "") != ui::Edit::none)
+                               settings_.closing =
+                                   closed ? SplitClosing::capped : SplitClosing::open;
+                       },
+                       "Close both halves, so that they stay solid."});
 }
 
 std::vector<Hint> SplitTool::hints(const Session& session) const

@@ -95,8 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
                     "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
                     "horse_hair", "face_hexagons", "brick_wall", "teapot_statues", "robot_bars",
-                    "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder", "part_profile",
-                    "bunny_cylinder", "sliced", "pineapple"),
+                    "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder",
+                    "sphere_cylinder_stitched", "part_profile", "bunny_cylinder", "sliced",
+                    "pineapple"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

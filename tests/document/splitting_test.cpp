@@ -95,6 +95,38 @@ TEST(Splitting, IsTakenBack)
     EXPECT_EQ(digest(after(document, ClearSplit{{ball_id}})), digest(before));
 }
 
+TEST(Splitting, ReadsTheSwitchOfOlderFiles)
+{
+    const auto closing = [](const std::string& value) {
+        const Command command = command_from_json_line(
+            R"({"do": "split", "objects": [1], "obstacles": [{"object": 2}], "capped": )" + value +
+            "}");
+        return std::get<Split>(command).splitting.closing;
+    };
+    EXPECT_EQ(closing("false"), SplitClosing::open);
+    EXPECT_EQ(closing("true"), SplitClosing::capped);
+    EXPECT_EQ(closing("\"stitched\""), SplitClosing::stitched);
+    EXPECT_THAT([&] { closing("1"); }, ThrowsMessage<Rejected>(HasSubstr("stitched")));
+    // As they were counted when it was a switch
+    Split command = by_the_pillar();
+    EXPECT_EQ(digest(after(ball_and_pillar(0), command)), "c84269b190dba4de573d2a230e2bb461");
+    command.splitting.closing = SplitClosing::open;
+    EXPECT_EQ(digest(after(ball_and_pillar(0), command)), "fa6a0a65944d6555ba9f8ba3cd426e8a");
+}
+
+TEST(Splitting, StitchesABallRoundAPillar)
+{
+    Split command = by_the_pillar();
+    command.splitting.closing = SplitClosing::stitched;
+    const Ref<EvaluatedObject> ball = shown_ball(after(ball_and_pillar(-0.2), command));
+    ASSERT_TRUE(ball->split_field);
+    EXPECT_TRUE(ball->notices.empty());
+    EXPECT_TRUE(is_closed_body(*ball->parts.at(0).mesh()));
+    EXPECT_LE(ball->split_off, 2e-3);
+    for (const glm::vec3& p : ball->parts.at(0).mesh()->positions)
+        EXPECT_GT(glm::length(glm::dvec2(p.x, p.y)), 0.25 * 0.998);
+}
+
 TEST(Splitting, IsCopiedWithItsObstacle)
 {
     const Document document = after(ball_and_pillar(0), by_the_pillar());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lets models pass random obstacles and looks at a few frames of each pass: whether the parts are
 // closed and right side out, whether vertices and points of flat triangles stay clear of the
-// obstacles, and whether the model behind them is as it was. Arguments: passes, a seed, and the
-// folder of real models, where there is one.
+// obstacles, and whether the model behind them is as it was. Arguments: passes, a seed, the folder
+// of real models, where there is one, and "stitched", where they are to be.
 #include "core/base/rejected.h"
 #include "core/files/read_model.h"
 #include "core/mesh/primitives.h"
@@ -272,7 +272,7 @@ void look_at_clearance(const SplitMesh& parted, const Mesh& before, const SplitF
     tally.samples += at.size();
 }
 
-void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
+void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, Tally& tally)
 {
     Random random(seed);
     const Model& model = all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(random)];
@@ -295,7 +295,8 @@ void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
              {{std::make_shared<const RayMesh>(make_ref(std::move(shape.mesh))), to_world, k}},
              0.005,
              between(random, 0, 0.5),
-             kernel});
+             kernel,
+             closing == SplitClosing::stitched ? sewn_margin : round_margin});
     }
     const glm::dmat3 model_turn = any_rotation(random);
     const glm::dvec3 beside(between(random, -0.3, 0.3), 0, between(random, -0.3, 0.3));
@@ -315,7 +316,7 @@ void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
                 tally.certain = std::min(tally.certain, wall.clear);
                 if (wall.clear < 0.002) fmt::print("{}: {:.3g} m are certain\n", what, wall.clear);
             }
-        const SplitOptions options{.tolerance = 2e-3};
+        const SplitOptions options{.tolerance = 2e-3, .closing = closing};
         constexpr int frames = 3;
         for (int k = 0; k < frames; ++k) {
             const Mesh before = at(between(random, -1.2, 1.2));
@@ -356,9 +357,12 @@ void pass(const std::vector<Model>& all, unsigned seed, Tally& tally)
 int main(int argc, char** argv)
 {
     using namespace trivar::testing;
+    using trivar::SplitClosing;
     const unsigned passes = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 10000;
     const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
     const std::vector<Model> all = models(argc > 3 ? argv[3] : "");
+    const bool stitched = argc > 4 && std::string_view(argv[4]) == "stitched";
+    const SplitClosing closing = stitched ? SplitClosing::stitched : SplitClosing::capped;
     Tally tally;
     const auto report = [&] {
         fmt::print(
@@ -371,7 +375,7 @@ int main(int argc, char** argv)
         std::fflush(stdout);
     };
     for (unsigned i = 0; i < passes; ++i) {
-        pass(all, seed + i, tally);
+        pass(all, seed + i, closing, tally);
         if (i % 100 == 99) report();
     }
     report();

@@ -10,6 +10,11 @@ template <>
 inline constexpr std::array<std::string_view, 4> choice_names<SplitKernel>{"quadratic", "smooth",
                                                                            "gaussian", "hat"};
 
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<SplitClosing>{"open", "capped",
+                                                                            "stitched"};
+template <> inline constexpr bool was_switch<SplitClosing> = true;
+
 template <> struct FieldsOf<ObstacleUse> {
     static constexpr std::string_view told_as = "[obstacle](#obstacle)";
     static void fields(auto& o, auto&& field)
@@ -33,8 +38,11 @@ template <> struct FieldsOf<Splitting> {
               any_value.called("Opens along").without_keys());
         field("way", s.way, "direction in the world in which it passes the obstacles",
               any_value.called("Passes along").without_keys());
-        field("capped", s.capped, "the halves are closed, so that they stay solid",
-              any_value.called("Closed"));
+        field("capped", s.closing,
+              "how the halves are closed: not at all; by caps, so that they stay solid; or by "
+              "stitching the skin together beside the obstacle, with nothing inside. false and "
+              "true are read as open and capped",
+              any_value.called("Closing"));
         field("inside", s.inside,
               "a pattern that fills it, seen where it opens; none: its own material",
               any_value.called("Inside"));

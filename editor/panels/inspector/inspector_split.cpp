@@ -56,7 +56,7 @@ void draw_split(Editor& editor, const ui::Theme& theme, Id id)
     }
     ui::gap(theme, 8);
     FieldRows<Splitting> fields(rows, splitting, "splitting");
-    fields(&Splitting::capped);
+    fields(&Splitting::closing);
     fields(&Splitting::inside);
     fields(&Splitting::tolerance);
     fields(&Splitting::opening);

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/split_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+// A kink of a function, whose slope jumps by 1 over a length of 1, is off by a quarter of that from
+// what is linear: as much as with this second derivative.
+constexpr double bend_of_kink = 1 / (4 * share_of_bends);
+
+// Bounds of how fast a point moves, and how fast that changes, along an edge.
+struct EdgeMotion {
+    double first = 0, second = 0;
+};
+
+// Of w', where the fade lies between two values and changes like that.
+EdgeMotion drawn_w(const glm::dvec2& e, const SeamBound& seam, const ShareBound& share,
+                   double least_fade, double fade, const EdgeMotion& fading)
+{
+    const double v = std::abs(e.x), w = std::abs(e.y);
+    const double first = share.first * v, second = share.second * v * v;
+    const double pull = fade * share.value, least_pull = least_fade * share.least;
+    const double slope = std::max(1 + pull * (seam.slope - 1), 1 + least_pull * (seam.slope - 1));
+    const double pull_1 = fading.first * share.value + fade * first;
+    const double pull_2 = fading.second * share.value + 2 * fading.first * first + fade * second;
+    return {w * slope + pull_1 * seam.most,
+            pull_2 * seam.most + 2 * pull_1 * seam.slope_less_1 * w +
+                pull * (seam.bend * w * w + bend_of_kink * seam.kink * w)};
+}
+
+// Of a function of (v, w') along an edge.
+EdgeMotion motion_of(const JetBound& f, double v, const EdgeMotion& w)
+{
+    return {f.v * v + f.w * w.first,
+            f.vv * v * v + 2 * f.vw * v * w.first + f.ww * w.first * w.first + f.w * w.second};
+}
+
+} // namespace
+
+void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
+                              const std::array<double, 3>& heights,
+                              std::array<double, 3>& edges) const
+{
+    const Each& each = all_[opening];
+    const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
+    const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
+    std::array<glm::dvec2, 3> e; // edges, by (v, w)
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 way = uvw[(i + 1) % 3] - uvw[i];
+        e[i] = {way.y, way.z};
+    }
+    const SeamBound seam = bound(seams_[opening], lo.z, hi.z);
+    const ShareBound share = share_bound(seams_[opening], lo.y, hi.y);
+    // From where it is to where it may be drawn
+    const glm::dvec2 from(lo.y, seam.lo), to(hi.y, seam.hi);
+    const JetBound phi = each.surface.over(from, to);
+    double phi_ee = 0;
+    for (const glm::dvec2& edge : e) phi_ee = std::max(phi_ee, phi.second(edge));
+    const double bend = share_of_bends * phi_ee;
+    const double least = std::ranges::min(heights), most = std::ranges::max(heights);
+    const bool across = least - bend <= 0 && most + bend >= 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
+        const double r = each.reach[side];
+        const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
+        if (nearest >= r) continue;
+        const double farthest = (side == 0 ? -least : most) + bend;
+        const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
+        const JetBound wall = each.walls[side].over(from, to);
+        const double slope = kernel.first / r, curve = kernel.second / (r * r);
+        // It fades like the square of what is between these
+        const double far = 1 - nearest / r, near = std::max(0.0, 1 - farthest / r);
+        for (std::size_t i = 0; i < 3; ++i) {
+            // The change of the distance from the surface along the edge
+            const double a = std::abs(heights[(i + 1) % 3] - heights[i]) + phi_ee;
+            const EdgeMotion fading{2 * far * a / r, 2 * a * a / (r * r) + 2 * far * phi_ee / r};
+            const EdgeMotion w = drawn_w(e[i], seam, share, near * near, far * far, fading);
+            const EdgeMotion wall_w = motion_of(wall, std::abs(e[i].x), w);
+            const double u = phi_ee + motion_of(phi, std::abs(e[i].x), w).second +
+                             kernel.value * wall_w.second + 2 * slope * wall_w.first * a +
+                             wall.value * (curve * a * a + slope * phi_ee);
+            edges[i] += share_of_bends * (std::hypot(u, w.second) + (across ? phi_ee : 0));
+        }
+    }
+}
+
+double SplitError::drawn_in_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+{
+    const Each& each = all_[opening];
+    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
+    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
+    const SeamBound seam = bound(seams_[opening], lo.y, hi.y);
+    const ShareBound share = share_bound(seams_[opening], lo.x, hi.x);
+    const glm::dvec2 from(lo.x, seam.lo), to(hi.x, seam.hi);
+    const JetBound phi = each.surface.over(from, to);
+    double most = 0;
+    for (const SurfaceBounds& wall : each.walls) {
+        const JetBound bound_of_wall = wall.over(from, to);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 e = vw[(i + 1) % 3] - vw[i];
+            const EdgeMotion w = drawn_w(e, seam, share, 1, 1, {});
+            const double v = std::abs(e.x);
+            most = std::max(most, std::hypot(motion_of(phi, v, w).second +
+                                                 motion_of(bound_of_wall, v, w).second,
+                                             w.second));
+        }
+    }
+    return share_of_bends * most;
+}
+
+} // namespace trivar

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/split/cap.h"
+#include "core/split/seam.h"
+
+namespace trivar {
+
+// Makes both halves one again where an opening ends: copies of a place beyond the walls become one
+// point, and triangles of both caps between such points, which lie on each other, are left out; so
+// are caps that lie inside, away from the rim, as round an obstacle that is hidden in the mesh. A
+// closed mesh stays closed, and a sheet is one sheet before and behind the obstacle. What is left
+// are caps beside the obstacle only. O(size of the cut).
+void sew(CutMesh& cut, const Caps& caps, const SplitField& field, std::size_t opening);
+
+// Whether a triangle of a cap reaches so far beyond an opening that it is to be split there, for
+// what lies beyond to be left out.
+bool reaches_beyond(const std::array<glm::dvec2, 3>& vw, const Opening& opening);
+
+// Moves a vertex that is drawn in by seams and parted by the field: its position, normal and
+// tangent.
+void move_sewn(Mesh& mesh, std::size_t vertex, const SplitField& field, std::span<const Seam> seams,
+               std::span<const char> sides, std::span<const char> on);
+
+} // namespace trivar

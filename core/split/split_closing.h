@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace trivar {
+
+// How the halves of what is parted are closed. The first two are what a switch was once.
+enum class SplitClosing : std::uint8_t {
+    open,     // not at all
+    capped,   // by caps: solid halves
+    stitched, // by drawing in the skin beside the opening until its lips meet: a skin, with nothing
+              // inside
+};
+
+} // namespace trivar
