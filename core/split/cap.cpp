@@ -2,7 +2,7 @@
 #include "core/split/cap.h"
 
 #include "core/plane/triangulation.h"
-#include "core/split/rim_loops.h"
+#include "core/split/layered_cap.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,12 +10,6 @@
 
 namespace trivar {
 namespace {
-
-// Triangles between places and points inside; the latter are numbered from the number of places up.
-struct FlatCap {
-    std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise in the parameters
-    std::vector<glm::dvec2> inside;
-};
 
 // Inserts a point of a rim that is to be number `count`: where another one is, it goes a step
 // aside. Returns -1 where all places round it are taken.
@@ -257,7 +251,9 @@ Caps cap(CutMesh& cut, const CapOptions& options)
             std::vector<const RimLoop*> some;
             for (const std::size_t i : group)
                 if (loops.closed[i].size() > 2) some.push_back(&loops.closed[i]);
-            if (some.empty() || triangulate(some, options, flat)) continue;
+            if (some.empty() || triangulate(some, options, flat) ||
+                close_in_layers(some, options, flat))
+                continue;
             for (const RimLoop* loop : some) {
                 if (!close_alone(*loop, options, flat)) close_by_fan(*loop, options, flat);
                 ++out.fans;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace trivar {
+
+// How the holes that a cut leaves are closed.
+struct CapOptions {
+    // Where each place lies on the cut surface, by two parameters in metres (v, w). With the
+    // direction in which the function of the cut grows they are right-handed.
+    std::vector<glm::dvec2> places;
+    // The point of the cut surface at two parameters, and its unit normal toward the part above.
+    std::function<glm::dvec3(const glm::dvec2&)> point;
+    std::function<glm::dvec3(const glm::dvec2&)> normal;
+    // Whether a triangle of a cap is to be split by points inside; null: none is. Triangles without
+    // an inner edge longer than 1/1000 of the cap's size stay as they are.
+    std::function<bool(const std::array<glm::dvec2, 3>&)> too_coarse = nullptr;
+    std::uint32_t material = 0; // face_material of the caps
+};
+
+} // namespace trivar
