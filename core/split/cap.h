@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/split/cut.h"
+#include "core/split/fine_triangles.h"
 
 #include <functional>
 
@@ -15,9 +16,9 @@ struct CapOptions {
     // The point of the cut surface at two parameters, and its unit normal toward the part above.
     std::function<glm::dvec3(const glm::dvec2&)> point;
     std::function<glm::dvec3(const glm::dvec2&)> normal;
-    // Whether a triangle of a cap is to be split by points inside; null: none is. Triangles without
-    // an inner edge longer than 1/1000 of the cap's size stay as they are.
-    std::function<bool(const std::array<glm::dvec2, 3>&)> too_coarse = nullptr;
+    // Triangles that are too coarse get points inside; null: none is. Those without an inner edge
+    // longer than 1/1000 of the cap's size stay as they are.
+    Coarseness coarseness = nullptr;
     std::uint32_t material = 0; // face_material of the caps
 };
 

@@ -183,8 +183,10 @@ std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const Sev
         closing.point = [&](const glm::dvec2& vw) { return sheet.point(vw); };
         closing.normal = [&](const glm::dvec2& vw) { return sheet.normal(vw); };
         if (!sheet.is_flat())
-            closing.too_coarse = [&](const std::array<glm::dvec2, 3>& vw) {
-                return off(vw) > options.tolerance;
+            closing.coarseness = [&](const std::array<glm::dvec2, 3>& vw) {
+                std::array<double, 3> edges = sheet.bends(vw);
+                for (double& each : edges) each *= share_of_bends / options.tolerance;
+                return edges;
             };
         closing.material = options.material;
         const Caps caps = cap(cut_mesh, closing);

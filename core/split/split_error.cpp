@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/split_error.h"
 
+#include "core/split/opening_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,23 +20,20 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 
 } // namespace
 
-SplitError::SplitError(const SplitField& field) : field_(field)
+OpeningBounds::OpeningBounds(const Opening& opening)
+    : surface(opening.surface, false),
+      walls{SurfaceBounds(opening.walls[0].height, true),
+            SurfaceBounds(opening.walls[1].height, true)},
+      surface_bends({&surface, 1}),
+      wall_bends(walls)
 {
-    for (const Opening& o : field.openings)
-        all_.push_back(
-            {SurfaceBounds(o.surface, false),
-             {SurfaceBounds(o.walls[0].height, true), SurfaceBounds(o.walls[1].height, true)},
-             o.walls[0].lo(),
-             o.walls[0].hi(),
-             o.reach,
-             o.kernel});
 }
 
 std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
                                         const std::array<const double*, 3>& heights) const
 {
     std::array<double, 3> out{};
-    for (std::size_t k = 0; k < all_.size(); ++k)
+    for (std::size_t k = 0; k < field_.openings.size(); ++k)
         add(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}, out);
     return out;
 }
@@ -43,11 +42,12 @@ std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
 void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
                      const std::array<double, 3>& heights, std::array<double, 3>& edges) const
 {
-    const Each& each = all_[k];
+    const Opening& each = field_.openings[k];
+    const OpeningBounds& bounds = *each.bounds;
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
-    if (apart(lo2, hi2, each.lo, each.hi)) return;
+    if (apart(lo2, hi2, each.walls[0].lo(), each.walls[0].hi())) return;
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& from = uvw[i];
@@ -57,7 +57,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const double least = std::min({heights[0], heights[1], heights[2]});
     const double most = std::max({heights[0], heights[1], heights[2]});
     // The surface over the triangle: its values at the corners and how it bends between them
-    const JetBound phi = each.surface.over(lo2, hi2);
+    const JetBound phi = bounds.surface.over(lo2, hi2);
     std::array<double, 3> phi_ee; // second derivatives along the edges
     for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
     const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
@@ -69,7 +69,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
         if (nearest >= r) continue;
         const double farthest = (side == 0 ? -least : most) + bend;
         const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
-        const JetBound w = each.walls[side].over(lo2, hi2);
+        const JetBound w = bounds.walls[side].over(lo2, hi2);
         const double slope = kernel.first / r, curve = kernel.second / (r * r);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
@@ -82,39 +82,32 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     }
 }
 
-double SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+std::array<double, 3> SplitError::cap(std::size_t opening,
+                                      const std::array<glm::dvec2, 3>& vw) const
 {
-    const double own = own_cap(opening, vw);
-    if (all_.size() == 1) return own;
+    std::array<double, 3> out{};
+    const Opening& own = field_.openings[opening];
+    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
+    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
+    // Beyond the rectangle both caps are one
+    if (!apart(lo, hi, own.walls[0].lo(), own.walls[0].hi())) {
+        const BendBounds::Bend phi = own.bounds->surface_bends.over(lo, hi);
+        const BendBounds::Bend wall = own.bounds->wall_bends.over(lo, hi);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 e = vw[i == 2 ? 0 : i + 1] - vw[i];
+            out[i] = share_of_bend * (phi.second(e) + wall.second(e));
+        }
+    }
+    if (field_.openings.size() == 1) return out;
     std::array<glm::dvec3, 3> uvw;
-    for (std::size_t i = 0; i < 3; ++i)
-        uvw[i] = {field_.openings[opening].surface_cells.value(vw[i]), vw[i]};
-    std::array<double, 3> others{};
-    for (std::size_t k = 0; k < all_.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) uvw[i] = {own.surface_cells.value(vw[i]), vw[i]};
+    for (std::size_t k = 0; k < field_.openings.size(); ++k) {
         if (k == opening) continue;
         std::array<double, 3> heights{};
         for (std::size_t i = 0; i < 3; ++i) heights[i] = field_.openings[k].height(uvw[i]);
-        add(k, uvw, heights, others);
+        add(k, uvw, heights, out);
     }
-    return own + std::max({others[0], others[1], others[2]});
-}
-
-double SplitError::own_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
-{
-    const Each& each = all_[opening];
-    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
-    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
-    if (apart(lo, hi, each.lo, each.hi)) return 0; // both caps are one there
-    const JetBound phi = each.surface.over(lo, hi);
-    double most = 0;
-    for (const SurfaceBounds& wall : each.walls) {
-        const JetBound w = wall.over(lo, hi);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const glm::dvec2 e = vw[(i + 1) % 3] - vw[i];
-            most = std::max(most, share_of_bend * (phi.second(e) + w.second(e)));
-        }
-    }
-    return most;
+    return out;
 }
 
 } // namespace trivar

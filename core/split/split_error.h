@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/split/split_field.h"
-#include "core/split/surface_bounds.h"
 
 namespace trivar {
 
@@ -12,31 +11,22 @@ namespace trivar {
 // of products of barycentric coordinates, at most 1/3, in place of a circle]
 class SplitError {
 public:
-    explicit SplitError(const SplitField& field); // which must live as long
+    explicit SplitError(const SplitField& field) : field_(field) {} // which must live as long
 
     // Metres, for each edge (corner i to the next); the largest of them bounds the triangle, for
     // the points of either side. 0 where nothing is moved. `heights` holds, corner by corner, the
     // heights over the cut surfaces.
     std::array<double, 3> edges(const std::array<glm::dvec3, 3>& uvw,
                                 const std::array<const double*, 3>& heights) const;
-    // Metres, for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
-    // its own walls a cap may run through other openings.
-    double cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
+    // The same for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
+    // its own walls a cap may run through other openings. O(1) for one opening.
+    std::array<double, 3> cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
 
 private:
-    double own_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
-    struct Each {
-        SurfaceBounds surface;
-        std::array<SurfaceBounds, 2> walls;
-        glm::dvec2 lo, hi; // of the rectangle
-        std::array<double, 2> reach;
-        SplitKernel kernel;
-    };
     void add(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
              const std::array<double, 3>& heights, std::array<double, 3>& edges) const;
 
     const SplitField& field_;
-    std::vector<Each> all_;
 };
 
 } // namespace trivar

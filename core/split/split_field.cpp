@@ -2,6 +2,7 @@
 #include "core/split/split_field.h"
 
 #include "core/base/rejected.h"
+#include "core/split/opening_bounds.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -51,9 +52,11 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
                     obstacle.name,
                     obstacle.objects,
                     BicubicCells(surface),
+                    {},
                     {}};
         for (std::size_t side = 0; side < 2; ++side)
             out.wall_cells[side] = BicubicCells(out.walls[side].height);
+        out.bounds = make_ref(OpeningBounds(out));
         return out;
     } catch (const Rejected& error) {
         throw Rejected(obstacle.name + ": " + error.what());

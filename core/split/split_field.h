@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
 #include "core/split/bicubic_cells.h"
 #include "core/split/opening_wall.h"
 #include "core/split/split_kernel.h"
@@ -19,6 +20,8 @@ struct SplitObstacle {
     std::vector<int> objects = {}; // ids, for who asks what opened it
 };
 
+struct OpeningBounds;
+
 // An Opening is the gap that an obstacle asks for. Below the cut surface is 0, above it 1.
 struct Opening {
     CutSurface surface;
@@ -30,6 +33,7 @@ struct Opening {
     // the same, to be evaluated fast
     BicubicCells surface_cells;
     std::array<BicubicCells, 2> wall_cells;
+    Ref<OpeningBounds> bounds;
 
     double height(const glm::dvec3& uvw) const // above the cut surface
     {

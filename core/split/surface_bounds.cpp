@@ -4,6 +4,7 @@
 #include "core/spline/bezier.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace trivar {
@@ -34,6 +35,11 @@ double largest_difference(std::array<double, net * net> p, int dv, int dw)
     return most;
 }
 
+BendBounds::Bend greatest(const BendBounds::Bend& a, const BendBounds::Bend& b)
+{
+    return {std::max(a.vv, b.vv), std::max(a.vw, b.vw), std::max(a.ww, b.ww)};
+}
+
 } // namespace
 
 SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
@@ -62,20 +68,67 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
         }
 }
 
-JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
+bool SurfaceBounds::is_outside(const glm::dvec2& lo, const glm::dvec2& hi) const
 {
-    if (zero_outside_ && (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y))
-        return {};
+    return zero_outside_ && (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y);
+}
+
+SurfaceBounds::Cells SurfaceBounds::cells(const glm::dvec2& lo, const glm::dvec2& hi) const
+{
     // At a border between pieces, where rounding decides, both count
     constexpr double rounding = 1e-9;
     const glm::dvec2 last(count_ - 1);
-    const glm::ivec2 from(glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last));
-    const glm::ivec2 to(glm::clamp((hi - lo_) * per_cell_ + rounding, glm::dvec2(0), last));
+    return {glm::ivec2(glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last)),
+            glm::ivec2(glm::clamp((hi - lo_) * per_cell_ + rounding, glm::dvec2(0), last))};
+}
+
+JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
+{
+    if (is_outside(lo, hi)) return {};
+    const auto [from, to] = cells(lo, hi);
     JetBound out;
     for (int i = from.x; i <= to.x; ++i)
         for (int j = from.y; j <= to.y; ++j)
             out.add(cells_[static_cast<std::size_t>(i * count_.y + j)]);
     return out;
+}
+
+BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces[0])
+{
+    const glm::ivec2 count = grid_.count_;
+    levels_ = {std::bit_width(static_cast<unsigned>(count.x)),
+               std::bit_width(static_cast<unsigned>(count.y))};
+    most_.resize(static_cast<std::size_t>(levels_.x * levels_.y * count.x * count.y));
+    for (const SurfaceBounds& surface : surfaces)
+        for (std::size_t k = 0; k < surface.cells_.size(); ++k) {
+            const JetBound& cell = surface.cells_[k];
+            most_[k] = greatest(most_[k], {cell.vv, cell.vw, cell.ww});
+        }
+    std::size_t k = surfaces[0].cells_.size();
+    for (int p = 0; p < levels_.x; ++p)
+        for (int q = p == 0 ? 1 : 0; q < levels_.y; ++q)
+            for (int i = 0; i < count.x; ++i)
+                for (int j = 0; j < count.y; ++j, ++k) {
+                    // Of two halves; beyond the grid nothing is asked for
+                    const int next_i = std::min(count.x - 1, q > 0 ? i : i + (1 << p >> 1));
+                    const int next_j = std::min(count.y - 1, q > 0 ? j + (1 << q >> 1) : j);
+                    const int from_p = q > 0 ? p : p - 1, from_q = q > 0 ? q - 1 : 0;
+                    most_[k] =
+                        greatest(most(from_p, from_q, i, j), most(from_p, from_q, next_i, next_j));
+                }
+    grid_.cells_.clear();
+}
+
+BendBounds::Bend BendBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
+{
+    if (grid_.is_outside(lo, hi)) return {};
+    const auto [from, to] = grid_.cells(lo, hi);
+    const glm::ivec2 size = to - from + 1;
+    const int p = std::bit_width(static_cast<unsigned>(size.x)) - 1;
+    const int q = std::bit_width(static_cast<unsigned>(size.y)) - 1;
+    const glm::ivec2 last = to + 1 - glm::ivec2(1 << p, 1 << q);
+    return greatest(greatest(most(p, q, from.x, from.y), most(p, q, last.x, from.y)),
+                    greatest(most(p, q, from.x, last.y), most(p, q, last.x, last.y)));
 }
 
 } // namespace trivar

@@ -39,9 +39,10 @@ CutInTwo cut_by(const Mesh& mesh, const Plane& plane, double longest = 0)
     options.point = [=](const glm::dvec2& at) { return plane.offset * n + at.x * x + at.y * y; };
     options.normal = [=](const glm::dvec2&) { return n; };
     if (longest > 0)
-        options.too_coarse = [=](const std::array<glm::dvec2, 3>& t) {
-            return glm::distance(t[0], t[1]) > longest || glm::distance(t[1], t[2]) > longest ||
-                   glm::distance(t[2], t[0]) > longest;
+        options.coarseness = [=](const std::array<glm::dvec2, 3>& t) {
+            return std::array{glm::distance(t[0], t[1]) / longest,
+                              glm::distance(t[1], t[2]) / longest,
+                              glm::distance(t[2], t[0]) / longest};
         };
     out.caps = cap(out.cut, options);
     return out;
