@@ -105,6 +105,32 @@ void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, 
     }
 }
 
+// Moves vertex v, which is at `rest`.
+void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const SplitField& field,
+                 std::span<const char> sides, std::span<const char> on)
+{
+    const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(rest));
+    const SplitField::Moved moved = field.moved(uvw, sides, on);
+    if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) return;
+    mesh.positions[v] = glm::vec3(glm::dvec3(rest) + field.frame.axes[0] * (moved.u - uvw.x));
+    const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+    const glm::dvec3& g = moved.gradient;
+    if (!mesh.normals.empty()) {
+        // By the cofactors of the derivative, whose last two rows are those of the identity
+        const glm::dvec3 n = to_uvw * glm::dvec3(mesh.normals[v]);
+        mesh.normals[v] =
+            glm::vec3(field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
+                                                                   g.x * n.z - g.z * n.x)));
+    }
+    if (!mesh.tangents.empty()) {
+        glm::dvec3 t = to_uvw * glm::dvec3(mesh.tangents[v]);
+        t.x = glm::dot(g, t);
+        t = field.frame.axes * t;
+        if (glm::length(t) > 0)
+            mesh.tangents[v] = glm::vec4(glm::vec3(glm::normalize(t)), mesh.tangents[v].w);
+    }
+}
+
 void move(SplitMesh& out, const SplitField& field, VertexSides& all)
 {
     const Box reach = field.reach();
@@ -112,36 +138,12 @@ void move(SplitMesh& out, const SplitField& field, VertexSides& all)
     parallel_blocks(
         out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 rest(out.rest_positions[v]);
-                const glm::dvec3 uvw = field.frame.uvw(rest);
+                const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(out.rest_positions[v]));
                 if (glm::any(glm::lessThan(uvw, reach.lo)) ||
                     glm::any(glm::greaterThan(uvw, reach.hi)))
                     continue;
-                const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
-                                                            {&all.is_on(v, 0), all.openings});
-                if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-                out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
-                const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
-                    glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
-                    d.x = glm::dot(moved.gradient, d);
-                    return field.frame.axes * d;
-                };
-                if (!out.mesh.normals.empty()) {
-                    // By the cofactors of the derivative, whose last two rows are those of the
-                    // identity
-                    const glm::dvec3 n =
-                        glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
-                    const glm::dvec3& g = moved.gradient;
-                    out.mesh.normals[v] = glm::vec3(
-                        field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
-                                                                     g.x * n.z - g.z * n.x)));
-                }
-                if (!out.mesh.tangents.empty()) {
-                    const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
-                    if (glm::length(t) > 0)
-                        out.mesh.tangents[v] =
-                            glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
-                }
+                move_vertex(out.mesh, v, out.rest_positions[v], field,
+                            {&all.side(v, 0), all.openings}, {&all.is_on(v, 0), all.openings});
             }
         });
 }
@@ -231,15 +233,53 @@ VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
     return out;
 }
 
-// The faces that are to be changed, ascending: those in reach, those that are cut, and those that
-// share an edge with one in reach, since that may be split.
-std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces& places)
+// Moves the vertices in reach that are not among those of the region, which were moved with it.
+void move_others(Mesh& out, const Mesh& whole, const MeshRegion& region, const VertexPlaces& places,
+                 const SplitField& field)
 {
-    std::vector<char> near(places.points, 0); // corners of faces in reach
+    const std::size_t openings = field.openings.size();
+    const std::size_t others = openings - std::min<std::size_t>(openings, places.surfaces_in_bits);
+    const std::vector<char> on(openings, 0);
+    parallel_blocks(
+        whole.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            std::vector<char> sides(openings);
+            auto moved = std::ranges::lower_bound(region.vertices, begin);
+            for (std::size_t v = begin; v < end; ++v) {
+                if (moved != region.vertices.end() && *moved == v) {
+                    ++moved;
+                    continue;
+                }
+                if ((places.bits[v] & places.beyond_any) != 0) continue;
+                for (std::size_t i = 0; i < openings; ++i)
+                    sides[i] = i < places.surfaces_in_bits
+                                   ? (places.bits[v] >> (places.first_above + i)) & 1
+                                   : places.above[others * v + i - places.surfaces_in_bits];
+                move_vertex(out, v, whole.positions[v], field, sides, on);
+            }
+        });
+}
+
+// What of a mesh is to be changed.
+struct ToChange {
+    std::vector<std::uint32_t> faces; // ascending
+    std::vector<char> free; // by point: where all faces are among these, so that edges may be split
+    bool moves = false;     // whether any face is in reach
+    double off = 0;         // metres: bound for the faces in reach that stay as they are
+};
+
+// Those that may be too coarse and those that are cut, with all that share a point with one of the
+// former, since its edges may be split.
+ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
+                   const SplitError& error, double tolerance)
+{
+    ToChange out;
+    out.free.resize(places.points, 0); // corners of faces that may be too coarse
+    std::vector<char>& near = out.free;
     std::vector<char> near_block(places.points / points_per_block + 1, 0);
     struct FaceBlock {
         std::uint32_t least = 0xffffffff, most = 0; // of its points
-        bool cut = false;
+        bool cut = false, moves = false;
+        double off = 0;
     };
     std::vector<FaceBlock> blocks(mesh.face_count() / faces_per_block + 1);
     const auto corners_of = [&](std::size_t f) {
@@ -265,6 +305,7 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
     const auto mark = [](char& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); };
     parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
         FaceBlock block;
+        const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
         for (std::size_t f = begin; f < end; ++f) {
             const std::span<const std::uint32_t> corners = corners_of(f);
             int beyond = VertexPlaces::beyond_any;
@@ -274,8 +315,18 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
                 block.most = std::max(block.most, p);
                 beyond &= places.bits[v];
             }
-            block.cut = block.cut || is_cut(corners);
+            const bool cut_through = is_cut(corners);
+            block.cut = block.cut || cut_through;
             if (beyond != 0) continue;
+            block.moves = true;
+            Box box;
+            for (const std::uint32_t v : corners)
+                box.add(to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin));
+            const double off = (cut_through ? 2 : 1) * error.within(box); // both sides count
+            if (off <= tolerance) {
+                block.off = std::max(block.off, off);
+                continue;
+            }
             for (const std::uint32_t v : corners) {
                 mark(near[mesh.point(v)]);
                 mark(near_block[mesh.point(v) / points_per_block]);
@@ -293,14 +344,17 @@ std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces&
             const std::span<const std::uint32_t> corners = corners_of(f);
             int touched = 0;
             for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
-            if (touched > 1 || (block.cut && is_cut(corners)))
+            if (touched > 0 || (block.cut && is_cut(corners)))
                 found[begin / faces_per_block].push_back(static_cast<std::uint32_t>(f));
         }
     });
-    std::vector<std::uint32_t> all;
     for (const std::vector<std::uint32_t>& each : found)
-        all.insert(all.end(), each.begin(), each.end());
-    return all;
+        out.faces.insert(out.faces.end(), each.begin(), each.end());
+    for (const FaceBlock& block : blocks) {
+        out.moves = out.moves || block.moves;
+        out.off = std::max(out.off, block.off);
+    }
+    return out;
 }
 
 // Flat triangles are to stay within what is free between the walls and the obstacles, where that is
@@ -313,16 +367,17 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
     return std::max(free, options.tolerance / 4);
 }
 
-// Parts a mesh as `split` does, all of its faces.
-SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& options)
+// An edge of the cut may be worse than the edges of the triangle that it runs through.
+constexpr double share_of_skin = 0.6; // of the tolerance
+
+// Parts a mesh as `split` does, all of its faces; edges are split at points that are free.
+SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
+                    const SplitError& error, const SplitOptions& options)
 {
-    const SplitError error(field);
     const double tolerance = tolerance_of(field, options);
     SplitMesh out;
-    // An edge of the cut may be worse than the edges of the triangle that it runs through
-    constexpr double share = 0.6;
-    FineMesh fine =
-        fine_enough(std::move(mesh), field, error, share * tolerance, options.most_triangles);
+    FineMesh fine = fine_enough(std::move(mesh), std::move(free), field, error,
+                                share_of_skin * tolerance, options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();
@@ -367,11 +422,19 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
 {
     const VertexPlaces places = places_of(mesh, field);
     if (places.box.apart(field.reach())) return std::nullopt;
-    const MeshRegion region = region_of(mesh, places.points, faces_to_change(mesh, places));
-    if (region.faces.empty()) return std::nullopt;
-    SplitMesh out = split_all(region.mesh, field, options);
+    const SplitError error(field);
+    const ToChange change =
+        to_change(mesh, places, field, error, share_of_skin * tolerance_of(field, options));
+    if (change.faces.empty() && !change.moves) return std::nullopt;
+    MeshRegion region = region_of(mesh, places.points, change.faces);
+    std::vector<char> free;
+    free.reserve(region.points.size());
+    for (const std::uint32_t p : region.points) free.push_back(change.free[p]);
+    SplitMesh out = split_all(std::move(region.mesh), std::move(free), field, error, options);
+    out.off = std::max(out.off, change.off);
     const Mesh changed = std::move(out.mesh);
     out.mesh = put_back(mesh, region, changed);
+    move_others(out.mesh, mesh, region, places, field);
     out.first_new_face += mesh.face_count() - region.faces.size();
     if (!options.keep_rest) {
         out.rest_positions.clear();

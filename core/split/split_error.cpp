@@ -82,6 +82,26 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     }
 }
 
+double SplitError::within(const Box& uvw) const
+{
+    const glm::dvec2 lo(uvw.lo.y, uvw.lo.z), hi(uvw.hi.y, uvw.hi.z), e = hi - lo;
+    double out = 0;
+    for (const Opening& each : field_.openings) {
+        if (apart(lo, hi, each.walls[0].lo(), each.walls[0].hi())) continue;
+        const OpeningBounds& bounds = *each.bounds;
+        const JetBound phi = bounds.surface.over(lo, hi);
+        const SurfaceBounds::Cells cells = bounds.walls[0].cells(lo, hi);
+        JetBound w = bounds.walls[0].over(cells);
+        w.add(bounds.walls[1].over(cells));
+        const double r = std::min(each.reach[0], each.reach[1]);
+        const double slope = steepest(each.kernel) / r, curve = most_bent(each.kernel) / (r * r);
+        const double phi_ee = phi.second(e), a = uvw.hi.x - uvw.lo.x + phi.first(e) + phi_ee;
+        out += share_of_bend * (w.second(e) + 2 * slope * w.first(e) * a +
+                                w.value * (curve * a * a + slope * phi_ee) + phi_ee);
+    }
+    return out;
+}
+
 std::array<double, 3> SplitError::cap(std::size_t opening,
                                       const std::array<glm::dvec2, 3>& vw) const
 {

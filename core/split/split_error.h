@@ -18,6 +18,9 @@ public:
     // heights over the cut surfaces.
     std::array<double, 3> edges(const std::array<glm::dvec3, 3>& uvw,
                                 const std::array<const double*, 3>& heights) const;
+    // Metres, for every triangle whose corners lie in a box of uvw: quick, and more than what
+    // `edges` says.
+    double within(const Box& uvw) const;
     // The same for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
     // its own walls a cap may run through other openings. O(1) for one opening.
     std::array<double, 3> cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;

@@ -68,31 +68,6 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
         }
 }
 
-bool SurfaceBounds::is_outside(const glm::dvec2& lo, const glm::dvec2& hi) const
-{
-    return zero_outside_ && (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y);
-}
-
-SurfaceBounds::Cells SurfaceBounds::cells(const glm::dvec2& lo, const glm::dvec2& hi) const
-{
-    // At a border between pieces, where rounding decides, both count
-    constexpr double rounding = 1e-9;
-    const glm::dvec2 last(count_ - 1);
-    return {glm::ivec2(glm::clamp((lo - lo_) * per_cell_ - rounding, glm::dvec2(0), last)),
-            glm::ivec2(glm::clamp((hi - lo_) * per_cell_ + rounding, glm::dvec2(0), last))};
-}
-
-JetBound SurfaceBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
-{
-    if (is_outside(lo, hi)) return {};
-    const auto [from, to] = cells(lo, hi);
-    JetBound out;
-    for (int i = from.x; i <= to.x; ++i)
-        for (int j = from.y; j <= to.y; ++j)
-            out.add(cells_[static_cast<std::size_t>(i * count_.y + j)]);
-    return out;
-}
-
 BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces[0])
 {
     const glm::ivec2 count = grid_.count_;
@@ -122,13 +97,13 @@ BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces
 BendBounds::Bend BendBounds::over(const glm::dvec2& lo, const glm::dvec2& hi) const
 {
     if (grid_.is_outside(lo, hi)) return {};
-    const auto [from, to] = grid_.cells(lo, hi);
-    const glm::ivec2 size = to - from + 1;
-    const int p = std::bit_width(static_cast<unsigned>(size.x)) - 1;
-    const int q = std::bit_width(static_cast<unsigned>(size.y)) - 1;
-    const glm::ivec2 last = to + 1 - glm::ivec2(1 << p, 1 << q);
-    return greatest(greatest(most(p, q, from.x, from.y), most(p, q, last.x, from.y)),
-                    greatest(most(p, q, from.x, last.y), most(p, q, last.x, last.y)));
+    const SurfaceBounds::Cells cells = grid_.cells(lo, hi);
+    const int p = std::bit_width(static_cast<unsigned>(cells.to_v - cells.from_v + 1)) - 1;
+    const int q = std::bit_width(static_cast<unsigned>(cells.to_w - cells.from_w + 1)) - 1;
+    const int last_v = cells.to_v + 1 - (1 << p), last_w = cells.to_w + 1 - (1 << q);
+    return greatest(
+        greatest(most(p, q, cells.from_v, cells.from_w), most(p, q, last_v, cells.from_w)),
+        greatest(most(p, q, cells.from_v, last_w), most(p, q, last_v, last_w)));
 }
 
 } // namespace trivar

@@ -36,15 +36,40 @@ struct JetBound {
 class SurfaceBounds {
 public:
     explicit SurfaceBounds(const Surface<double>& surface, bool zero_outside);
-    JetBound over(const glm::dvec2& lo, const glm::dvec2& hi) const; // O(#pieces touched)
+    JetBound over(const glm::dvec2& lo, const glm::dvec2& hi) const // O(#pieces touched)
+    {
+        return is_outside(lo, hi) ? JetBound{} : over(cells(lo, hi));
+    }
+    struct Cells { // a rectangle of pieces
+        int from_v, to_v, from_w, to_w;
+    };
+    Cells cells(const glm::dvec2& lo, const glm::dvec2& hi) const
+    {
+        return {cell(lo, 0, -rounding), cell(hi, 0, rounding), cell(lo, 1, -rounding),
+                cell(hi, 1, rounding)};
+    }
+    JetBound over(const Cells& cells) const
+    {
+        JetBound out = cells_[static_cast<std::size_t>(cells.from_v * count_.y + cells.from_w)];
+        for (int i = cells.from_v; i <= cells.to_v; ++i)
+            for (int j = cells.from_w; j <= cells.to_w; ++j)
+                out.add(cells_[static_cast<std::size_t>(i * count_.y + j)]);
+        return out;
+    }
 
 private:
     friend class BendBounds;
-    struct Cells { // a rectangle of pieces
-        glm::ivec2 from, to;
-    };
-    Cells cells(const glm::dvec2& lo, const glm::dvec2& hi) const;
-    bool is_outside(const glm::dvec2& lo, const glm::dvec2& hi) const;
+    // At a border between pieces, where rounding decides, both count
+    static constexpr double rounding = 1e-9;
+    int cell(const glm::dvec2& at, int axis, double more) const
+    {
+        const double place = (at[axis] - lo_[axis]) * per_cell_[axis] + more;
+        return static_cast<int>(std::min(std::max(place, 0.0), count_[axis] - 1.0));
+    }
+    bool is_outside(const glm::dvec2& lo, const glm::dvec2& hi) const
+    {
+        return zero_outside_ && (hi.x <= lo_.x || hi.y <= lo_.y || lo.x >= hi_.x || lo.y >= hi_.y);
+    }
 
     glm::dvec2 lo_{0}, hi_{0}, per_cell_{1}; // per_cell_: 1 / length of a piece
     glm::ivec2 count_{0};
