@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t no_triangle = 0xffffffff;
 constexpr std::size_t most_flat_points = 1000000;
+constexpr double much = 0.5;        // of what is allowed: less coarse edges are not halved
 constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -92,7 +93,7 @@ private:
     }
     double coarseness(std::uint32_t a, std::uint32_t b) const
     {
-        return coarseness_({points_[a], points_[b], points_[b]})[0];
+        return coarseness_({points_[a], points_[b], points_[b]}).edges[0];
     }
     double length(std::uint32_t t, std::size_t i) const
     {
@@ -109,7 +110,7 @@ private:
     }
     bool may_be_halved(const Side& side, double coarse) const
     {
-        if (coarse <= 1 || neighbours_[side.triangle][side.edge] == no_triangle ||
+        if (neighbours_[side.triangle][side.edge] == no_triangle ||
             length(side.triangle, side.edge) <= shortest_)
             return false;
         const glm::dvec2 at = middle(side.triangle, side.edge);
@@ -124,10 +125,12 @@ private:
     // Its edge that is to be halved; 3: none.
     std::size_t edge_to_halve(std::uint32_t t) const
     {
-        const std::array<double, 3> coarse = coarseness_(places(t));
+        const auto [coarse, whole] = coarseness_(places(t));
+        if (whole <= 1) return 3;
         std::size_t worst = 3;
         for (std::size_t i = 0; i < 3; ++i)
-            if ((worst == 3 || coarse[i] > coarse[worst]) && may_be_halved({t, i}, coarse[i]))
+            if (coarse[i] > much && (worst == 3 || coarse[i] > coarse[worst]) &&
+                may_be_halved({t, i}, coarse[i]))
                 worst = i;
         if (worst < 3) return worst;
         // An edge of the rim may do in a triangle that is flatter

@@ -15,9 +15,13 @@ struct FlatTriangles {
     std::vector<std::array<std::uint32_t, 3>> corners;
 };
 
-// How coarse a triangle is along each of its edges (corner i to the next), as a share of what is
-// allowed: above 1 it is too coarse. Larger for what contains more.
-using Coarseness = std::function<std::array<double, 3>(const std::array<glm::dvec2, 3>&)>;
+// How coarse a triangle is, as a share of what is allowed: above 1 it is too coarse. And how coarse
+// it is along each of its edges (corner i to the next). Larger for what contains more.
+struct TriangleCoarseness {
+    std::array<double, 3> edges;
+    double whole;
+};
+using Coarseness = std::function<TriangleCoarseness(const std::array<glm::dvec2, 3>&)>;
 
 // Makes triangles fine enough by points inside: the coarsest inner edge of a triangle that is too
 // coarse is halved, and inner edges are turned over where that makes them less coarse, so that

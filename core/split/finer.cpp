@@ -49,19 +49,21 @@ public:
                 Box box;
                 for (const glm::dvec3& each : p) box.add(each);
                 if (box.apart(reach)) continue;
-                const std::array<double, 3> off = error_.edges(
-                    p, {&heights_[openings * corner(f, 0)], &heights_[openings * corner(f, 1)],
-                        &heights_[openings * corner(f, 2)]});
+                const EdgeErrors off = error_.edges(p, {&heights_[openings * corner(f, 0)],
+                                                        &heights_[openings * corner(f, 1)],
+                                                        &heights_[openings * corner(f, 2)]});
+                const double whole = whole_error(off);
+                worst = std::max(worst, whole);
                 const std::size_t before = out.size();
-                for (std::size_t i = 0; i < 3; ++i) {
-                    if (off[i] <= tolerance_) continue;
+                // All edges that are too coarse, or else the coarsest
+                const double least = std::min(tolerance_, 0.999 * std::ranges::max(off));
+                for (std::size_t i = 0; i < 3 && whole > tolerance_; ++i) {
+                    if (off[i] <= least) continue;
                     const std::uint32_t a = mesh_.point(corner(f, i));
                     const std::uint32_t b = mesh_.point(corner(f, i + 1));
                     if (free_[a] || free_[b]) out.push_back({a, b});
                 }
-                worst = std::max({worst, off[0], off[1], off[2]});
-                if (out.size() == before)
-                    worst_settled = std::max({worst_settled, off[0], off[1], off[2]});
+                if (out.size() == before) worst_settled = std::max(worst_settled, whole);
             }
             most[begin / triangles_per_block] = worst;
             settled[begin / triangles_per_block] = worst_settled;

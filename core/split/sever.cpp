@@ -186,7 +186,7 @@ std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const Sev
             closing.coarseness = [&](const std::array<glm::dvec2, 3>& vw) {
                 std::array<double, 3> edges = sheet.bends(vw);
                 for (double& each : edges) each *= share_of_bends / options.tolerance;
-                return edges;
+                return TriangleCoarseness{edges, std::ranges::max(edges)};
             };
         closing.material = options.material;
         const Caps caps = cap(cut_mesh, closing);

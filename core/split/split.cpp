@@ -62,9 +62,9 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
     out.coarseness = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
-        std::array<double, 3> edges = error.cap(opening, vw);
+        EdgeErrors edges = error.cap(opening, vw);
         for (double& each : edges) each /= tolerance;
-        return edges;
+        return TriangleCoarseness{edges, whole_error(edges)};
     };
     out.material = options.material;
     return out;
@@ -157,7 +157,7 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
         for (std::size_t i = 0; i < 3; ++i)
             vw[i] =
                 caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] - caps.first_vertex];
-        most = std::max(most, std::ranges::max(error.cap(opening, vw)));
+        most = std::max(most, whole_error(error.cap(opening, vw)));
     }
     return most;
 }

@@ -9,8 +9,7 @@
 namespace trivar {
 namespace {
 
-// 2 times the largest sum of products of two barycentric coordinates, by the 2 of Taylor's term
-constexpr double share_of_bend = 1.0 / 6;
+constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6; // of a whole triangle
 
 bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_lo,
            const glm::dvec2& other_hi)
@@ -19,6 +18,14 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 }
 
 } // namespace
+
+double whole_error(const EdgeErrors& edges)
+{
+    const auto& [a, b, c] = edges;
+    const double most = std::max({a, b, c});
+    if (2 * most >= a + b + c) return most; // on the longest edge
+    return 4 * a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c);
+}
 
 OpeningBounds::OpeningBounds(const Opening& opening)
     : surface(opening.surface, false),
@@ -29,10 +36,10 @@ OpeningBounds::OpeningBounds(const Opening& opening)
 {
 }
 
-std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
-                                        const std::array<const double*, 3>& heights) const
+EdgeErrors SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
+                             const std::array<const double*, 3>& heights) const
 {
-    std::array<double, 3> out{};
+    EdgeErrors out{};
     for (std::size_t k = 0; k < field_.openings.size(); ++k)
         add(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}, out);
     return out;
@@ -40,7 +47,7 @@ std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
 
 // Adds what opening k makes of the triangle.
 void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
-                     const std::array<double, 3>& heights, std::array<double, 3>& edges) const
+                     const std::array<double, 3>& heights, EdgeErrors& edges) const
 {
     const Opening& each = field_.openings[k];
     const OpeningBounds& bounds = *each.bounds;
@@ -77,7 +84,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
             const double second = kernel.value * w.second(e[i]) + 2 * slope * w.first(e[i]) * a +
                                   w.value * (curve * a * a + slope * phi_ee[i]);
             // Where the cut goes through, the chord of the surface counts as well
-            edges[i] += share_of_bend * (second + (across ? phi_ee[i] : 0));
+            edges[i] += share_of_edge * (second + (across ? phi_ee[i] : 0));
         }
     }
 }
@@ -102,10 +109,9 @@ double SplitError::within(const Box& uvw) const
     return out;
 }
 
-std::array<double, 3> SplitError::cap(std::size_t opening,
-                                      const std::array<glm::dvec2, 3>& vw) const
+EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
 {
-    std::array<double, 3> out{};
+    EdgeErrors out{};
     const Opening& own = field_.openings[opening];
     const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
     const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
@@ -115,7 +121,7 @@ std::array<double, 3> SplitError::cap(std::size_t opening,
         const BendBounds::Bend wall = own.bounds->wall_bends.over(lo, hi);
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 e = vw[i == 2 ? 0 : i + 1] - vw[i];
-            out[i] = share_of_bend * (phi.second(e) + wall.second(e));
+            out[i] = share_of_edge * (phi.second(e) + wall.second(e));
         }
     }
     if (field_.openings.size() == 1) return out;

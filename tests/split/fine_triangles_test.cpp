@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/fine_triangles.h"
 
+#include "core/split/split_error.h"
 #include "core/split/surface_bounds.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ Coarseness by_squares(double xx, double yy)
             const glm::dvec2 e = t[(i + 1) % 3] - t[i];
             out[i] = xx * e.x * e.x + yy * e.y * e.y;
         }
-        return out;
+        return TriangleCoarseness{out, std::ranges::max(out)};
     };
 }
 
@@ -56,7 +57,7 @@ TEST(FineTriangles, CoverWhatTheyCoveredFineEnough)
         make_fine_enough(all, coarseness, 1e-3);
         for (std::size_t t = 0; t < all.corners.size(); ++t) {
             EXPECT_GT(area(all, t), 0);
-            EXPECT_LE(std::ranges::max(coarseness(places(all, t))), 1);
+            EXPECT_LE(coarseness(places(all, t)).whole, 1);
             after += area(all, t);
         }
         EXPECT_NEAR(before, after, 1e-12);
@@ -78,6 +79,25 @@ TEST(FineTriangles, EndBesideARimThatIsTooCoarse)
     make_fine_enough(all, by_squares(100, 100), 1e-3);
     EXPECT_LT(all.corners.size(), 2000u);
     EXPECT_GT(all.corners.size(), 10u);
+}
+
+TEST(SplitError, OfATriangleIsThatOfTheWorstPoint)
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int k = 0; k < 200; ++k) {
+        const EdgeErrors e{uniform(random), uniform(random), k % 5 ? uniform(random) : 0};
+        double most = 0;
+        constexpr int steps = 100;
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; i + j <= steps; ++j) {
+                const double x = static_cast<double>(i) / steps, y = static_cast<double>(j) / steps,
+                             z = 1 - x - y;
+                most = std::max(most, 4 * (x * y * e[0] + y * z * e[1] + z * x * e[2]));
+            }
+        EXPECT_LE(most, whole_error(e) + 1e-12);
+        EXPECT_NEAR(most, whole_error(e), 2e-3);
+    }
 }
 
 TEST(BendBounds, AreTheGreatestOfTheirPieces)

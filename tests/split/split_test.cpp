@@ -40,9 +40,10 @@ CutInTwo cut_by(const Mesh& mesh, const Plane& plane, double longest = 0)
     options.normal = [=](const glm::dvec2&) { return n; };
     if (longest > 0)
         options.coarseness = [=](const std::array<glm::dvec2, 3>& t) {
-            return std::array{glm::distance(t[0], t[1]) / longest,
-                              glm::distance(t[1], t[2]) / longest,
-                              glm::distance(t[2], t[0]) / longest};
+            const std::array<double, 3> edges{glm::distance(t[0], t[1]) / longest,
+                                              glm::distance(t[1], t[2]) / longest,
+                                              glm::distance(t[2], t[0]) / longest};
+            return TriangleCoarseness{edges, std::ranges::max(edges)};
         };
     out.caps = cap(out.cut, options);
     return out;
