@@ -12,7 +12,7 @@ namespace trivar {
 namespace {
 
 constexpr int most_rounds = 16;
-constexpr std::size_t triangles_per_block = 1 << 12, vertices_per_turn = 1 << 12;
+constexpr std::size_t triangles_per_block = 1 << 10, vertices_per_turn = 1 << 11;
 
 using PointEdge = std::array<std::uint32_t, 2>;
 

@@ -15,7 +15,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_block = 4096, faces_per_block = 4096, points_per_block = 4096;
+constexpr std::size_t vertices_per_block = 2048, faces_per_block = 4096, points_per_block = 4096;
 
 // On which side of each cut surface a vertex is, and which surfaces it lies on.
 struct VertexSides {
@@ -418,7 +418,7 @@ SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
 } // namespace
 
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options)
+                               const SplitOptions& options, Mesh memory)
 {
     const VertexPlaces places = places_of(mesh, field);
     if (places.box.apart(field.reach())) return std::nullopt;
@@ -433,7 +433,7 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
     SplitMesh out = split_all(std::move(region.mesh), std::move(free), field, error, options);
     out.off = std::max(out.off, change.off);
     const Mesh changed = std::move(out.mesh);
-    out.mesh = put_back(mesh, region, changed);
+    out.mesh = put_back(mesh, region, changed, std::move(memory));
     move_others(out.mesh, mesh, region, places, field);
     out.first_new_face += mesh.face_count() - region.faces.size();
     if (!options.keep_rest) {

@@ -34,7 +34,8 @@ struct SplitMesh {
 // mesh. Vertices that the field does not move keep their bits. Faces that are fine enough and not
 // cut are only moved: they keep their order and stand first, but for some beside others. O(#V + #C)
 // to find the others, and the work of these.
+// `memory` is a result that is not needed any more, of an earlier frame: its memory is used again.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options);
+                               const SplitOptions& options, Mesh memory = {});
 
 } // namespace trivar
