@@ -11,8 +11,8 @@ struct OpeningBounds {
     explicit OpeningBounds(const Opening& opening);
 
     SurfaceBounds surface;
-    std::array<SurfaceBounds, 2> walls;
-    BendBounds surface_bends, wall_bends; // wall_bends: of both
+    std::array<SurfaceBounds, 2> walls;   // in parts of pieces
+    BendBounds surface_bends, wall_bends; // wall_bends: of both, by pieces
 };
 
 } // namespace trivar

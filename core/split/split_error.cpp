@@ -11,6 +11,19 @@ namespace {
 
 constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6; // of a whole triangle
 
+// Of both walls: few parts are looked at one by one, many by their greatest.
+BendBounds::Bend bends_of_walls(const OpeningBounds& bounds, const glm::dvec2& lo,
+                                const glm::dvec2& hi)
+{
+    constexpr int few = 12;
+    const SurfaceBounds::Cells parts = bounds.walls[0].cells(lo, hi);
+    if ((parts.to_v - parts.from_v + 1) * (parts.to_w - parts.from_w + 1) > few)
+        return bounds.wall_bends.over(lo, hi);
+    JetBound both = bounds.walls[0].over(parts);
+    both.add(bounds.walls[1].over(parts));
+    return {both.vv, both.vw, both.ww};
+}
+
 bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_lo,
            const glm::dvec2& other_hi)
 {
@@ -29,10 +42,11 @@ double whole_error(const EdgeErrors& edges)
 
 OpeningBounds::OpeningBounds(const Opening& opening)
     : surface(opening.surface, false),
-      walls{SurfaceBounds(opening.walls[0].height, true),
-            SurfaceBounds(opening.walls[1].height, true)},
+      walls{SurfaceBounds(opening.walls[0].height, true, 2),
+            SurfaceBounds(opening.walls[1].height, true, 2)},
       surface_bends({&surface, 1}),
-      wall_bends(walls)
+      wall_bends(std::array{SurfaceBounds(opening.walls[0].height, true),
+                            SurfaceBounds(opening.walls[1].height, true)})
 {
 }
 
@@ -118,7 +132,7 @@ EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>&
     // Beyond the rectangle both caps are one
     if (!apart(lo, hi, own.walls[0].lo(), own.walls[0].hi())) {
         const BendBounds::Bend phi = own.bounds->surface_bends.over(lo, hi);
-        const BendBounds::Bend wall = own.bounds->wall_bends.over(lo, hi);
+        const BendBounds::Bend wall = bends_of_walls(*own.bounds, lo, hi);
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 e = vw[i == 2 ? 0 : i + 1] - vw[i];
             out[i] = share_of_edge * (phi.second(e) + wall.second(e));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/surface_bounds.h"
 
+#include "core/base/parallel.h"
 #include "core/spline/bezier.h"
 
 #include <algorithm>
@@ -11,9 +12,10 @@ namespace trivar {
 namespace {
 
 constexpr int net = 4; // Bezier points of a piece along either axis
+using Net = std::array<double, net * net>;
 
 // Largest |difference| of a net of the given size, after `dv` differences by v and `dw` by w.
-double largest_difference(std::array<double, net * net> p, int dv, int dw)
+template <int dv, int dw> double largest_difference(Net p)
 {
     int rows = net, columns = net;
     for (int k = 0; k < dv; ++k, --rows)
@@ -42,7 +44,7 @@ BendBounds::Bend greatest(const BendBounds::Bend& a, const BendBounds::Bend& b)
 
 } // namespace
 
-SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
+SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside, int parts)
     : zero_outside_(zero_outside)
 {
     const Surface<double> bezier = bezier_form(surface);
@@ -50,22 +52,47 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside)
     for (std::size_t a = 0; a < 2; ++a) spans[a] = bezier_spans(bezier.axes[a]);
     lo_ = {spans[0].front().lo, spans[1].front().lo};
     hi_ = {spans[0].back().hi, spans[1].back().hi};
-    count_ = {static_cast<int>(spans[0].size()), static_cast<int>(spans[1].size())};
+    const glm::ivec2 pieces(spans[0].size(), spans[1].size());
+    count_ = pieces * parts;
     per_cell_ = glm::dvec2(count_) / (hi_ - lo_);
-    for (const BezierSpan& sv : spans[0])
-        for (const BezierSpan& sw : spans[1]) {
-            std::array<double, net * net> points{};
-            for (int i = 0; i < net; ++i)
-                for (int j = 0; j < net; ++j)
-                    points[static_cast<std::size_t>(i * net + j)] =
-                        bezier.point(sv.first + i, sw.first + j);
-            const double v = (net - 1) / (sv.hi - sv.lo), w = (net - 1) / (sw.hi - sw.lo);
-            const double vv = v * (net - 2) / (sv.hi - sv.lo), ww = w * (net - 2) / (sw.hi - sw.lo);
-            cells_.push_back(
-                {largest_difference(points, 0, 0), v * largest_difference(points, 1, 0),
-                 w * largest_difference(points, 0, 1), vv * largest_difference(points, 2, 0),
-                 v * w * largest_difference(points, 1, 1), ww * largest_difference(points, 0, 2)});
+    cells_.resize(static_cast<std::size_t>(count_.x * count_.y));
+    using Rows = std::array<double, max_order * max_order>;
+    std::vector<Rows> segments; // that give the control points of a part
+    const double share = 1.0 / parts;
+    for (int part = 0; part < parts; ++part)
+        segments.push_back(bezier_segment(net, part * share, (part + 1) * share));
+    const auto row = [](const Rows& rows, int i, int k) {
+        return rows[static_cast<std::size_t>(i * net + k)];
+    };
+    const auto columns = static_cast<std::size_t>(count_.y);
+    parallel_blocks(cells_.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const int i = static_cast<int>(cell / columns), j = static_cast<int>(cell % columns);
+            const BezierSpan& sv = spans[0][static_cast<std::size_t>(i / parts)];
+            const BezierSpan& sw = spans[1][static_cast<std::size_t>(j / parts)];
+            const Rows& by_v = segments[static_cast<std::size_t>(i % parts)];
+            const Rows& by_w = segments[static_cast<std::size_t>(j % parts)];
+            Net half{}, points{};
+            for (int k = 0; k < net; ++k)
+                for (int l = 0; l < net; ++l)
+                    for (int m = 0; m < net; ++m)
+                        half[static_cast<std::size_t>(k * net + l)] +=
+                            row(by_v, k, m) * bezier.point(sv.first + m, sw.first + l);
+            for (int k = 0; k < net; ++k)
+                for (int l = 0; l < net; ++l)
+                    for (int m = 0; m < net; ++m)
+                        points[static_cast<std::size_t>(k * net + l)] +=
+                            row(by_w, l, m) * half[static_cast<std::size_t>(k * net + m)];
+            const double v = (net - 1) * parts / (sv.hi - sv.lo),
+                         w = (net - 1) * parts / (sw.hi - sw.lo);
+            const double vv = v * (net - 2) * parts / (sv.hi - sv.lo),
+                         ww = w * (net - 2) * parts / (sw.hi - sw.lo);
+            cells_[cell] = {
+                largest_difference<0, 0>(points),         v * largest_difference<1, 0>(points),
+                w * largest_difference<0, 1>(points),     vv * largest_difference<2, 0>(points),
+                v * w * largest_difference<1, 1>(points), ww * largest_difference<0, 2>(points)};
         }
+    });
 }
 
 BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces[0])

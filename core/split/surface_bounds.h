@@ -35,7 +35,8 @@ struct JetBound {
 // hull). Beyond the domain the function is taken as all zero, or as what it is at the border.
 class SurfaceBounds {
 public:
-    explicit SurfaceBounds(const Surface<double>& surface, bool zero_outside);
+    // Each of its pieces is bounded in `parts` x `parts` parts.
+    explicit SurfaceBounds(const Surface<double>& surface, bool zero_outside, int parts = 1);
     JetBound over(const glm::dvec2& lo, const glm::dvec2& hi) const // O(#pieces touched)
     {
         return is_outside(lo, hi) ? JetBound{} : over(cells(lo, hi));
@@ -51,6 +52,7 @@ public:
     JetBound over(const Cells& cells) const
     {
         JetBound out = cells_[static_cast<std::size_t>(cells.from_v * count_.y + cells.from_w)];
+        if (cells.from_v == cells.to_v && cells.from_w == cells.to_w) return out;
         for (int i = cells.from_v; i <= cells.to_v; ++i)
             for (int j = cells.from_w; j <= cells.to_w; ++j)
                 out.add(cells_[static_cast<std::size_t>(i * count_.y + j)]);
