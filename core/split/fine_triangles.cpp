@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::uint32_t no_triangle = 0xffffffff;
 constexpr std::size_t most_flat_points = 1000000;
-constexpr double much = 0.5;        // of what is allowed: less coarse edges are not halved
-constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
+constexpr double much = 0.5;            // of what is allowed: less coarse edges are not halved
+constexpr double least_slimness = 2e-3; // of triangles, where an edge is turned over
+constexpr double least_gain = 0.99;     // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
@@ -28,14 +29,6 @@ public:
           shortest_(shortest)
     {
         link();
-        glm::dvec2 lo(1e300), hi(-1e300);
-        for (const auto& t : corners_)
-            for (const std::uint32_t p : t) {
-                lo = glm::min(lo, points_[p]);
-                hi = glm::max(hi, points_[p]);
-            }
-        const double size = std::max(0.0, std::max(hi.x - lo.x, hi.y - lo.y));
-        least_turn_ = 1e-12 * size * size;
     }
     void refine()
     {
@@ -238,6 +231,14 @@ private:
             turn(each.triangle, i);
         }
     }
+    // The height of a triangle over its longest edge, by that edge.
+    double slimness(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+    {
+        const glm::dvec2 &p = points_[a], &q = points_[b], &r = points_[c];
+        const double longest =
+            std::max({glm::dot(q - p, q - p), glm::dot(r - q, r - q), glm::dot(p - r, p - r)});
+        return turn_of(p, q, r) / std::max(longest, 1e-300);
+    }
     // Gives two triangles the other diagonal, where that is less coarse.
     void turn(std::uint32_t t, std::size_t i)
     {
@@ -246,8 +247,11 @@ private:
         const std::size_t j = edge_between(other, corners_[t][(i + 1) % 3]);
         const std::uint32_t a = corners_[t][i], b = corners_[t][(i + 1) % 3],
                             c = corners_[t][(i + 2) % 3], d = corners_[other][(j + 2) % 3];
-        if (turn_of(points_[a], points_[d], points_[c]) <= least_turn_ ||
-            turn_of(points_[d], points_[b], points_[c]) <= least_turn_)
+        if (std::min(slimness(a, d, c), slimness(d, b, c)) <
+            std::min(least_slimness, std::min(slimness(a, b, c), slimness(b, a, d))))
+            return;
+        if (turn_of(points_[a], points_[d], points_[c]) <= 0 ||
+            turn_of(points_[d], points_[b], points_[c]) <= 0)
             return;
         if (coarseness(c, d) >= least_gain * coarseness(a, b)) return;
         const std::uint32_t bc = neighbours_[t][(i + 1) % 3], ca = neighbours_[t][(i + 2) % 3];
@@ -272,7 +276,7 @@ private:
     std::vector<std::array<std::uint32_t, 3>>& corners_;
     std::vector<std::array<std::uint32_t, 3>> neighbours_; // across the edge from corner i
     const Coarseness& coarseness_;
-    double shortest_, least_turn_ = 0;
+    double shortest_;
     std::vector<CoarseEdge> coarse_rim_; // those edges of one triangle that are too coarse
     std::vector<Open> open_;
     std::vector<Turn> turns_;
