@@ -61,9 +61,16 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
         const BicubicCells::Jet jet = surface.jet(vw);
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
-    out.coarseness = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
+    const bool alone = field.openings.size() == 1;
+    out.coarseness = [&error, opening, tolerance, alone](const std::array<glm::dvec2, 3>& vw) {
         EdgeErrors edges = error.cap(opening, vw);
         for (double& each : edges) each /= tolerance;
+        if (alone) return TriangleCoarseness{edges, whole_error(edges)};
+        // Where another opening cuts it, a cap should not be far out of the body
+        constexpr double far = 32; // tolerances
+        const EdgeErrors bends = error.surface(opening, vw);
+        for (std::size_t i = 0; i < 3; ++i)
+            edges[i] = std::max(edges[i], bends[i] / (far * tolerance));
         return TriangleCoarseness{edges, whole_error(edges)};
     };
     out.material = options.material;

@@ -123,6 +123,17 @@ double SplitError::within(const Box& uvw) const
     return out;
 }
 
+EdgeErrors SplitError::surface(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+{
+    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
+    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
+    const BendBounds::Bend phi = field_.openings[opening].bounds->surface_bends.over(lo, hi);
+    EdgeErrors out{};
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = share_of_edge * phi.second(vw[i == 2 ? 0 : i + 1] - vw[i]);
+    return out;
+}
+
 EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
 {
     EdgeErrors out{};
