@@ -61,38 +61,50 @@ SurfaceBounds::SurfaceBounds(const Surface<double>& surface, bool zero_outside, 
     const double share = 1.0 / parts;
     for (int part = 0; part < parts; ++part)
         segments.push_back(bezier_segment(net, part * share, (part + 1) * share));
-    const auto row = [](const Rows& rows, int i, int k) {
-        return rows[static_cast<std::size_t>(i * net + k)];
+    const auto at = [](auto& values, int k, int l) -> auto&
+    {
+        return values[static_cast<std::size_t>(k * net + l)];
     };
-    const auto columns = static_cast<std::size_t>(count_.y);
-    parallel_blocks(cells_.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const int i = static_cast<int>(cell / columns), j = static_cast<int>(cell % columns);
-            const BezierSpan& sv = spans[0][static_cast<std::size_t>(i / parts)];
-            const BezierSpan& sw = spans[1][static_cast<std::size_t>(j / parts)];
-            const Rows& by_v = segments[static_cast<std::size_t>(i % parts)];
-            const Rows& by_w = segments[static_cast<std::size_t>(j % parts)];
-            Net half{}, points{};
+    const auto columns = static_cast<std::size_t>(pieces.y);
+    const auto bound_piece = [&](int i, int j) {
+        const BezierSpan& sv = spans[0][static_cast<std::size_t>(i)];
+        const BezierSpan& sw = spans[1][static_cast<std::size_t>(j)];
+        Net whole;
+        for (int k = 0; k < net; ++k)
+            for (int l = 0; l < net; ++l)
+                at(whole, k, l) = bezier.point(sv.first + k, sw.first + l);
+        const double v = (net - 1) * parts / (sv.hi - sv.lo);
+        const double w = (net - 1) * parts / (sw.hi - sw.lo);
+        const double vv = v * (net - 2) * parts / (sv.hi - sv.lo);
+        const double ww = w * (net - 2) * parts / (sw.hi - sw.lo);
+        for (int a = 0; a < parts; ++a) {
+            const Rows& by_v = segments[static_cast<std::size_t>(a)];
+            Net half{};
             for (int k = 0; k < net; ++k)
-                for (int l = 0; l < net; ++l)
-                    for (int m = 0; m < net; ++m)
-                        half[static_cast<std::size_t>(k * net + l)] +=
-                            row(by_v, k, m) * bezier.point(sv.first + m, sw.first + l);
-            for (int k = 0; k < net; ++k)
-                for (int l = 0; l < net; ++l)
-                    for (int m = 0; m < net; ++m)
-                        points[static_cast<std::size_t>(k * net + l)] +=
-                            row(by_w, l, m) * half[static_cast<std::size_t>(k * net + m)];
-            const double v = (net - 1) * parts / (sv.hi - sv.lo),
-                         w = (net - 1) * parts / (sw.hi - sw.lo);
-            const double vv = v * (net - 2) * parts / (sv.hi - sv.lo),
-                         ww = w * (net - 2) * parts / (sw.hi - sw.lo);
-            cells_[cell] = {
-                largest_difference<0, 0>(points),         v * largest_difference<1, 0>(points),
-                w * largest_difference<0, 1>(points),     vv * largest_difference<2, 0>(points),
-                v * w * largest_difference<1, 1>(points), ww * largest_difference<0, 2>(points)};
+                for (int m = 0; m < net; ++m)
+                    for (int l = 0; l < net; ++l)
+                        at(half, k, l) += at(by_v, k, m) * at(whole, m, l);
+            for (int b = 0; b < parts; ++b) {
+                const Rows& by_w = segments[static_cast<std::size_t>(b)];
+                Net p{};
+                for (int k = 0; k < net; ++k)
+                    for (int l = 0; l < net; ++l)
+                        for (int m = 0; m < net; ++m)
+                            at(p, k, l) += at(by_w, l, m) * at(half, k, m);
+                cells_[static_cast<std::size_t>((i * parts + a) * count_.y + j * parts + b)] = {
+                    largest_difference<0, 0>(p),         v * largest_difference<1, 0>(p),
+                    w * largest_difference<0, 1>(p),     vv * largest_difference<2, 0>(p),
+                    v * w * largest_difference<1, 1>(p), ww * largest_difference<0, 2>(p)};
+            }
         }
-    });
+    };
+    constexpr std::size_t pieces_per_block = 64;
+    parallel_blocks(static_cast<std::size_t>(pieces.x) * columns, pieces_per_block,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t k = begin; k < end; ++k)
+                            bound_piece(static_cast<int>(k / columns),
+                                        static_cast<int>(k % columns));
+                    });
 }
 
 BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces[0])
