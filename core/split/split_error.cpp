@@ -40,16 +40,6 @@ double whole_error(const EdgeErrors& edges)
     return 4 * a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c);
 }
 
-OpeningBounds::OpeningBounds(const Opening& opening)
-    : surface(opening.surface, false),
-      walls{SurfaceBounds(opening.walls[0].height, true, 2),
-            SurfaceBounds(opening.walls[1].height, true, 2)},
-      surface_bends({&surface, 1}),
-      wall_bends(std::array{SurfaceBounds(opening.walls[0].height, true),
-                            SurfaceBounds(opening.walls[1].height, true)})
-{
-}
-
 EdgeErrors SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
                              const std::array<const double*, 3>& heights) const
 {

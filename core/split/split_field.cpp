@@ -56,7 +56,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
                     {}};
         for (std::size_t side = 0; side < 2; ++side)
             out.wall_cells[side] = BicubicCells(out.walls[side].height);
-        out.bounds = make_ref(OpeningBounds(out));
+        out.bounds = make_ref(OpeningBounds(surface, out.walls[0].height, out.walls[1].height));
         return out;
     } catch (const Rejected& error) {
         throw Rejected(obstacle.name + ": " + error.what());
