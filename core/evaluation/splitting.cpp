@@ -20,18 +20,29 @@ SplitFrame frame_of(const Splitting& splitting)
     return {glm::dvec3(0), glm::dmat3(u, v, glm::cross(u, v))};
 }
 
-Part parted(const Part& part, const SplitMesh& made, bool filled)
+Part parted(const Part& part, SplitMesh made, bool filled)
 {
     Part out;
-    out.rest = make_ref(made.mesh);
     out.key = part.key;
     for (const glm::vec3& p : made.mesh.positions) out.bounds.add(glm::dvec3(p));
-    if (!filled) return out;
-    // Patterns stay with the body while it moves
-    Mesh before = made.mesh;
-    before.positions = made.rest_positions;
-    out.before_split = make_ref(transformed(before, glm::inverse(part.to_world)));
+    if (filled) { // patterns stay with the body while it moves
+        Mesh before = made.mesh;
+        before.positions = std::move(made.rest_positions);
+        out.before_split = make_ref(transformed(before, glm::inverse(part.to_world)));
+    }
+    out.rest = make_ref(std::move(made.mesh));
     return out;
+}
+
+// The mesh of a part in the world, with points.
+Ref<Mesh> mesh_in_world(const Part& part)
+{
+    const bool is_there = part.to_world == glm::dmat4(1);
+    if (is_there && !part.mesh()->points.empty()) return part.mesh();
+    Mesh world = is_there ? *part.mesh() : transformed(*part.mesh(), part.to_world);
+    // Where a file gives each face vertices of its own, what lies at one place is one point
+    if (world.points.empty()) world.points = points_by_position(world.positions);
+    return make_ref(std::move(world));
 }
 
 Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, bool of_tiles,
@@ -48,20 +59,17 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
     bool any = false;
     options.keep_rest = filled;
     for (Part& part : out.parts) {
-        Mesh world = part.to_world == glm::dmat4(1) ? *part.mesh()
-                                                    : transformed(*part.mesh(), part.to_world);
+        const Ref<Mesh> world = mesh_in_world(part);
         if (of_tiles && splitting.inside == Filling::none)
-            options.material = world.face_material.empty() ? 0 : world.face_material.front();
-        // Where a file gives each face vertices of its own, what lies at one place is one point
-        if (world.points.empty()) world.points = points_by_position(world.positions);
-        const std::optional<SplitMesh> made = split(world, *field, options);
+            options.material = world->face_material.empty() ? 0 : world->face_material.front();
+        std::optional<SplitMesh> made = split(*world, *field, options);
         if (!made) continue;
         any = true;
         counts.open += made->open;
         counts.gaps += made->gaps;
         counts.fans += made->fans;
         out.split_off = std::max(out.split_off, made->off);
-        part = parted(part, *made, filled);
+        part = parted(part, std::move(*made), filled);
     }
     if (!any) return out;
     out.whole_parts = before.whole();

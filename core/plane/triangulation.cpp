@@ -45,21 +45,6 @@ bool on_fixed_edge(Face f, const Delaunay::Point& p)
     return false;
 }
 
-// The middle of the longest edge that need not stay and is longer than `shortest`.
-std::optional<Delaunay::Point> middle_of_longest(Face f, double shortest)
-{
-    double longest = shortest * shortest;
-    std::optional<Delaunay::Point> middle;
-    for (int i = 0; i < 3; ++i) {
-        const Delaunay::Point a = f->vertex(Delaunay::ccw(i))->point();
-        const Delaunay::Point b = f->vertex(Delaunay::cw(i))->point();
-        if (f->is_constrained(i) || CGAL::squared_distance(a, b) <= longest) continue;
-        longest = CGAL::squared_distance(a, b);
-        middle = CGAL::midpoint(a, b);
-    }
-    return middle;
-}
-
 glm::ivec2 on_grid(const Delaunay::Point& p)
 {
     return glm::ivec2(glm::round(glm::dvec2(p.x(), p.y())));
@@ -207,38 +192,6 @@ void Triangulation::refine(double longest, const std::function<bool(const Corner
             added(point, round);
             changed = true;
         }
-    }
-}
-
-void Triangulation::halve(double shortest, const std::function<bool(const Corners&)>& too_coarse,
-                          const std::function<void(int point)>& added)
-{
-    constexpr std::size_t most = 1000000; // points
-    struct Open {
-        Face face;
-        Corners corners; // it has, unless it was turned over since
-    };
-    std::vector<Open> open;
-    for (const Face f : plane_->delaunay.finite_face_handles())
-        if (f->info()) open.push_back({f, corners_of(f)});
-    for (std::size_t k = 0; k < open.size() && points_.size() < most; ++k) {
-        const Face f = open[k].face; // faces are never taken away
-        if (corners_of(f) != open[k].corners || !too_coarse(open[k].corners)) continue;
-        const std::optional<Delaunay::Point> middle = middle_of_longest(f, shortest);
-        if (!middle) continue;
-        const glm::ivec2 p = on_grid(*middle);
-        const std::optional<Face> in = plane_->face_in_sight(f, Delaunay::Point(p.x, p.y));
-        if (!in || on_fixed_edge(*in, Delaunay::Point(p.x, p.y))) continue;
-        const int point = plane_->put(p, *in);
-        if (point < static_cast<int>(points_.size())) continue; // the point exists already
-        points_.push_back(p);
-        plane_->mark_round(point);
-        added(point);
-        // All triangles that are new lie round the point
-        const auto first = plane_->delaunay.incident_faces(plane_->vertex(point));
-        auto face = first;
-        do open.push_back({face, corners_of(face)});
-        while (++face != first);
     }
 }
 

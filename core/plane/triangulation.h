@@ -39,11 +39,6 @@ public:
     //   [1] Chew, Guaranteed-quality triangular meshes, 1989
     void refine(double longest, const std::function<bool(const Corners&)>& may_split,
                 const std::function<void(int point, const Corners&)>& added);
-    // Inserts the middles of the longest edges that need not stay of triangles inside that are
-    // `too_coarse`, as long as these edges are longer than `shortest` units; `added` is told of
-    // each new point. Edges that must stay are never split.
-    void halve(double shortest, const std::function<bool(const Corners&)>& too_coarse,
-               const std::function<void(int point)>& added);
 
     const std::vector<glm::ivec2>& points() const { return points_; }
     std::vector<Corners> inside() const; // the triangles that fill() found inside

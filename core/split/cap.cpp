@@ -93,7 +93,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
         return glm::ivec2(glm::round((p - (lo + hi) / 2.0) * scale));
     };
     Triangulation plane;
-    std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
+    std::vector<std::uint32_t> number; // of a point of the plane: its place
     std::vector<std::pair<int, int>> edges;
     std::vector<std::array<std::uint32_t, 3>> slivers;
     for (const RimLoop* whole : loops) {
@@ -119,31 +119,22 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
     for (const auto& [a, b] : edges)
         if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
     if (!plane.fill(edges)) return false;
-    std::vector<glm::dvec2> inside;
-    if (options.too_coarse) {
-        const std::size_t first_inside = options.places.size() + cap.inside.size();
-        const auto parameters = [&](int point) {
-            const std::uint32_t n = number[static_cast<std::size_t>(point)];
-            return n < first_inside ? options.places[n] : inside[n - first_inside];
-        };
-        plane.halve(
-            scale * size / 1000,
-            [&](const Triangulation::Corners& t) {
-                return options.too_coarse({parameters(t[0]), parameters(t[1]), parameters(t[2])});
-            },
-            [&](int point) {
-                number.push_back(static_cast<std::uint32_t>(first_inside + inside.size()));
-                inside.push_back((lo + hi) / 2.0 +
-                                 glm::dvec2(plane.points()[static_cast<std::size_t>(point)]) /
-                                     scale);
-            });
-    }
+    FlatTriangles flat;
+    for (const std::uint32_t place : number) flat.points.push_back(options.places[place]);
     for (const Triangulation::Corners& t : plane.inside())
-        cap.triangles.push_back({number[static_cast<std::size_t>(t[0])],
-                                 number[static_cast<std::size_t>(t[1])],
-                                 number[static_cast<std::size_t>(t[2])]});
+        flat.corners.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
+                                static_cast<std::uint32_t>(t[2])});
+    if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 1000);
+    const std::size_t first_inside = options.places.size() + cap.inside.size();
+    const std::size_t rim = number.size();
+    const auto number_of = [&](std::uint32_t point) {
+        return point < rim ? number[point] : static_cast<std::uint32_t>(first_inside + point - rim);
+    };
+    for (const auto& [a, b, c] : flat.corners)
+        cap.triangles.push_back({number_of(a), number_of(b), number_of(c)});
     cap.triangles.insert(cap.triangles.end(), slivers.begin(), slivers.end());
-    cap.inside.insert(cap.inside.end(), inside.begin(), inside.end());
+    cap.inside.insert(cap.inside.end(), flat.points.begin() + static_cast<long>(rim),
+                      flat.points.end());
     return true;
 }
 

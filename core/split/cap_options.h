@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <glm/glm.hpp>
-#include <vector>
+#include "core/split/fine_triangles.h"
 
 namespace trivar {
 
@@ -17,9 +13,9 @@ struct CapOptions {
     // The point of the cut surface at two parameters, and its unit normal toward the part above.
     std::function<glm::dvec3(const glm::dvec2&)> point;
     std::function<glm::dvec3(const glm::dvec2&)> normal;
-    // Whether a triangle of a cap is to be split by points inside; null: none is. Triangles without
-    // an inner edge longer than 1/1000 of the cap's size stay as they are.
-    std::function<bool(const std::array<glm::dvec2, 3>&)> too_coarse = nullptr;
+    // Triangles that are too coarse get points inside; null: none is. Those without an inner edge
+    // longer than 1/1000 of the cap's size stay as they are.
+    Coarseness coarseness = nullptr;
     std::uint32_t material = 0; // face_material of the caps
 };
 

@@ -12,20 +12,22 @@ namespace trivar {
 namespace {
 
 constexpr int most_rounds = 16;
-constexpr std::size_t triangles_per_block = 1 << 12, vertices_per_turn = 1 << 12;
+constexpr std::size_t triangles_per_block = 1 << 10, vertices_per_turn = 1 << 11;
 
 using PointEdge = std::array<std::uint32_t, 2>;
 
 // Splits triangles round by round.
 class Rounds {
 public:
-    Rounds(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance)
+    Rounds(Mesh mesh, std::vector<char> free, const SplitField& field, const SplitError& error,
+           double tolerance)
         : mesh_(std::move(mesh)),
+          free_(std::move(free)),
           field_(field),
           error_(error),
           tolerance_(tolerance)
     {
-        points_ = point_count(mesh_);
+        points_ = free_.size();
         take_places(0);
         open_.resize(mesh_.face_count());
         std::iota(open_.begin(), open_.end(), 0u);
@@ -34,12 +36,12 @@ public:
     bool mark()
     {
         std::vector<std::vector<PointEdge>> found(open_.size() / triangles_per_block + 1);
-        std::vector<double> most(found.size(), 0);
+        std::vector<double> most(found.size(), 0), settled(found.size(), 0);
         const Box reach = field_.reach();
         const std::size_t openings = field_.openings.size();
         parallel_blocks(open_.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
             std::vector<PointEdge>& out = found[begin / triangles_per_block];
-            double worst = 0;
+            double worst = 0, worst_settled = 0;
             for (std::size_t k = begin; k < end; ++k) {
                 const std::size_t f = open_[k];
                 const std::array<glm::dvec3, 3> p{uvw_[corner(f, 0)], uvw_[corner(f, 1)],
@@ -47,19 +49,27 @@ public:
                 Box box;
                 for (const glm::dvec3& each : p) box.add(each);
                 if (box.apart(reach)) continue;
-                const std::array<double, 3> off = error_.edges(
-                    p, {&heights_[openings * corner(f, 0)], &heights_[openings * corner(f, 1)],
-                        &heights_[openings * corner(f, 2)]});
-                worst = std::max({worst, off[0], off[1], off[2]});
-                for (std::size_t i = 0; i < 3; ++i)
-                    if (off[i] > tolerance_)
-                        out.push_back({mesh_.point(corner(f, i)), mesh_.point(corner(f, i + 1))});
+                const EdgeErrors off = error_.edges(p, {&heights_[openings * corner(f, 0)],
+                                                        &heights_[openings * corner(f, 1)],
+                                                        &heights_[openings * corner(f, 2)]});
+                const double whole = whole_error(off);
+                worst = std::max(worst, whole);
+                const std::size_t before = out.size();
+                // All edges that are too coarse, or else the coarsest
+                const double least = std::min(tolerance_, 0.999 * std::ranges::max(off));
+                for (std::size_t i = 0; i < 3 && whole > tolerance_; ++i) {
+                    if (off[i] <= least) continue;
+                    const std::uint32_t a = mesh_.point(corner(f, i));
+                    const std::uint32_t b = mesh_.point(corner(f, i + 1));
+                    if (free_[a] || free_[b]) out.push_back({a, b});
+                }
+                if (out.size() == before) worst_settled = std::max(worst_settled, whole);
             }
             most[begin / triangles_per_block] = worst;
+            settled[begin / triangles_per_block] = worst_settled;
         });
-        // Those that are not open any more are within the tolerance
         off_ = std::ranges::max(most);
-        fine_off_ = std::max(fine_off_, std::min(off_, tolerance_));
+        settled_off_ = std::max(settled_off_, std::ranges::max(settled));
         std::size_t about = 0;
         for (const std::vector<PointEdge>& each : found) about += each.size();
         if (about == 0) return false;
@@ -73,9 +83,13 @@ public:
         const std::size_t first_vertex = mesh_.vertex_count();
         open_ = halve_edges(mesh_, points_, marked_);
         points_ += marked_.count();
+        free_.resize(points_, 1);
         take_places(first_vertex);
     }
-    FineMesh take() { return {std::move(mesh_), std::move(heights_), std::max(off_, fine_off_)}; }
+    FineMesh take()
+    {
+        return {std::move(mesh_), std::move(heights_), std::max(off_, settled_off_)};
+    }
     std::size_t triangle_count() const { return mesh_.face_count(); }
 
 private:
@@ -94,13 +108,14 @@ private:
         add_heights(heights_, mesh_, field_);
     }
     Mesh mesh_;
+    std::vector<char> free_; // by point
     const SplitField& field_;
     const SplitError& error_;
     double tolerance_;
     std::vector<glm::dvec3> uvw_;     // #V
     std::vector<double> heights_;     // #V x #openings
     double off_ = 0;                  // of the last round
-    double fine_off_ = 0;             // of triangles that were fine enough before
+    double settled_off_ = 0;          // of triangles that were not to be split
     std::vector<std::uint32_t> open_; // faces that are not yet known to be fine enough
     std::size_t points_ = 0;
     EdgeNumbers marked_; // by points
@@ -122,11 +137,11 @@ void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitFiel
                     });
 }
 
-FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance,
-                     std::size_t most_triangles)
+FineMesh fine_enough(Mesh mesh, std::vector<char> free, const SplitField& field,
+                     const SplitError& error, double tolerance, std::size_t most_triangles)
 {
     assert(mesh.points.size() == mesh.vertex_count());
-    Rounds rounds(triangulated(std::move(mesh)), field, error, tolerance);
+    Rounds rounds(triangulated(std::move(mesh)), std::move(free), field, error, tolerance);
     for (int round = 0; rounds.mark(); ++round) {
         if (round >= most_rounds || rounds.triangle_count() >= most_triangles) break;
         rounds.split();

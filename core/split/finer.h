@@ -14,10 +14,11 @@ struct FineMesh {
 
 // Splits the triangles near the openings of a field, at the middles of their edges, until none is
 // off by more than the tolerance (metres), or until `most_triangles` are there. Positions are in
-// the world. Faces are triangles then. No cracks: an edge is split for both of its triangles. The
-// mesh has `points`. O(#V + #C) and the work at the openings.
-FineMesh fine_enough(Mesh mesh, const SplitField& field, const SplitError& error, double tolerance,
-                     std::size_t most_triangles);
+// the world. Faces are triangles then. No cracks: an edge is split for both of its triangles, and
+// only where one of its ends is `free` (by point). The mesh has `points`. O(#V + #C) and the work
+// at the openings.
+FineMesh fine_enough(Mesh mesh, std::vector<char> free, const SplitField& field,
+                     const SplitError& error, double tolerance, std::size_t most_triangles);
 
 // Computes the heights of the vertices that have none yet.
 void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitField& field);

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t halved_per_turn = 1 << 12;
+constexpr std::size_t halved_per_turn = 1 << 11;
 
 std::uint32_t corner_of(const Mesh& mesh, std::size_t face, std::size_t i)
 {

@@ -138,20 +138,16 @@ private:
         for (const auto& [a, b] : rim)
             if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
         if (!plane.fill(rim)) return false;
-        const auto vertex = [&](int p) { return vertices[static_cast<std::size_t>(p)]; };
-        if (options_.too_coarse)
-            plane.halve(
-                grid_.scale * grid_.size / 1000,
-                [&](const Triangulation::Corners& t) {
-                    return options_.too_coarse({parameters(vertex(t[0])), parameters(vertex(t[1])),
-                                                parameters(vertex(t[2]))});
-                },
-                [&](int p) {
-                    vertices.push_back(
-                        add_inside(grid_.parameters(plane.points()[static_cast<std::size_t>(p)])));
-                });
-        for (const Triangulation::Corners& t : plane.inside()) {
-            const std::uint32_t a = vertex(t[0]), b = vertex(t[1]), c = vertex(t[2]);
+        FlatTriangles flat;
+        for (const std::uint32_t v : vertices) flat.points.push_back(parameters(v));
+        for (const auto& [a, b, c] : plane.inside())
+            flat.corners.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                    static_cast<std::uint32_t>(c)});
+        if (options_.coarseness) make_fine_enough(flat, options_.coarseness, grid_.size / 1000);
+        for (std::size_t p = vertices.size(); p < flat.points.size(); ++p)
+            vertices.push_back(add_inside(flat.points[p]));
+        for (const auto& t : flat.corners) {
+            const std::uint32_t a = vertices[t[0]], b = vertices[t[1]], c = vertices[t[2]];
             cap_.triangles.push_back(layer > 0 ? std::array{a, b, c} : std::array{a, c, b});
         }
         return true;

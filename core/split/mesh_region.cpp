@@ -123,9 +123,9 @@ MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uin
     return out;
 }
 
-Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed)
+Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, Mesh memory)
 {
-    Mesh out;
+    Mesh out = std::move(memory);
     const std::size_t vertices = whole.vertex_count(), kept = region.vertices.size();
     ArrayCopies copies;
     const auto replaced = [&](auto member) {
@@ -166,6 +166,7 @@ Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed)
         const std::size_t more = changed.vertex_count() - kept;
         const auto first = static_cast<std::uint32_t>(region.whole_points);
         if (whole.points.empty()) {
+            out.points.clear();
             out.points.reserve(vertices + more);
             out.points.resize(vertices);
             std::iota(out.points.begin(), out.points.end(), 0u);

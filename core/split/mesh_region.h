@@ -20,8 +20,9 @@ MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uin
 
 // The whole with what its region was changed to. The first vertices of `changed` are still those of
 // the region and take their places; others come last. Faces other than the region's stand first, in
-// their order. Points from the region's number on are new ones. O(size), arrays in parallel.
-Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed);
+// their order. Points from the region's number on are new ones. What memory `memory` has is used
+// again. O(size), arrays in parallel.
+Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, Mesh memory = {});
 
 // Makes the faces of `out` those of a mesh but for some (ascending), in their order, with room for
 // more faces and corners. What memory `out` has is used again. Arrays in parallel.

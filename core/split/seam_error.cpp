@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/split/opening_bounds.h"
 #include "core/split/split_error.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace {
 
 // A kink of a function, whose slope jumps by 1 over a length of 1, is off by a quarter of that from
 // what is linear: as much as with this second derivative.
-constexpr double bend_of_kink = 1 / (4 * share_of_bends);
+constexpr double bend_of_kink = 1 / (4 * share_of_edge);
 
 // Bounds of how fast a point moves, and how fast that changes, along an edge.
 struct EdgeMotion {
@@ -41,10 +42,10 @@ EdgeMotion motion_of(const JetBound& f, double v, const EdgeMotion& w)
 } // namespace
 
 void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
-                              const std::array<double, 3>& heights,
-                              std::array<double, 3>& edges) const
+                              const std::array<double, 3>& heights, EdgeErrors& edges) const
 {
-    const Each& each = all_[opening];
+    const Opening& each = field_.openings[opening];
+    const OpeningBounds& bounds = *each.bounds;
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
@@ -56,10 +57,10 @@ void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 
     const ShareBound share = share_bound(seams_[opening], lo.y, hi.y);
     // From where it is to where it may be drawn
     const glm::dvec2 from(lo.y, seam.lo), to(hi.y, seam.hi);
-    const JetBound phi = each.surface.over(from, to);
+    const JetBound phi = bounds.surface.over(from, to);
     double phi_ee = 0;
     for (const glm::dvec2& edge : e) phi_ee = std::max(phi_ee, phi.second(edge));
-    const double bend = share_of_bends * phi_ee;
+    const double bend = share_of_bend * phi_ee;
     const double least = std::ranges::min(heights), most = std::ranges::max(heights);
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -69,7 +70,7 @@ void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 
         if (nearest >= r) continue;
         const double farthest = (side == 0 ? -least : most) + bend;
         const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
-        const JetBound wall = each.walls[side].over(from, to);
+        const JetBound wall = bounds.walls[side].over(from, to);
         const double slope = kernel.first / r, curve = kernel.second / (r * r);
         // It fades like the square of what is between these
         const double far = 1 - nearest / r, near = std::max(0.0, 1 - farthest / r);
@@ -82,33 +83,32 @@ void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 
             const double u = phi_ee + motion_of(phi, std::abs(e[i].x), w).second +
                              kernel.value * wall_w.second + 2 * slope * wall_w.first * a +
                              wall.value * (curve * a * a + slope * phi_ee);
-            edges[i] += share_of_bends * (std::hypot(u, w.second) + (across ? phi_ee : 0));
+            edges[i] += share_of_edge * (std::hypot(u, w.second) + (across ? phi_ee : 0));
         }
     }
 }
 
-double SplitError::drawn_in_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+EdgeErrors SplitError::drawn_in_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
 {
-    const Each& each = all_[opening];
+    const OpeningBounds& bounds = *field_.openings[opening].bounds;
     const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
     const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
     const SeamBound seam = bound(seams_[opening], lo.y, hi.y);
     const ShareBound share = share_bound(seams_[opening], lo.x, hi.x);
     const glm::dvec2 from(lo.x, seam.lo), to(hi.x, seam.hi);
-    const JetBound phi = each.surface.over(from, to);
-    double most = 0;
-    for (const SurfaceBounds& wall : each.walls) {
+    const JetBound phi = bounds.surface.over(from, to);
+    EdgeErrors out{};
+    for (const SurfaceBounds& wall : bounds.walls) {
         const JetBound bound_of_wall = wall.over(from, to);
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 e = vw[(i + 1) % 3] - vw[i];
             const EdgeMotion w = drawn_w(e, seam, share, 1, 1, {});
             const double v = std::abs(e.x);
-            most = std::max(most, std::hypot(motion_of(phi, v, w).second +
-                                                 motion_of(bound_of_wall, v, w).second,
-                                             w.second));
+            const double u = motion_of(phi, v, w).second + motion_of(bound_of_wall, v, w).second;
+            out[i] = std::max(out[i], share_of_edge * std::hypot(u, w.second));
         }
     }
-    return share_of_bends * most;
+    return out;
 }
 
 } // namespace trivar

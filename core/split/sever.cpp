@@ -49,7 +49,7 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
                 vw[i] = {uvw.y, uvw.z};
             }
             const std::array<double, 3> bends = sheet.bends(vw);
-            const double off = share_of_bends * std::ranges::max(bends);
+            const double off = share_of_bend * std::ranges::max(bends);
             const auto [least, most] = std::minmax({heights[c[0]], heights[c[1]], heights[c[2]]});
             if (least > off || most < -off) continue; // the surface does not meet it
             worst = std::max(worst, off);
@@ -58,7 +58,7 @@ double make_fine(Mesh& mesh, std::vector<double>& heights, const CutSheet& sheet
                 continue;
             }
             for (std::size_t i = 0; i < 3; ++i)
-                if (share_of_bends * bends[i] > tolerance)
+                if (share_of_bend * bends[i] > tolerance)
                     marked.add(mesh.point(c[i]), mesh.point(c[(i + 1) % 3]));
         }
         if (marked.count() == 0) return fine;
@@ -144,13 +144,15 @@ std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const Sev
             closing.places.emplace_back(uvw.y, uvw.z);
         }
         const auto off = [&](const std::array<glm::dvec2, 3>& vw) {
-            return share_of_bends * std::ranges::max(sheet.bends(vw));
+            return share_of_bend * std::ranges::max(sheet.bends(vw));
         };
         closing.point = [&](const glm::dvec2& vw) { return sheet.point(vw); };
         closing.normal = [&](const glm::dvec2& vw) { return sheet.normal(vw); };
         if (!sheet.is_flat())
-            closing.too_coarse = [&](const std::array<glm::dvec2, 3>& vw) {
-                return off(vw) > options.tolerance;
+            closing.coarseness = [&](const std::array<glm::dvec2, 3>& vw) {
+                std::array<double, 3> edges = sheet.bends(vw);
+                for (double& each : edges) each *= share_of_bend / options.tolerance;
+                return TriangleCoarseness{edges, std::ranges::max(edges)};
             };
         closing.material = options.material;
         const Caps caps = cap(cut_mesh, closing);

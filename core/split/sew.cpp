@@ -160,17 +160,17 @@ void sew(CutMesh& cut, const Caps& caps, const SplitField& field, std::size_t op
     leave_out(mesh, caps.first_face, left_out);
 }
 
-bool reaches_beyond(const std::array<glm::dvec2, 3>& vw, const Opening& opening)
+std::array<double, 3> reach_beyond(const std::array<glm::dvec2, 3>& vw, const Opening& opening)
 {
     constexpr double most = 1.0 / 24; // of the opening's length
     const double length = opening.walls[0].hi().x - opening.walls[0].lo().x;
+    std::array<double, 3> out{};
     int beyond = 0;
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        beyond += opening.beyond_walls(vw[i]);
-        longest = std::max(longest, glm::distance(vw[i], vw[(i + 1) % 3]));
-    }
-    return beyond > 0 && beyond < 3 && longest > most * length;
+    for (const glm::dvec2& corner : vw) beyond += opening.beyond_walls(corner);
+    if (beyond == 0 || beyond == 3) return out;
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = glm::distance(vw[i], vw[(i + 1) % 3]) / (most * length);
+    return out;
 }
 
 void move_sewn(Mesh& mesh, std::size_t vertex, const SplitField& field, std::span<const Seam> seams,

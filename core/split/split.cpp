@@ -7,16 +7,15 @@
 #include "core/split/finer.h"
 #include "core/split/mesh_region.h"
 #include "core/split/sew.h"
+#include "core/split/split_reach.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdint>
 
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_block = 4096, faces_per_block = 4096, points_per_block = 4096;
+constexpr std::size_t vertices_per_block = 2048;
 
 // On which side of each cut surface a vertex is, and which surfaces it lies on.
 struct VertexSides {
@@ -94,13 +93,28 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
         const BicubicCells::Jet jet = surface.jet(vw);
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
-    out.too_coarse = [&error, opening, tolerance](const std::array<glm::dvec2, 3>& vw) {
-        return error.cap(opening, vw) > tolerance;
+    const bool alone = field.openings.size() == 1;
+    out.coarseness = [&error, opening, tolerance, alone](const std::array<glm::dvec2, 3>& vw) {
+        EdgeErrors edges = error.cap(opening, vw);
+        for (double& each : edges) each /= tolerance;
+        if (alone) return TriangleCoarseness{edges, whole_error(edges)};
+        // Where another opening cuts it, a cap should not be far out of the body
+        constexpr double far = 32; // tolerances
+        const EdgeErrors bends = error.surface(opening, vw);
+        for (std::size_t i = 0; i < 3; ++i)
+            edges[i] = std::max(edges[i], bends[i] / (far * tolerance));
+        return TriangleCoarseness{edges, whole_error(edges)};
     };
     if (options.closing == SplitClosing::stitched)
-        out.too_coarse = [&field, opening,
-                          bent = out.too_coarse](const std::array<glm::dvec2, 3>& vw) {
-            return bent(vw) || reaches_beyond(vw, field.openings[opening]);
+        out.coarseness = [&field, opening,
+                          bent = out.coarseness](const std::array<glm::dvec2, 3>& vw) {
+            TriangleCoarseness both = bent(vw);
+            const std::array<double, 3> beyond = reach_beyond(vw, field.openings[opening]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                both.edges[i] = std::max(both.edges[i], beyond[i]);
+                both.whole = std::max(both.whole, beyond[i]);
+            }
+            return both;
         };
     out.material = options.material;
     return out;
@@ -141,6 +155,32 @@ void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, 
     }
 }
 
+// Moves vertex v, which is at `rest`.
+void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const SplitField& field,
+                 std::span<const char> sides, std::span<const char> on)
+{
+    const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(rest));
+    const SplitField::Moved moved = field.moved(uvw, sides, on);
+    if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) return;
+    mesh.positions[v] = glm::vec3(glm::dvec3(rest) + field.frame.axes[0] * (moved.u - uvw.x));
+    const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+    const glm::dvec3& g = moved.gradient;
+    if (!mesh.normals.empty()) {
+        // By the cofactors of the derivative, whose last two rows are those of the identity
+        const glm::dvec3 n = to_uvw * glm::dvec3(mesh.normals[v]);
+        mesh.normals[v] =
+            glm::vec3(field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
+                                                                   g.x * n.z - g.z * n.x)));
+    }
+    if (!mesh.tangents.empty()) {
+        glm::dvec3 t = to_uvw * glm::dvec3(mesh.tangents[v]);
+        t.x = glm::dot(g, t);
+        t = field.frame.axes * t;
+        if (glm::length(t) > 0)
+            mesh.tangents[v] = glm::vec4(glm::vec3(glm::normalize(t)), mesh.tangents[v].w);
+    }
+}
+
 void move(SplitMesh& out, const SplitField& field, const std::vector<Seam>& seams, VertexSides& all)
 {
     const Box reach = field.reach();
@@ -148,41 +188,16 @@ void move(SplitMesh& out, const SplitField& field, const std::vector<Seam>& seam
     parallel_blocks(
         out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 rest(out.rest_positions[v]);
-                const glm::dvec3 uvw = field.frame.uvw(rest);
+                const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(out.rest_positions[v]));
                 if (glm::any(glm::lessThan(uvw, reach.lo)) ||
                     glm::any(glm::greaterThan(uvw, reach.hi)))
                     continue;
-                if (!seams.empty()) {
-                    move_sewn(out.mesh, v, field, seams, {&all.side(v, 0), all.openings},
-                              {&all.is_on(v, 0), all.openings});
-                    continue;
-                }
-                const SplitField::Moved moved = field.moved(uvw, {&all.side(v, 0), all.openings},
-                                                            {&all.is_on(v, 0), all.openings});
-                if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) continue;
-                out.mesh.positions[v] = glm::vec3(rest + field.frame.axes[0] * (moved.u - uvw.x));
-                const auto mapped = [&](const glm::dvec3& direction) { // as a tangent is
-                    glm::dvec3 d = glm::transpose(field.frame.axes) * direction;
-                    d.x = glm::dot(moved.gradient, d);
-                    return field.frame.axes * d;
-                };
-                if (!out.mesh.normals.empty()) {
-                    // By the cofactors of the derivative, whose last two rows are those of the
-                    // identity
-                    const glm::dvec3 n =
-                        glm::transpose(field.frame.axes) * glm::dvec3(out.mesh.normals[v]);
-                    const glm::dvec3& g = moved.gradient;
-                    out.mesh.normals[v] = glm::vec3(
-                        field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
-                                                                     g.x * n.z - g.z * n.x)));
-                }
-                if (!out.mesh.tangents.empty()) {
-                    const glm::dvec3 t = mapped(glm::dvec3(out.mesh.tangents[v]));
-                    if (glm::length(t) > 0)
-                        out.mesh.tangents[v] =
-                            glm::vec4(glm::vec3(glm::normalize(t)), out.mesh.tangents[v].w);
-                }
+                const std::span<const char> sides(&all.side(v, 0), all.openings);
+                const std::span<const char> on(&all.is_on(v, 0), all.openings);
+                if (seams.empty())
+                    move_vertex(out.mesh, v, out.rest_positions[v], field, sides, on);
+                else
+                    move_sewn(out.mesh, v, field, seams, sides, on);
             }
         });
 }
@@ -196,7 +211,7 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
         for (std::size_t i = 0; i < 3; ++i)
             vw[i] =
                 caps.parameters[cut.mesh.corners[cut.mesh.face_begin[f] + i] - caps.first_vertex];
-        most = std::max(most, error.cap(opening, vw));
+        most = std::max(most, whole_error(error.cap(opening, vw)));
     }
     return most;
 }
@@ -212,147 +227,30 @@ double beside(const CutMesh& cut, const SplitField& field, std::size_t opening)
     return most;
 }
 
-// Where the vertices of a mesh are: beyond which sides of the field's reach, one bit each, and on
-// which side of every cut surface; those of the first two are bits as well.
-struct VertexPlaces {
-    static constexpr int beyond_any = 0x3f, first_above = 6, surfaces_in_bits = 2;
-    std::vector<std::uint8_t> bits;  // #V
-    std::vector<std::uint8_t> above; // #V x (#openings - 2)
-    Box box;                         // in uvw
-    std::size_t points = 0;          // of the mesh
-};
-
-VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
+// Moves the vertices in reach that are not among those of the region, which were moved with it.
+void move_others(Mesh& out, const Mesh& whole, const MeshRegion& region, const VertexPlaces& places,
+                 const SplitField& field)
 {
-    const Box reach = field.reach();
     const std::size_t openings = field.openings.size();
-    struct Extent {
-        double least, most; // of a cut surface, by its control points
-    };
-    std::vector<Extent> extents;
-    for (const Opening& o : field.openings) {
-        const auto [least, most] = std::ranges::minmax(o.surface.points);
-        const double rounding = 1e-9 * (1 + std::abs(least) + std::abs(most));
-        extents.push_back({least - rounding, most + rounding});
-    }
-    VertexPlaces out;
-    const std::size_t others = openings - std::min<std::size_t>(openings, out.surfaces_in_bits);
-    out.bits.resize(mesh.vertex_count());
-    out.above.resize(others * mesh.vertex_count());
-    struct Block {
-        Box box;
-        std::uint32_t greatest_point = 0;
-    };
-    std::vector<Block> blocks(mesh.vertex_count() / vertices_per_block + 1);
+    const std::size_t others = openings - std::min<std::size_t>(openings, places.surfaces_in_bits);
+    const std::vector<char> on(openings, 0);
     parallel_blocks(
-        mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-            Block block;
-            const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+        whole.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            std::vector<char> sides(openings);
+            auto moved = std::ranges::lower_bound(region.vertices, begin);
             for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 uvw =
-                    to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin);
-                block.box.add(uvw);
-                int bits = 0;
-                for (int axis = 0; axis < 3; ++axis) {
-                    bits |= int{uvw[axis] < reach.lo[axis]} << (2 * axis);
-                    bits |= int{uvw[axis] > reach.hi[axis]} << (2 * axis + 1);
+                if (moved != region.vertices.end() && *moved == v) {
+                    ++moved;
+                    continue;
                 }
-                for (std::size_t i = 0; i < openings; ++i) {
-                    const bool above =
-                        uvw.x > extents[i].most ||
-                        (uvw.x >= extents[i].least && field.openings[i].height(uvw) >= 0);
-                    if (i < out.surfaces_in_bits)
-                        bits |= int{above} << (out.first_above + static_cast<int>(i));
-                    else
-                        out.above[others * v + i - out.surfaces_in_bits] = above;
-                }
-                out.bits[v] = static_cast<std::uint8_t>(bits);
+                if ((places.bits[v] & places.beyond_any) != 0) continue;
+                for (std::size_t i = 0; i < openings; ++i)
+                    sides[i] = i < places.surfaces_in_bits
+                                   ? (places.bits[v] >> (places.first_above + i)) & 1
+                                   : places.above[others * v + i - places.surfaces_in_bits];
+                move_vertex(out, v, whole.positions[v], field, sides, on);
             }
-            if (!mesh.points.empty())
-                block.greatest_point =
-                    *std::max_element(mesh.points.begin() + static_cast<long>(begin),
-                                      mesh.points.begin() + static_cast<long>(end));
-            blocks[begin / vertices_per_block] = block;
         });
-    std::uint32_t greatest = 0;
-    for (const Block& each : blocks) {
-        out.box.add(each.box);
-        greatest = std::max(greatest, each.greatest_point);
-    }
-    out.points = mesh.points.empty() ? mesh.vertex_count() : greatest + std::size_t{1};
-    return out;
-}
-
-// The faces that are to be changed, ascending: those in reach, those that are cut, and those that
-// share an edge with one in reach, since that may be split.
-std::vector<std::uint32_t> faces_to_change(const Mesh& mesh, const VertexPlaces& places)
-{
-    std::vector<char> near(places.points, 0); // corners of faces in reach
-    std::vector<char> near_block(places.points / points_per_block + 1, 0);
-    struct FaceBlock {
-        std::uint32_t least = 0xffffffff, most = 0; // of its points
-        bool cut = false;
-    };
-    std::vector<FaceBlock> blocks(mesh.face_count() / faces_per_block + 1);
-    const auto corners_of = [&](std::size_t f) {
-        return std::span(mesh.corners.data() + mesh.face_begin[f],
-                         mesh.corners.data() + mesh.face_begin[f + 1]);
-    };
-    const std::size_t others = places.above.size() / std::max<std::size_t>(1, mesh.vertex_count());
-    const auto is_cut = [&](std::span<const std::uint32_t> corners) {
-        int all = 0xff, any = 0;
-        for (const std::uint32_t v : corners) {
-            all &= places.bits[v];
-            any |= places.bits[v];
-        }
-        if (((all ^ any) & ~VertexPlaces::beyond_any) != 0) return true;
-        if (others == 0) return false;
-        const auto first = places.above.begin() + static_cast<long>(others * corners[0]);
-        for (const std::uint32_t v : corners)
-            if (!std::equal(first, first + static_cast<long>(others),
-                            places.above.begin() + static_cast<long>(others * v)))
-                return true;
-        return false;
-    };
-    const auto mark = [](char& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); };
-    parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
-        FaceBlock block;
-        for (std::size_t f = begin; f < end; ++f) {
-            const std::span<const std::uint32_t> corners = corners_of(f);
-            int beyond = VertexPlaces::beyond_any;
-            for (const std::uint32_t v : corners) {
-                const std::uint32_t p = mesh.point(v);
-                block.least = std::min(block.least, p);
-                block.most = std::max(block.most, p);
-                beyond &= places.bits[v];
-            }
-            block.cut = block.cut || is_cut(corners);
-            if (beyond != 0) continue;
-            for (const std::uint32_t v : corners) {
-                mark(near[mesh.point(v)]);
-                mark(near_block[mesh.point(v) / points_per_block]);
-            }
-        }
-        blocks[begin / faces_per_block] = block;
-    });
-    std::vector<std::vector<std::uint32_t>> found(blocks.size());
-    parallel_blocks(mesh.face_count(), faces_per_block, [&](std::size_t begin, std::size_t end) {
-        const FaceBlock& block = blocks[begin / faces_per_block];
-        const auto first = near_block.begin() + block.least / points_per_block;
-        const auto last = near_block.begin() + block.most / points_per_block + 1;
-        if (!block.cut && std::find(first, last, 1) == last) return;
-        for (std::size_t f = begin; f < end; ++f) {
-            const std::span<const std::uint32_t> corners = corners_of(f);
-            int touched = 0;
-            for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
-            if (touched > 1 || (block.cut && is_cut(corners)))
-                found[begin / faces_per_block].push_back(static_cast<std::uint32_t>(f));
-        }
-    });
-    std::vector<std::uint32_t> all;
-    for (const std::vector<std::uint32_t>& each : found)
-        all.insert(all.end(), each.begin(), each.end());
-    return all;
 }
 
 // Flat triangles are to stay within what is free between the walls and the obstacles, where that is
@@ -365,17 +263,19 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
     return std::max(free, options.tolerance / 4);
 }
 
-// Parts a mesh as `split` does, all of its faces.
-SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& options)
+// An edge of the cut may be worse than the edges of the triangle that it runs through.
+constexpr double share_of_skin = 0.6; // of the tolerance
+
+// Parts a mesh as `split` does, all of its faces; edges are split at points that are free.
+SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
+                    const SplitOptions& options)
 {
     const std::vector<Seam> seams = seams_of(mesh, field, options.closing);
     const SplitError error(field, seams);
     const double tolerance = tolerance_of(field, options);
     SplitMesh out;
-    // An edge of the cut may be worse than the edges of the triangle that it runs through
-    constexpr double share = 0.6;
-    FineMesh fine =
-        fine_enough(std::move(mesh), field, error, share * tolerance, options.most_triangles);
+    FineMesh fine = fine_enough(std::move(mesh), std::move(free), field, error,
+                                share_of_skin * tolerance, options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();
@@ -420,15 +320,25 @@ SplitMesh split_all(Mesh mesh, const SplitField& field, const SplitOptions& opti
 } // namespace
 
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options)
+                               const SplitOptions& options, Mesh memory)
 {
     const VertexPlaces places = places_of(mesh, field);
     if (places.box.apart(field.reach())) return std::nullopt;
-    const MeshRegion region = region_of(mesh, places.points, faces_to_change(mesh, places));
-    if (region.faces.empty()) return std::nullopt;
-    SplitMesh out = split_all(region.mesh, field, options);
+    // Seams draw in what is in reach, so all of it is looked at with them
+    const double enough = options.closing == SplitClosing::stitched
+                              ? -1
+                              : share_of_skin * tolerance_of(field, options);
+    const ToChange change = to_change(mesh, places, field, SplitError(field), enough);
+    if (change.faces.empty() && !change.moves) return std::nullopt;
+    MeshRegion region = region_of(mesh, places.points, change.faces);
+    std::vector<char> free;
+    free.reserve(region.points.size());
+    for (const std::uint32_t p : region.points) free.push_back(change.free[p]);
+    SplitMesh out = split_all(std::move(region.mesh), std::move(free), field, options);
+    out.off = std::max(out.off, change.off);
     const Mesh changed = std::move(out.mesh);
-    out.mesh = put_back(mesh, region, changed);
+    out.mesh = put_back(mesh, region, changed, std::move(memory));
+    move_others(out.mesh, mesh, region, places, field);
     out.first_new_face += mesh.face_count() - region.faces.size();
     if (!options.keep_rest) {
         out.rest_positions.clear();

@@ -33,9 +33,11 @@ struct SplitMesh {
 // surface, closes both halves with caps, and moves its vertices by the field. A closed mesh becomes
 // closed parts; none of its vertices lies in an obstacle. Stitched, its skin is drawn in beside the
 // openings (see Seam) and stays one beyond them (see sew()). None: the field moves nothing of the
-// mesh. Vertices that the field does not move keep their bits. Faces that are neither in reach nor
-// cut keep their order and stand first. O(#V + #C) to find the others, and the work of these.
+// mesh. Vertices that the field does not move keep their bits. Faces that are fine enough and not
+// cut are only moved: they keep their order and stand first, but for some beside others. O(#V + #C)
+// to find the others, and the work of these.
+// `memory` is a result that is not needed any more, of an earlier frame: its memory is used again.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options);
+                               const SplitOptions& options, Mesh memory = {});
 
 } // namespace trivar

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/split_error.h"
 
+#include "core/split/opening_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace trivar {
 namespace {
+
+// Of both walls: few parts are looked at one by one, many by their greatest.
+BendBounds::Bend bends_of_walls(const OpeningBounds& bounds, const glm::dvec2& lo,
+                                const glm::dvec2& hi)
+{
+    constexpr int few = 12;
+    const SurfaceBounds::Cells parts = bounds.walls[0].cells(lo, hi);
+    if ((parts.to_v - parts.from_v + 1) * (parts.to_w - parts.from_w + 1) > few)
+        return bounds.wall_bends.over(lo, hi);
+    JetBound both = bounds.walls[0].over(parts);
+    both.add(bounds.walls[1].over(parts));
+    return {both.vv, both.vw, both.ww};
+}
 
 bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_lo,
            const glm::dvec2& other_hi)
@@ -15,38 +30,33 @@ bool apart(const glm::dvec2& lo, const glm::dvec2& hi, const glm::dvec2& other_l
 
 } // namespace
 
-SplitError::SplitError(const SplitField& field, std::vector<Seam> seams)
-    : field_(field),
-      seams_(std::move(seams))
+double whole_error(const EdgeErrors& edges)
 {
-    for (const Opening& o : field.openings)
-        all_.push_back(
-            {SurfaceBounds(o.surface, false),
-             {SurfaceBounds(o.walls[0].height, true), SurfaceBounds(o.walls[1].height, true)},
-             o.walls[0].lo(),
-             o.walls[0].hi(),
-             o.reach,
-             o.kernel});
+    const auto& [a, b, c] = edges;
+    const double most = std::max({a, b, c});
+    if (2 * most >= a + b + c) return most; // on the longest edge
+    return 4 * a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c);
 }
 
-std::array<double, 3> SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
-                                        const std::array<const double*, 3>& heights) const
+EdgeErrors SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
+                             const std::array<const double*, 3>& heights) const
 {
-    std::array<double, 3> out{};
-    for (std::size_t k = 0; k < all_.size(); ++k)
+    EdgeErrors out{};
+    for (std::size_t k = 0; k < field_.openings.size(); ++k)
         add(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}, out);
     return out;
 }
 
 // Adds what opening k makes of the triangle.
 void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
-                     const std::array<double, 3>& heights, std::array<double, 3>& edges) const
+                     const std::array<double, 3>& heights, EdgeErrors& edges) const
 {
-    const Each& each = all_[k];
+    const Opening& each = field_.openings[k];
+    const OpeningBounds& bounds = *each.bounds;
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
-    if (apart(lo2, hi2, each.lo, each.hi)) return;
+    if (apart(lo2, hi2, each.walls[0].lo(), each.walls[0].hi())) return;
     if (draws(k)) return add_drawn_in(k, uvw, heights, edges);
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -57,10 +67,10 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const double least = std::min({heights[0], heights[1], heights[2]});
     const double most = std::max({heights[0], heights[1], heights[2]});
     // The surface over the triangle: its values at the corners and how it bends between them
-    const JetBound phi = each.surface.over(lo2, hi2);
+    const JetBound phi = bounds.surface.over(lo2, hi2);
     std::array<double, 3> phi_ee; // second derivatives along the edges
     for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
-    const double bend = share_of_bends * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
+    const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
         if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
@@ -69,7 +79,7 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
         if (nearest >= r) continue;
         const double farthest = (side == 0 ? -least : most) + bend;
         const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
-        const JetBound w = each.walls[side].over(lo2, hi2);
+        const JetBound w = bounds.walls[side].over(lo2, hi2);
         const double slope = kernel.first / r, curve = kernel.second / (r * r);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
@@ -77,45 +87,70 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
             const double second = kernel.value * w.second(e[i]) + 2 * slope * w.first(e[i]) * a +
                                   w.value * (curve * a * a + slope * phi_ee[i]);
             // Where the cut goes through, the chord of the surface counts as well
-            edges[i] += share_of_bends * (second + (across ? phi_ee[i] : 0));
+            edges[i] += share_of_edge * (second + (across ? phi_ee[i] : 0));
         }
     }
 }
 
-double SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+double SplitError::within(const Box& uvw) const
 {
-    const double own = own_cap(opening, vw);
-    if (all_.size() == 1) return own;
-    std::array<glm::dvec3, 3> uvw;
+    const glm::dvec2 lo(uvw.lo.y, uvw.lo.z), hi(uvw.hi.y, uvw.hi.z), e = hi - lo;
+    double out = 0;
+    for (const Opening& each : field_.openings) {
+        if (apart(lo, hi, each.walls[0].lo(), each.walls[0].hi())) continue;
+        const OpeningBounds& bounds = *each.bounds;
+        const JetBound phi = bounds.surface.over(lo, hi);
+        const SurfaceBounds::Cells cells = bounds.walls[0].cells(lo, hi);
+        JetBound w = bounds.walls[0].over(cells);
+        w.add(bounds.walls[1].over(cells));
+        const double r = std::min(each.reach[0], each.reach[1]);
+        const double slope = steepest(each.kernel) / r, curve = most_bent(each.kernel) / (r * r);
+        const double phi_ee = phi.second(e), a = uvw.hi.x - uvw.lo.x + phi.first(e) + phi_ee;
+        out += share_of_bend * (w.second(e) + 2 * slope * w.first(e) * a +
+                                w.value * (curve * a * a + slope * phi_ee) + phi_ee);
+    }
+    return out;
+}
+
+EdgeErrors SplitError::surface(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+{
+    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
+    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
+    const BendBounds::Bend phi = field_.openings[opening].bounds->surface_bends.over(lo, hi);
+    EdgeErrors out{};
     for (std::size_t i = 0; i < 3; ++i)
-        uvw[i] = {field_.openings[opening].surface_cells.value(vw[i]), vw[i]};
-    std::array<double, 3> others{};
-    for (std::size_t k = 0; k < all_.size(); ++k) {
+        out[i] = share_of_edge * phi.second(vw[i == 2 ? 0 : i + 1] - vw[i]);
+    return out;
+}
+
+EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
+{
+    EdgeErrors out{};
+    const Opening& own = field_.openings[opening];
+    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
+    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
+    // Beyond the rectangle both caps are one
+    const bool beyond = apart(lo, hi, own.walls[0].lo(), own.walls[0].hi());
+    if (!beyond && draws(opening)) {
+        out = drawn_in_cap(opening, vw);
+    } else if (!beyond) {
+        const BendBounds::Bend phi = own.bounds->surface_bends.over(lo, hi);
+        const BendBounds::Bend wall = bends_of_walls(*own.bounds, lo, hi);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 e = vw[i == 2 ? 0 : i + 1] - vw[i];
+            out[i] = share_of_edge * (phi.second(e) + wall.second(e));
+        }
+    }
+    if (field_.openings.size() == 1) return out;
+    std::array<glm::dvec3, 3> uvw;
+    for (std::size_t i = 0; i < 3; ++i) uvw[i] = {own.surface_cells.value(vw[i]), vw[i]};
+    for (std::size_t k = 0; k < field_.openings.size(); ++k) {
         if (k == opening) continue;
         std::array<double, 3> heights{};
         for (std::size_t i = 0; i < 3; ++i) heights[i] = field_.openings[k].height(uvw[i]);
-        add(k, uvw, heights, others);
+        add(k, uvw, heights, out);
     }
-    return own + std::max({others[0], others[1], others[2]});
-}
-
-double SplitError::own_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
-{
-    const Each& each = all_[opening];
-    const glm::dvec2 lo = glm::min(glm::min(vw[0], vw[1]), vw[2]);
-    const glm::dvec2 hi = glm::max(glm::max(vw[0], vw[1]), vw[2]);
-    if (apart(lo, hi, each.lo, each.hi)) return 0; // both caps are one there
-    if (draws(opening)) return drawn_in_cap(opening, vw);
-    const JetBound phi = each.surface.over(lo, hi);
-    double most = 0;
-    for (const SurfaceBounds& wall : each.walls) {
-        const JetBound w = wall.over(lo, hi);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const glm::dvec2 e = vw[(i + 1) % 3] - vw[i];
-            most = std::max(most, share_of_bends * (phi.second(e) + w.second(e)));
-        }
-    }
-    return most;
+    return out;
 }
 
 } // namespace trivar

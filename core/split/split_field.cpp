@@ -2,6 +2,7 @@
 #include "core/split/split_field.h"
 
 #include "core/base/rejected.h"
+#include "core/split/opening_bounds.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -52,9 +53,11 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
                     obstacle.objects,
                     columns.box().lo.y - over.lo.x,
                     BicubicCells(surface),
+                    {},
                     {}};
         for (std::size_t side = 0; side < 2; ++side)
             out.wall_cells[side] = BicubicCells(out.walls[side].height);
+        out.bounds = make_ref(OpeningBounds(surface, out.walls[0].height, out.walls[1].height));
         return out;
     } catch (const Rejected& error) {
         throw Rejected(obstacle.name + ": " + error.what());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
 #include "core/split/bicubic_cells.h"
 #include "core/split/opening_wall.h"
 #include "core/split/split_kernel.h"
@@ -17,8 +18,10 @@ struct SplitObstacle {
     double reach = 0;         // metres from the cut surface; 0, or too small: what the kernel needs
     SplitKernel kernel = SplitKernel::quadratic;
     std::vector<int> objects = {}; // ids, for who asks what opened it
-    double margin = round_margin; // see opening_rectangle()
+    double margin = round_margin;  // see opening_rectangle()
 };
+
+struct OpeningBounds;
 
 // An Opening is the gap that an obstacle asks for. Below the cut surface is 0, above it 1.
 struct Opening {
@@ -28,10 +31,11 @@ struct Opening {
     SplitKernel kernel = SplitKernel::quadratic;
     std::string name;
     std::vector<int> objects; // of all obstacles that are parted by as one
-    double ends = 0; // metres along v between its walls' ends and the obstacle's
+    double ends = 0;          // metres along v between its walls' ends and the obstacle's
     // the same, to be evaluated fast
     BicubicCells surface_cells;
     std::array<BicubicCells, 2> wall_cells;
+    Ref<OpeningBounds> bounds;
 
     double height(const glm::dvec3& uvw) const // above the cut surface
     {

@@ -71,13 +71,14 @@ double most_bent(SplitKernel kernel)
 KernelBound kernel_bound(SplitKernel kernel, double from, double to)
 {
     if (from >= 1) return {0, 0, 0};
-    KernelBound out{kernel_at(kernel, from).value, steepest(kernel), most_bent(kernel)};
     if (kernel == SplitKernel::quadratic) { // whose slope grows up to 1/3 and falls beyond
         constexpr double knot = 1.0 / 3;
-        if (from > knot) out.second = 3;
-        if (from > knot || to < knot)
-            out.first = std::abs(kernel_at(kernel, from > knot ? from : to).first);
-    } else if (kernel == SplitKernel::hat) {
+        const double left = 1 - from;
+        if (from > knot) return {1.5 * left * left, 3 * left, 3};
+        return {1 - 3 * from * from, to < knot ? 6 * to : 2, 6};
+    }
+    KernelBound out{kernel_at(kernel, from).value, steepest(kernel), most_bent(kernel)};
+    if (kernel == SplitKernel::hat) {
         if (from > hat_round && to < 1 - hat_round) out.second = 0;
         if (to < hat_round) out.first = std::abs(kernel_at(kernel, to).first);
         if (from > 1 - hat_round) out.first = std::abs(kernel_at(kernel, from).first);

@@ -78,15 +78,17 @@ void split_ball(benchmark::State& state, int segments)
     const Mesh ball = sphere_mesh(0.9, segments, segments / 2);
     double at = -0.9;
     std::size_t vertices = 0, fans = 0;
+    Mesh moved, last;
     for (auto _ : state) {
         state.PauseTiming();
-        Mesh moved = ball;
+        moved = ball;
         for (glm::vec3& p : moved.positions) p.y += static_cast<float>(at);
         at = at > 0.9 ? -0.9 : at + 0.1;
         state.ResumeTiming();
-        const std::optional<SplitMesh> parted = split(moved, field, {});
+        std::optional<SplitMesh> parted = split(moved, field, {}, std::move(last));
         vertices = parted ? parted->mesh.vertex_count() : 0;
         fans += parted ? parted->fans : 0;
+        last = parted ? std::move(parted->mesh) : Mesh{};
     }
     state.counters["vertices"] = static_cast<double>(vertices);
     state.counters["fans"] = static_cast<double>(fans);

@@ -4,6 +4,7 @@
 #include "core/split/loop_layers.h"
 #include "tests/split/bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -124,8 +125,12 @@ TEST(Cap, ClosesRimsThatCrossThemselvesInLayers)
         for (const glm::vec3& p : halves.places) options.places.emplace_back(p.x, p.y);
         options.point = [=](const glm::dvec2& at) { return glm::dvec3(at, height); };
         options.normal = [](const glm::dvec2&) { return glm::dvec3(0, 0, 1); };
-        options.too_coarse = [](const std::array<glm::dvec2, 3>& t) {
-            return glm::distance(t[0], t[1]) > 0.1;
+        options.coarseness = [](const std::array<glm::dvec2, 3>& t) {
+            TriangleCoarseness out{};
+            for (std::size_t i = 0; i < 3; ++i)
+                out.edges[i] = glm::distance(t[i], t[(i + 1) % 3]) / 0.1;
+            out.whole = std::ranges::max(out.edges);
+            return out;
         };
         const Caps caps = cap(halves, options);
         EXPECT_EQ(caps.fans, 0u);

@@ -40,9 +40,11 @@ CutInTwo cut_by(const Mesh& mesh, const Plane& plane, double longest = 0)
     options.point = [=](const glm::dvec2& at) { return plane.offset * n + at.x * x + at.y * y; };
     options.normal = [=](const glm::dvec2&) { return n; };
     if (longest > 0)
-        options.too_coarse = [=](const std::array<glm::dvec2, 3>& t) {
-            return glm::distance(t[0], t[1]) > longest || glm::distance(t[1], t[2]) > longest ||
-                   glm::distance(t[2], t[0]) > longest;
+        options.coarseness = [=](const std::array<glm::dvec2, 3>& t) {
+            const std::array<double, 3> edges{glm::distance(t[0], t[1]) / longest,
+                                              glm::distance(t[1], t[2]) / longest,
+                                              glm::distance(t[2], t[0]) / longest};
+            return TriangleCoarseness{edges, std::ranges::max(edges)};
         };
     out.caps = cap(out.cut, options);
     return out;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/split/split_error.h"
+
+namespace trivar {
+
+// Where the vertices of a mesh are: beyond which sides of the field's reach, one bit each, and on
+// which side of every cut surface; those of the first two are bits as well.
+struct VertexPlaces {
+    static constexpr int beyond_any = 0x3f, first_above = 6, surfaces_in_bits = 2;
+    std::vector<std::uint8_t> bits;  // #V
+    std::vector<std::uint8_t> above; // #V x (#openings - 2)
+    Box box;                         // in uvw
+    std::size_t points = 0;          // of the mesh
+};
+
+VertexPlaces places_of(const Mesh& mesh, const SplitField& field); // O(#V) in parallel
+
+// What of a mesh is to be changed.
+struct ToChange {
+    std::vector<std::uint32_t> faces; // ascending
+    std::vector<char> free; // by point: where all faces are among these, so that edges may be split
+    bool moves = false;     // whether any face is in reach
+    double off = 0;         // metres: bound for the faces in reach that stay as they are
+};
+
+// Those that may be too coarse and those that are cut, with all that share a point with one of the
+// former, since its edges may be split. `tolerance` in metres. O(#C) in parallel.
+ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
+                   const SplitError& error, double tolerance);
+
+} // namespace trivar
