@@ -296,6 +296,7 @@ void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, Ta
              0.005,
              between(random, 0, 0.5),
              kernel,
+             {},
              closing == SplitClosing::stitched ? sewn_margin : round_margin});
     }
     const glm::dmat3 model_turn = any_rotation(random);
