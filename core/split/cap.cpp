@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -76,6 +77,17 @@ std::vector<char> tangled(const std::vector<const RimLoop*>& loops, const CapOpt
     return out;
 }
 
+// Points between a and b: halves it until none of its pieces is too coarse.
+void add_between(const glm::dvec2& a, const glm::dvec2& b, const Coarseness& coarseness,
+                 double shortest, std::vector<glm::dvec2>& out)
+{
+    if (glm::distance(a, b) <= shortest || coarseness({a, b, b}).edges[0] <= 1) return;
+    const glm::dvec2 middle = (a + b) / 2.0;
+    add_between(a, middle, coarseness, shortest, out);
+    out.push_back(middle);
+    add_between(middle, b, coarseness, shortest, out);
+}
+
 // Triangulates the region to the left of loops, but for what is left out. Returns false, with
 // nothing added, where edges cross or meet on the grid, or do not enclose it.
 bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut& left_out,
@@ -93,7 +105,9 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
         return glm::ivec2(glm::round((p - (lo + hi) / 2.0) * scale));
     };
     Triangulation plane;
-    std::vector<std::uint32_t> number; // of a point of the plane: its place
+    std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
+    const std::size_t first_inside = options.places.size() + cap.inside.size();
+    std::vector<glm::dvec2> inside;
     std::vector<std::pair<int, int>> edges;
     std::vector<std::array<std::uint32_t, 3>> slivers;
     for (const RimLoop* whole : loops) {
@@ -113,26 +127,45 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
                 if (points[i] < 0) return false;
                 number.push_back(loop[i]);
             }
-        for (std::size_t i = 0; i < points.size(); ++i)
-            edges.emplace_back(points[i], points[(i + 1) % points.size()]);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
+            int last = points[i];
+            const auto go = [&](int point) {
+                edges.emplace_back(std::exchange(last, point), point);
+            };
+            if (options.coarseness && cap.gaps.contains({from, to})) {
+                std::vector<glm::dvec2> between;
+                add_between(options.places[from], options.places[to], options.coarseness,
+                            size / 1000, between);
+                for (const glm::dvec2& each : between) {
+                    const int point = put_aside(plane, on_grid(each), last, number.size());
+                    if (point < 0) return false;
+                    number.push_back(static_cast<std::uint32_t>(first_inside + inside.size()));
+                    inside.push_back(each);
+                    go(point);
+                }
+            }
+            go(points[(i + 1) % points.size()]);
+        }
     }
     for (const auto& [a, b] : edges)
         if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
     if (!plane.fill(edges)) return false;
     FlatTriangles flat;
-    for (const std::uint32_t place : number) flat.points.push_back(options.places[place]);
+    for (const std::uint32_t n : number)
+        flat.points.push_back(n < first_inside ? options.places[n] : inside[n - first_inside]);
     for (const Triangulation::Corners& t : plane.inside())
         flat.corners.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
                                 static_cast<std::uint32_t>(t[2])});
     if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 1000);
-    const std::size_t first_inside = options.places.size() + cap.inside.size();
-    const std::size_t rim = number.size();
+    const std::size_t rim = number.size(), refined = first_inside + inside.size();
     const auto number_of = [&](std::uint32_t point) {
-        return point < rim ? number[point] : static_cast<std::uint32_t>(first_inside + point - rim);
+        return point < rim ? number[point] : static_cast<std::uint32_t>(refined + point - rim);
     };
     for (const auto& [a, b, c] : flat.corners)
         cap.triangles.push_back({number_of(a), number_of(b), number_of(c)});
     cap.triangles.insert(cap.triangles.end(), slivers.begin(), slivers.end());
+    cap.inside.insert(cap.inside.end(), inside.begin(), inside.end());
     cap.inside.insert(cap.inside.end(), flat.points.begin() + static_cast<long>(rim),
                       flat.points.end());
     return true;
@@ -227,15 +260,18 @@ Caps cap(CutMesh& cut, const CapOptions& options)
     RimLoops loops = loops_of(cut.rim, cut.places.size());
     // Where the mesh was open, the cap goes straight across the gap
     for (const RimLoop& way : loops.open) out.open += way.size() - 1;
+    FlatCap flat;
     for (RimLoop& loop : joined_ways(loops.open, options.places)) {
         ++out.gaps;
         out.open -= std::min(out.open, loop.size() - 1);
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            flat.gaps.emplace(loop[i], loop[(i + 1) % loop.size()]);
         loops.closed.push_back(std::move(loop));
     }
+    for (const glm::uvec2& edge : cut.rim) flat.gaps.erase({edge.x, edge.y});
     std::vector<const RimLoop*> all;
     for (const RimLoop& loop : loops.closed)
         if (loop.size() > 2) all.push_back(&loop);
-    FlatCap flat;
     if (!all.empty() && !triangulate(all, options, flat)) {
         // Loops of bodies that run through each other are closed one by one
         for (const std::vector<std::size_t>& group : nested(loops.closed, options.places)) {

@@ -149,6 +149,24 @@ TEST(Cut, GoesStraightAcrossASmallHoleAndSaysSo)
     EXPECT_GT(halves.cut.mesh.face_count(), halves.caps.first_face);
 }
 
+TEST(Cut, IsAsFineAcrossAHoleAsElsewhere)
+{
+    const Mesh torus = welded(torus_mesh(1, 0.4, {120, 60}));
+    constexpr double longest = 0.08; // edges of the skin are shorter
+    const CutInTwo halves =
+        cut_by(part_of_mesh(torus, torus.face_count() - 270), {{0.1, 0.1, 1}, 0.1}, longest);
+    ASSERT_GT(halves.caps.gaps, 0u);
+    const Mesh& mesh = halves.cut.mesh;
+    for (std::size_t f = halves.caps.first_face; f < mesh.face_count(); ++f)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto at = [&](std::size_t k) {
+                return halves.caps.parameters[mesh.corners[mesh.face_begin[f] + k % 3] -
+                                              halves.caps.first_vertex];
+            };
+            EXPECT_LE(glm::distance(at(i), at(i + 1)), longest);
+        }
+}
+
 TEST(Kernel, FallsFromOneToZeroWithinItsBounds)
 {
     for (const SplitKernel kernel :
