@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/cut_curve.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr double edges_of_window = 1.5, share_of_window = 0.04, widths_of_window = 1.5;
+constexpr double well_left = 0.3, hardly_left = 0.1; // cosines with the left of both neighbours
+constexpr int most_misses = 3; // segments further away than the best, before a descent ends
+
+glm::dvec3 unit_or_null(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
+} // namespace
+
+CutCurve::CutCurve(const CutRun& run, const Drawing& drawing, const Inward& inward, double width)
+{
+    std::vector<glm::dvec3> up;
+    for (const CutRun::At& at : run.at) {
+        s_.push_back(at.s);
+        points_.push_back(drawing.position(at.point));
+        up.push_back(unit_or_null(inward.outward(drawing.point(at.point))));
+    }
+    const double window = std::max({edges_of_window * drawing.skin().usual_edge(),
+                                    share_of_window * run.length, widths_of_window * width});
+    const std::size_t last = s_.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const auto left_of = [&](const glm::dvec3& along) {
+            return unit_or_null(glm::cross(up[i], along));
+        };
+        const glm::dvec3 l1 =
+            left_of(i > 0 ? points_[i] - points_[i - 1] : points_[1] - points_[0]);
+        const glm::dvec3 l2 =
+            left_of(i < last ? points_[i + 1] - points_[i] : points_[last] - points_[last - 1]);
+        const auto leftness = [&](const glm::dvec3& v) {
+            return std::min(glm::dot(v, l1), glm::dot(v, l2));
+        };
+        glm::dvec3 left = left_of(point(s_[i] + window) - point(s_[i] - window));
+        if (leftness(left) < well_left) {
+            left = unit_or_null(l1 + l2);
+            const double fit = leftness(left);
+            if (fit < well_left)
+                left *= std::max(0.0, (fit - hardly_left) / (well_left - hardly_left));
+        }
+        left_.push_back(left);
+    }
+}
+
+std::size_t CutCurve::segment_at(double s) const
+{
+    const auto next = std::ranges::upper_bound(s_, s) - s_.begin();
+    return static_cast<std::size_t>(
+               std::clamp<std::ptrdiff_t>(next, 1, static_cast<std::ptrdiff_t>(s_.size()) - 1)) -
+           1;
+}
+
+double CutCurve::share(double s, std::size_t segment) const
+{
+    const double length = s_[segment + 1] - s_[segment];
+    return length > 0 ? std::clamp((s - s_[segment]) / length, 0.0, 1.0) : 0;
+}
+
+glm::dvec3 CutCurve::mixed(const std::vector<glm::dvec3>& values, double s,
+                           std::size_t segment) const
+{
+    const double t = share(s, segment);
+    return (1 - t) * values[segment] + t * values[segment + 1];
+}
+
+CutCurve::Foot CutCurve::foot_on(const glm::dvec3& p, std::size_t segment) const
+{
+    const glm::dvec3 a = points_[segment], d = points_[segment + 1] - a;
+    const double length2 = glm::dot(d, d);
+    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 0;
+    return {segment, s_[segment] + t * (s_[segment + 1] - s_[segment]),
+            glm::distance(p, a + t * d)};
+}
+
+CutCurve::Foot CutCurve::foot(const glm::dvec3& p, std::size_t from, std::size_t first,
+                              std::size_t last) const
+{
+    Foot best = foot_on(p, from);
+    for (const bool up : {false, true}) {
+        int misses = 0;
+        for (std::size_t i = from; misses < most_misses && (up ? i < last : i > first);) {
+            i = up ? i + 1 : i - 1;
+            const Foot other = foot_on(p, i);
+            misses = other.distance < best.distance ? 0 : misses + 1;
+            if (misses == 0) best = other;
+        }
+    }
+    return best;
+}
+
+} // namespace trivar

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/field.h"
+
+namespace trivar {
+
+// A CutShape is everything that is known of cuts in a skin: what the passes of incise() found.
+struct CutShape {
+    const Drawing& drawing;
+    const Inward& inward;
+    double step; // depth of one of depth_steps
+    std::vector<CutRun> runs;
+    std::vector<CutPiece> pieces;
+    SlitGraph graph;
+    CutPatch patch;
+    CutWalls walls;
+    std::vector<CutTerm> terms;
+
+    // Numbers of vertices: those of the drawing's points, then those that cutting made.
+    std::size_t vertex_count() const { return drawing.point_count() + walls.made.size(); }
+    std::uint32_t base_point(std::uint32_t vertex) const; // of the drawing, below which it hangs
+    double depth(std::uint32_t vertex) const;             // units of the mesh
+    glm::dvec3 rest_position(std::uint32_t vertex) const;
+};
+
+inline std::uint32_t CutShape::base_point(std::uint32_t vertex) const
+{
+    const std::size_t first = drawing.point_count();
+    return vertex < first ? vertex : graph.nodes[walls.made[vertex - first].node].point;
+}
+
+inline double CutShape::depth(std::uint32_t vertex) const
+{
+    const std::size_t first = drawing.point_count();
+    return vertex < first ? 0 : walls.made[vertex - first].depth * step;
+}
+
+inline glm::dvec3 CutShape::rest_position(std::uint32_t vertex) const
+{
+    const std::uint32_t base = base_point(vertex);
+    const double below = depth(vertex);
+    const glm::dvec3 p = drawing.position(base);
+    return below > 0 ? p - below * inward.outward(drawing.point(base)) : p;
+}
+
+} // namespace trivar

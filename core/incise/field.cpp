@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/field.h"
+
+#include "core/base/parallel.h"
+#include "core/incise/cut_curve.h"
+
+#include <algorithm>
+#include <map>
+
+namespace trivar {
+namespace {
+
+constexpr double widths_of_reach = 3;
+constexpr double wrong_side = -0.2; // cosine: a front that came round the end of a cut
+
+// How a piece runs through a node: which sectors lie left (1) and right (-1) of it; 0: it ends.
+struct Passage {
+    std::uint32_t node;
+    double s;
+    std::vector<signed char> side; // by sector
+};
+
+// The passages of each piece, by node.
+std::vector<std::vector<Passage>> passages_of(const SlitGraph& graph, std::size_t pieces)
+{
+    constexpr std::size_t nowhere = ~std::size_t{0};
+    std::vector<std::vector<Passage>> out(pieces);
+    for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
+        const SlitNode& node = graph.nodes[n];
+        struct Ways {
+            std::size_t in = nowhere, out = nowhere;
+            double s = 0;
+        };
+        std::map<std::uint32_t, Ways> ways; // by piece
+        for (std::size_t i = 0; i < node.edges.size(); ++i) {
+            const SlitEdge& edge = graph.edges[node.edges[i]];
+            const bool at_a = edge.starts_at(node.point);
+            for (const SlitEdge::Pass& pass : edge.passes) {
+                Ways& w = ways[pass.piece];
+                std::size_t& way = pass.forward == at_a ? w.out : w.in;
+                if (way != nowhere) continue;
+                way = i;
+                w.s = at_a ? pass.s_a : pass.s_b;
+            }
+        }
+        const std::size_t count = node.edges.size();
+        for (const auto& [piece, w] : ways) {
+            Passage passage{n, w.s, std::vector<signed char>(count, 0)};
+            if (w.in != nowhere && w.out != nowhere) {
+                for (std::size_t i = w.out; i != w.in; i = (i + 1) % count) passage.side[i] = 1;
+                for (std::size_t i = w.in; i != w.out; i = (i + 1) % count) passage.side[i] = -1;
+            }
+            out[piece].push_back(std::move(passage));
+        }
+    }
+    return out;
+}
+
+// The neighbours of the patch's points along edges of its pieces.
+struct Neighbours {
+    KeyMap number;
+    std::vector<std::uint32_t> begin, of;
+
+    explicit Neighbours(const std::vector<SkinTriangle>& triangles)
+    {
+        for (const SkinTriangle& t : triangles)
+            for (const std::uint32_t p : t.points) number.number(p);
+        begin.assign(number.size() + 1, 0);
+        for (const SkinTriangle& t : triangles)
+            for (const std::uint32_t p : t.points) begin[number.find(p) + 1] += 2;
+        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+        of.resize(begin.back());
+        std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+        for (const SkinTriangle& t : triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                std::uint32_t& at = next[number.find(t.points[k])];
+                of[at++] = t.points[(k + 1) % 3];
+                of[at++] = t.points[(k + 2) % 3];
+            }
+    }
+};
+
+// How much of the field there is at a depth, as a share of the floor's.
+double share_at_depth(const Incision& incision, double depth)
+{
+    const double at_floor = incision.floor == Incision::Floor::u ? incision.floor_width : 0;
+    if (depth <= 1) return at_floor + (1 - at_floor) * (1 - depth);
+    return std::max(0.0, at_floor * (2 - depth));
+}
+
+struct FieldOfPiece {
+    const Drawing& drawing;
+    const CutPatch& patch;
+    const SlitGraph& graph;
+    const Neighbours& neighbours;
+    const std::vector<Passage>& passages;
+    const CutRun& run;
+    const CutCurve& curve;
+    const CutPiece& piece;
+    const Incision& incision;
+
+    // At a node that the piece does not pass.
+    struct AtNode {
+        std::uint32_t node;
+        double s, distance;
+        int side;
+    };
+    std::vector<CutTerm> terms = {};
+    std::vector<AtNode> others = {};
+
+    void operator()(const CutWalls& walls, double step)
+    {
+        flood();
+        const auto first_made = static_cast<std::uint32_t>(drawing.point_count());
+        std::map<std::uint32_t, int> sides; // of the vertices of a node; 0: of both
+        const auto depth_of = [&](std::uint32_t vertex) {
+            return vertex < first_made ? 0 : walls.made[vertex - first_made].depth * step;
+        };
+        for (const Passage& passage : passages) {
+            const SlitNode& node = graph.nodes[passage.node];
+            sides.clear();
+            for (std::size_t i = 0; i < node.corners.size(); ++i) {
+                const int side = passage.side[i % node.edges.size()];
+                const auto [found, fresh] = sides.emplace(node.corners[i], side);
+                if (!fresh && found->second != side) found->second = 0;
+            }
+            for (const auto& [vertex, side] : sides)
+                add(vertex, side, passage.s, 1, depth_of(vertex));
+        }
+        for (const AtNode& at : others) {
+            sides.clear();
+            for (const std::uint32_t vertex : graph.nodes[at.node].corners)
+                sides.emplace(vertex, 0);
+            for (const auto& [vertex, unused] : sides)
+                add(vertex, at.side, at.s, fade(at.distance), depth_of(vertex));
+        }
+    }
+
+private:
+    double reach() const
+    {
+        return incision.reach > 0 ? incision.reach : widths_of_reach * incision.width;
+    }
+    double fade(double distance) const
+    {
+        const double x = distance / reach();
+        return (1 - x * x) * (1 - x * x);
+    }
+    double opening(double s) const
+    {
+        return value_at(incision.opening_profile, s / run.length) * piece.weight(s);
+    }
+    void add(std::uint32_t vertex, int side, double s, double faded, double depth)
+    {
+        if (side == 0) return;
+        const double floor = depth_at(run, s);
+        const double below = floor > 0 ? share_at_depth(incision, depth / floor) : depth == 0;
+        const double amount = 0.5 * incision.width * opening(s) * faded * below;
+        if (!(amount > 0)) return;
+        terms.push_back({vertex, run.incision, static_cast<float>(s / run.length),
+                         glm::vec3(side * amount * curve.left(s))});
+    }
+
+    void flood()
+    {
+        const Skin& skin = drawing.skin();
+        std::size_t first = 0, last = curve.segment_count() - 1;
+        while (first < last && curve.s(first + 1) < piece.begin) ++first;
+        while (last > first && curve.s(last) > piece.end) --last;
+        KeyMap seen;
+        struct Open {
+            std::uint32_t point;
+            std::size_t segment;
+            int side;
+        };
+        std::vector<Open> open;
+        const double limit = reach(), slack = 1e-12 * run.length;
+        const auto accept = [&](std::uint32_t point, std::size_t near, int side, bool at_slit) {
+            if (seen.contains(point)) return;
+            const glm::dvec3 p = drawing.position(point);
+            const CutCurve::Foot foot = curve.foot(p, near, first, last);
+            if (foot.distance >= limit) return;
+            const glm::dvec3 left = curve.left(foot.s, foot.segment);
+            if (!at_slit && foot.s > piece.begin + slack && foot.s < piece.end - slack &&
+                glm::dot(left, p - curve.point(foot.s, foot.segment)) * side <
+                    wrong_side * foot.distance)
+                return;
+            seen.number(point);
+            open.push_back({point, foot.segment, side});
+            const std::uint32_t node = graph.node_of_point.find(point);
+            if (node != KeyMap::none) {
+                others.push_back({node, foot.s, foot.distance, side});
+                return;
+            }
+            const double amount =
+                0.5 * incision.width * opening(foot.s) * fade(foot.distance) * side;
+            if (amount != 0)
+                terms.push_back({point, run.incision, static_cast<float>(foot.s / run.length),
+                                 glm::vec3(amount * left)});
+        };
+        for (const Passage& passage : passages) seen.number(graph.nodes[passage.node].point);
+        for (const Passage& passage : passages) start_at(passage, first, last, accept);
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const Open at = open[i];
+            const std::uint32_t local = neighbours.number.find(at.point);
+            if (local != KeyMap::none)
+                for (std::uint32_t k = neighbours.begin[local]; k < neighbours.begin[local + 1];
+                     ++k)
+                    accept(neighbours.of[k], at.segment, at.side, false);
+            if (at.point >= skin.point_count()) continue;
+            skin.around(at.point, [&](std::uint32_t side) {
+                if (local != KeyMap::none && patch.replaces(side / 3)) return;
+                accept(skin.to(side), at.segment, at.side, false);
+                accept(skin.from(Skin::previous(side)), at.segment, at.side, false);
+            });
+        }
+    }
+
+    // The points next to a node, each in the sector in which it lies; those on the slit itself
+    // belong to no side.
+    void start_at(const Passage& passage, std::size_t first, std::size_t last, const auto& accept)
+    {
+        const SlitNode& node = graph.nodes[passage.node];
+        const std::size_t count = node.edges.size();
+        const std::size_t near = std::clamp(curve.segment_at(passage.s), first, last);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (passage.side[i] == 0) continue;
+            const auto end_of = [&](std::size_t k) {
+                const SlitEdge& edge = graph.edges[node.edges[k]];
+                return edge.starts_at(node.point) ? edge.b : edge.a;
+            };
+            const auto divides = [&](std::size_t k) {
+                return passage.side[k] != passage.side[(k + count - 1) % count];
+            };
+            std::uint32_t to = end_of(i);
+            const std::uint32_t stop = end_of((i + 1) % count);
+            if (!divides(i)) accept(to, near, passage.side[i], true);
+            do {
+                const std::uint32_t t = patch.triangle_of_side.find(pair_key(node.point, to));
+                const auto& p = patch.triangles[t].points;
+                to = p[0] == node.point ? p[2] : p[1] == node.point ? p[0] : p[1];
+                if (to != stop || !divides((i + 1) % count))
+                    accept(to, near, passage.side[i], true);
+            } while (to != stop);
+        }
+    }
+};
+
+} // namespace
+
+std::vector<CutTerm> field_of(const Drawing& drawing, const CutPatch& patch, const SlitGraph& graph,
+                              const CutWalls& walls, const std::vector<CutRun>& runs,
+                              const std::vector<CutPiece>& pieces,
+                              std::span<const Incision> incisions, const Inward& inward,
+                              double step)
+{
+    std::vector<CutCurve> curves;
+    for (const CutRun& run : runs)
+        curves.emplace_back(run, drawing, inward, incisions[run.incision].width);
+    const std::vector<std::vector<Passage>> passages = passages_of(graph, pieces.size());
+    const Neighbours neighbours(patch.triangles);
+    std::vector<std::vector<CutTerm>> terms(pieces.size());
+    parallel_blocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
+        const CutRun& run = runs[pieces[p].run];
+        FieldOfPiece field{drawing,
+                           patch,
+                           graph,
+                           neighbours,
+                           passages[p],
+                           run,
+                           curves[pieces[p].run],
+                           pieces[p],
+                           incisions[run.incision]};
+        field(walls, step);
+        terms[p] = std::move(field.terms);
+    });
+    std::vector<CutTerm> all;
+    for (const std::vector<CutTerm>& each : terms) all.insert(all.end(), each.begin(), each.end());
+    return all;
+}
+
+} // namespace trivar

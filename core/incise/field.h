@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/walls.h"
+
+namespace trivar {
+
+// A CutTerm is what one incision does to a vertex when it is quite open; the terms of a vertex add
+// up.
+struct CutTerm {
+    std::uint32_t vertex; // of the drawing, or made by cutting
+    std::uint32_t incision;
+    float share;    // of the incision's length, at which the vertex stands
+    glm::vec3 move; // units of the mesh
+};
+
+// The field of each incision: continuous everywhere but across its own slit. Beside the cut the
+// skin moves to that side, across the cut; less with the distance from it, with the depth below the
+// skin and towards the ends. Sides at the slit come from the sectors, and elsewhere from a flood
+// that starts there. In parallel by pieces; the same terms for any number of threads.
+std::vector<CutTerm> field_of(const Drawing& drawing, const CutPatch& patch, const SlitGraph& graph,
+                              const CutWalls& walls, const std::vector<CutRun>& runs,
+                              const std::vector<CutPiece>& pieces,
+                              std::span<const Incision> incisions, const Inward& inward,
+                              double step);
+
+} // namespace trivar

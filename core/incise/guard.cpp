@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/guard.h"
+
+#include "core/base/box.h"
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+constexpr double least_certain = 1e-14; // of the largest determinant with such edges
+constexpr std::size_t entries_per_block = 4096;
+
+int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
+{
+    const glm::dvec3 x = b - a, y = c - a, z = d - a;
+    const double det = glm::dot(x, glm::cross(y, z));
+    const auto size = [](const glm::dvec3& v) {
+        return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    };
+    const double bound = least_certain * size(x) * size(y) * size(z);
+    return det > bound ? 1 : det < -bound ? -1 : 0;
+}
+
+// Whether the line from p to q goes through the inside of a triangle.
+bool goes_through(const glm::dvec3& p, const glm::dvec3& q, const std::array<glm::dvec3, 3>& t)
+{
+    const int s = side_of(t[0], t[1], t[2], p), e = side_of(t[0], t[1], t[2], q);
+    if (s == 0 || e == 0 || s == e) return false;
+    const int u = side_of(p, q, t[0], t[1]);
+    return u != 0 && u == side_of(p, q, t[1], t[2]) && u == side_of(p, q, t[2], t[0]);
+}
+
+class PiercingCount {
+public:
+    PiercingCount(const std::vector<glm::dvec3>& p, const std::vector<glm::uvec3>& triangles,
+                  std::size_t first_wall, std::size_t end_of_walls)
+        : p_(p),
+          triangles_(triangles),
+          first_wall_(first_wall),
+          end_of_walls_(end_of_walls)
+    {
+        double sizes = 0;
+        Box all;
+        for (const glm::uvec3& t : triangles) {
+            Box box;
+            for (int i = 0; i < 3; ++i) box.add(p[t[i]]);
+            sizes += glm::length(box.size());
+            all.add(box);
+            boxes_.push_back(box);
+        }
+        origin_ = all.lo;
+        const double most = glm::length(all.size()) / (1 << 19); // cells have 20 bits an axis
+        cell_ = std::max(
+            {sizes / static_cast<double>(std::max<std::size_t>(1, boxes_.size())), most, 1e-300});
+    }
+
+    Piercings operator()()
+    {
+        enter_cells();
+        std::vector<Piercings> found(entries_.size() / entries_per_block + 1);
+        parallel_blocks(entries_.size(), entries_per_block,
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t i = begin; i < end; ++i)
+                                compare_with_next(i, found[begin / entries_per_block]);
+                        });
+        Piercings sum;
+        for (const Piercings& each : found) {
+            sum.of_walls += each.of_walls;
+            sum.of_skin += each.of_skin;
+        }
+        return sum;
+    }
+
+private:
+    struct Entry {
+        std::uint64_t cell;
+        std::uint32_t triangle;
+        auto operator<=>(const Entry&) const = default;
+    };
+    glm::u64vec3 cell_at(const glm::dvec3& x) const { return glm::u64vec3((x - origin_) / cell_); }
+    static std::uint64_t key(const glm::u64vec3& c) { return c.x << 42 | c.y << 21 | c.z; }
+
+    void enter_cells()
+    {
+        for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
+            const glm::u64vec3 lo = cell_at(boxes_[t].lo), hi = cell_at(boxes_[t].hi);
+            glm::u64vec3 c;
+            for (c.x = lo.x; c.x <= hi.x; ++c.x)
+                for (c.y = lo.y; c.y <= hi.y; ++c.y)
+                    for (c.z = lo.z; c.z <= hi.z; ++c.z) entries_.push_back({key(c), t});
+        }
+        std::ranges::sort(entries_);
+    }
+    bool is_wall(std::uint32_t t) const { return t >= first_wall_ && t < end_of_walls_; }
+
+    void compare_with_next(std::size_t i, Piercings& found) const
+    {
+        for (std::size_t j = i + 1; j < entries_.size() && entries_[j].cell == entries_[i].cell;
+             ++j) {
+            const std::uint32_t s = entries_[i].triangle, t = entries_[j].triangle;
+            if (boxes_[s].apart(boxes_[t])) continue;
+            // A pair that meets in several cells is looked at in the first of them
+            if (key(cell_at(glm::max(boxes_[s].lo, boxes_[t].lo))) != entries_[i].cell) continue;
+            if (!pierce(triangles_[s], triangles_[t])) continue;
+            ++(is_wall(s) || is_wall(t) ? found.of_walls : found.of_skin);
+        }
+    }
+    bool pierce(const glm::uvec3& s, const glm::uvec3& t) const
+    {
+        int common = 0, at_s = 0, at_t = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                if (s[i] == t[k]) {
+                    ++common;
+                    at_s = i;
+                    at_t = k;
+                }
+        if (common > 1) return false;
+        const std::array<glm::dvec3, 3> a{p_[s.x], p_[s.y], p_[s.z]}, b{p_[t.x], p_[t.y], p_[t.z]};
+        const auto side = [](const std::array<glm::dvec3, 3>& of, int i,
+                             const std::array<glm::dvec3, 3>& through) {
+            return goes_through(of[static_cast<std::size_t>(i % 3)],
+                                of[static_cast<std::size_t>((i + 1) % 3)], through);
+        };
+        if (common == 1) return side(a, at_s + 1, b) || side(b, at_t + 1, a);
+        for (int i = 0; i < 3; ++i)
+            if (side(a, i, b) || side(b, i, a)) return true;
+        return false;
+    }
+
+    const std::vector<glm::dvec3>& p_;
+    const std::vector<glm::uvec3>& triangles_;
+    std::size_t first_wall_, end_of_walls_;
+    std::vector<Box> boxes_;
+    glm::dvec3 origin_{0};
+    double cell_ = 1;
+    std::vector<Entry> entries_;
+};
+
+} // namespace
+
+CutGuard::CutGuard(const CutShape& shape)
+{
+    const Skin& skin = shape.drawing.skin();
+    KeyMap local;
+    std::vector<std::uint32_t> vertices;
+    const auto number = [&](std::uint32_t vertex) {
+        const auto [n, fresh] = local.number(vertex);
+        if (fresh) {
+            vertices.push_back(vertex);
+            rest_.push_back(shape.rest_position(vertex));
+        }
+        return n;
+    };
+    for (const auto& t : shape.walls.skin)
+        triangles_.emplace_back(number(t[0]), number(t[1]), number(t[2]));
+    first_wall_ = triangles_.size();
+    for (const WallTriangle& t : shape.walls.walls)
+        triangles_.emplace_back(number(t.corners[0].vertex), number(t.corners[1].vertex),
+                                number(t.corners[2].vertex));
+    end_of_walls_ = triangles_.size();
+    for (const CutTerm& term : shape.terms) {
+        terms_.push_back(term);
+        terms_.back().vertex = number(term.vertex);
+    }
+    KeyMap taken; // triangles of the skin round all these vertices
+    const std::size_t inner = vertices.size();
+    for (std::size_t i = 0; i < inner; ++i) {
+        if (vertices[i] >= skin.point_count()) continue;
+        skin.around(vertices[i], [&](std::uint32_t side) {
+            if (shape.patch.replaces(side / 3) || !taken.number(side / 3).second) return;
+            const glm::uvec3& t = skin.triangle(side / 3);
+            triangles_.emplace_back(number(t.x), number(t.y), number(t.z));
+        });
+    }
+}
+
+Piercings CutGuard::piercings(std::span<const double> shares) const
+{
+    std::vector<glm::dvec3> p = rest_;
+    for (const CutTerm& term : terms_)
+        p[term.vertex] += shares[term.incision] * glm::dvec3(term.move);
+    return PiercingCount(p, triangles_, first_wall_, end_of_walls_)();
+}
+
+std::vector<double> admissible_shares(const CutShape& shape, std::size_t incisions)
+{
+    const CutGuard guard(shape);
+    std::vector<double> shares(incisions, 0.0);
+    const Piercings shut = guard.piercings(shares);
+    if (shut.of_walls > 0) return {};
+    for (const double of_next : {1.0, 0.5, 0.0}) // each as a share of the one before
+        for (const double first : {1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.05, 0.02}) {
+            if (of_next < 1 && (shape.runs.size() < 2 || first == 1)) continue;
+            double share = first;
+            for (const CutRun& run : shape.runs) {
+                shares[run.incision] = share;
+                share *= of_next;
+            }
+            const Piercings open = guard.piercings(shares);
+            if (open.of_walls == 0 && open.of_skin <= shut.of_skin) return shares;
+        }
+    std::ranges::fill(shares, 0.0);
+    return shares;
+}
+
+} // namespace trivar

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/incision.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr double cut_taper = 0.15;  // share of the length at each end over which a profile rises
+constexpr double blade_taper = 0.1; // share of the length over which a wound closes at the blade
+
+double smooth_step(double x)
+{
+    const double t = std::clamp(x, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+double on_polyline(const std::vector<glm::dvec2>& points, double x)
+{
+    if (points.empty()) return 1;
+    if (x <= points.front().x) return points.front().y;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec2 a = points[i - 1], b = points[i];
+        if (x <= b.x) return b.x > a.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : b.y;
+    }
+    return points.back().y;
+}
+
+} // namespace
+
+double value_at(const CutProfile& profile, double x)
+{
+    if (!(x > 0 && x < 1)) return 0;
+    if (profile.shape == CutProfile::Shape::lens) {
+        const double c = 2 * x - 1;
+        return (1 - c * c) * (1 - c * c);
+    }
+    const double ends = smooth_step(x / cut_taper) * smooth_step((1 - x) / cut_taper);
+    if (profile.shape == CutProfile::Shape::even) return ends;
+    return ends * std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
+}
+
+double share_at(const Opening& opening, double x)
+{
+    const double behind = opening.from > 0 ? smooth_step((x - opening.from) / blade_taper) : 1;
+    const double before = opening.to < 1 ? smooth_step((opening.to - x) / blade_taper) : 1;
+    return opening.share * behind * before;
+}
+
+} // namespace trivar

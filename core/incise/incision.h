@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/limit/surface_point.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace trivar {
+
+// A CutProfile says how a number runs along a cut, as a share of its greatest value, by x from 0 to
+// 1: the share of the cut's length. All of them are 0 at both ends.
+struct CutProfile {
+    enum class Shape { lens, even, custom } shape = Shape::lens;
+    // Of a custom profile, by ascending x: (x, share), share 0 to 1, and straight lines between.
+    std::vector<glm::dvec2> points;
+    bool operator==(const CutProfile&) const = default;
+};
+double value_at(const CutProfile& profile, double x);
+
+// An Incision is one cut in a skin, as a document stores it. Lengths are in units of the mesh.
+struct Incision {
+    std::vector<SurfacePoint> stroke; // on the skin at rest, two at least
+    double depth = 0.1;               // where the cut is deepest, before the body's limits
+    CutProfile depth_profile{CutProfile::Shape::even, {}};
+    enum class Floor { v, u } floor = Floor::v;
+    double floor_width = 0.5; // of a U floor: share of the width at the skin, 0 to 1
+
+    double width = 0.1; // of the gap in the skin where it is widest, when the cut is quite open
+    CutProfile opening_profile;
+    double reach = 0; // how far beside the cut the skin gives way; 0: three widths
+    bool operator==(const Incision&) const = default;
+};
+
+// An Opening is the state of an incision at a time; nothing of the topology depends on it.
+struct Opening {
+    double share = 1;        // of the width: 0 shut, 1 quite open
+    double from = 0, to = 1; // shares of the length between which the blade has passed
+    bool operator==(const Opening&) const = default;
+};
+
+// What of the opening there is at x, the share of the length: from 0 to 1, with soft ends.
+double share_at(const Opening& opening, double x);
+
+// A WallLayer is the material of the walls above a depth and below that of the layer before.
+struct WallLayer {
+    double depth = 0; // units of the mesh; that of the last layer does not matter
+    std::uint32_t material = 0;
+    bool operator==(const WallLayer&) const = default;
+};
+
+} // namespace trivar

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/inward.h"
+
+namespace trivar {
+namespace {
+
+constexpr int smoothing_rounds = 5;
+constexpr int most_turns = 60;
+constexpr double turn_share = 0.3;   // of the normal of the face that sees it worst
+constexpr double well_seen = 0.2;    // cosine
+constexpr double hardly_seen = 0.02; // cosine; less: not at all
+constexpr double least_layer = 0.15; // of the area at the skin
+constexpr double shallower = 0.8;    // the next depth to try
+constexpr int most_depths = 24;
+
+glm::dvec3 unit_or_none(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
+} // namespace
+
+Inward::Inward(const Skin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
+{
+    std::vector<std::uint32_t> points;
+    const auto put = [&](std::uint32_t p) {
+        if (number_.number(p).second) points.push_back(p);
+    };
+    for (const std::uint32_t t : triangles)
+        for (int i = 0; i < 3; ++i) put(skin.triangle(t)[i]);
+    const std::size_t asked = points.size();
+    std::size_t ring = 0;
+    for (int round = 0; round < smoothing_rounds; ++round) {
+        const std::size_t end = points.size();
+        for (; ring < end; ++ring)
+            skin.around(points[ring], [&](std::uint32_t side) {
+                put(skin.to(side));
+                put(skin.from(Skin::previous(side)));
+            });
+    }
+    std::vector<glm::dvec3> now, next(points.size());
+    for (const std::uint32_t p : points) now.push_back(skin.normal(p));
+    for (int round = 0; round < smoothing_rounds; ++round) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            glm::dvec3 sum(0);
+            skin.around(points[i], [&](std::uint32_t side) {
+                for (int k = 0; k < 3; ++k) {
+                    const std::uint32_t n = number_.find(skin.triangle(side / 3)[k]);
+                    if (n != KeyMap::none) sum += now[n];
+                }
+            });
+            next[i] = unit_or_none(sum);
+        }
+        now.swap(next);
+    }
+    directions_.resize(asked);
+    for (std::size_t i = 0; i < asked; ++i) {
+        directions_[i].outward = now[i];
+        turn_to_faces(points[i], directions_[i]);
+    }
+}
+
+void Inward::turn_to_faces(std::uint32_t point, Direction& d) const
+{
+    double worst = 0;
+    for (int turn = 0; turn < most_turns; ++turn) {
+        worst = 2;
+        glm::dvec3 worst_normal(0);
+        skin_->around(point, [&](std::uint32_t side) {
+            const glm::dvec3 n = unit_or_none(skin_->area_normal(side / 3));
+            const double cosine = glm::dot(n, d.outward);
+            if (cosine >= worst) return;
+            worst = cosine;
+            worst_normal = n;
+        });
+        if (worst > well_seen) break;
+        d.outward = unit_or_none(d.outward + turn_share * worst_normal);
+    }
+    d.seen = worst > hardly_seen;
+}
+
+glm::dvec3 Inward::outward(std::uint32_t point) const
+{
+    const std::uint32_t n = number_.find(point);
+    return n < directions_.size() ? directions_[n].outward : skin_->normal(point);
+}
+
+glm::dvec3 Inward::outward(const LatticePoint& p) const
+{
+    return blend_of(*skin_, p)([&](std::uint32_t point) { return outward(point); });
+}
+
+bool Inward::has_inside(const LatticePoint& p) const
+{
+    const Blend blend = blend_of(*skin_, p);
+    for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = number_.find(blend.of[i]);
+        if (n < directions_.size() && !directions_[n].seen) return false;
+    }
+    return true;
+}
+
+// The layer at depth w is turned right if det[e1 - w m1, e2 - w m2, n_k] > 0 at all three corners:
+// quadratics in w, bounded by their Bernstein coefficients.
+double Inward::depth_below(std::uint32_t triangle, double wanted) const
+{
+    const glm::uvec3& t = skin_->triangle(triangle);
+    const std::array<glm::dvec3, 3> n{outward(t.x), outward(t.y), outward(t.z)};
+    const glm::dvec3 e1 = skin_->position(t.y) - skin_->position(t.x);
+    const glm::dvec3 e2 = skin_->position(t.z) - skin_->position(t.x);
+    for (int i = 0; i < most_depths; ++i, wanted *= shallower) {
+        bool fits = true;
+        for (const glm::dvec3& n_k : n) {
+            const auto area = [&](double w) {
+                return glm::dot(glm::cross(e1 - w * (n[1] - n[0]), e2 - w * (n[2] - n[0])), n_k);
+            };
+            const double c0 = area(0), c2 = area(wanted);
+            const double c1 = 2 * area(wanted / 2) - (c0 + c2) / 2;
+            fits = fits && c0 > 0 && c1 > least_layer * c0 && c2 > least_layer * c0;
+        }
+        if (fits) return wanted;
+    }
+    return 0;
+}
+
+} // namespace trivar

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/key_map.h"
+#include "core/incise/lattice_point.h"
+
+namespace trivar {
+
+// Inward says which way walls go down below points of the skin: the other way than a normal that is
+// smoothed over some rings and then turned until all faces round the point see it from outside.
+// Between points it is linear, and not of unit length.
+class Inward {
+public:
+    // For the corners of some triangles. O(#triangles and their rings).
+    Inward(const Skin& skin, std::span<const std::uint32_t> triangles);
+
+    // Unit, at a point of these triangles; elsewhere the normal.
+    glm::dvec3 outward(std::uint32_t point) const;
+    glm::dvec3 outward(const LatticePoint& p) const;
+    // Whether walls can go down at all: some points are seen from outside by no common direction.
+    bool has_inside(const LatticePoint& p) const;
+    // The greatest depth, at most `wanted`, down to which layers below a triangle stay right way
+    // up.
+    double depth_below(std::uint32_t triangle, double wanted) const;
+
+private:
+    struct Direction {
+        glm::dvec3 outward;
+        bool seen = true;
+    };
+    void turn_to_faces(std::uint32_t point, Direction& d) const;
+
+    const Skin* skin_;
+    KeyMap number_;
+    std::vector<Direction> directions_;
+};
+
+} // namespace trivar

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/incise.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace trivar {
+
+OpenedVertices opened_vertices(const IncisedMesh& incised, std::span<const Opening> openings)
+{
+    assert(openings.size() == incised.outcomes.size());
+    const Mesh& rest = *incised.rest;
+    std::vector<glm::dvec3> moves(incised.slots, glm::dvec3(0));
+    for (const IncisedMesh::Term& term : incised.terms) {
+        const Opening& opening = openings[term.incision];
+        const bool whole = opening.from <= 0 && opening.to >= 1;
+        const double share = whole ? opening.share : share_at(opening, term.share);
+        moves[term.slot] += share * incised.outcomes[term.incision].widest * glm::dvec3(term.move);
+    }
+    OpenedVertices out;
+    out.positions.reserve(incised.moved.size());
+    for (std::size_t i = 0; i < incised.moved.size(); ++i)
+        out.positions.emplace_back(glm::dvec3(rest.positions[incised.moved[i]]) +
+                                   moves[incised.slot_of_moved[i]]);
+    if (rest.normals.empty()) return out;
+
+    const std::uint32_t first = incised.first_wall_vertex;
+    std::vector<glm::dvec3> walls(rest.positions.begin() + first, rest.positions.end());
+    for (std::size_t i = 0; i < incised.moved.size(); ++i)
+        if (incised.moved[i] >= first) walls[incised.moved[i] - first] = out.positions[i];
+    std::vector<glm::dvec3> sums(walls.size(), glm::dvec3(0));
+    for (std::size_t f = incised.first_wall_face; f < rest.face_count(); ++f) {
+        const std::uint32_t* const c = rest.corners.data() + rest.face_begin[f];
+        const glm::dvec3 a = walls[c[0] - first], b = walls[c[1] - first], d = walls[c[2] - first];
+        for (int i = 0; i < 3; ++i) sums[c[i] - first] += glm::cross(b - a, d - a);
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const double length = glm::length(sums[v]);
+        out.wall_normals.push_back(length > 0 ? glm::vec3(sums[v] / length)
+                                              : rest.normals[first + v]);
+    }
+    return out;
+}
+
+Ref<Mesh> opened(const IncisedMesh& incised, std::span<const Opening> openings)
+{
+    bool open = false;
+    for (std::size_t k = 0; k < openings.size(); ++k)
+        open = open || openings[k].share * incised.outcomes[k].widest != 0;
+    if (!open || incised.rest == incised.original) return incised.original;
+    const OpenedVertices vertices = opened_vertices(incised, openings);
+    Mesh mesh = *incised.rest;
+    for (std::size_t i = 0; i < incised.moved.size(); ++i)
+        mesh.positions[incised.moved[i]] = vertices.positions[i];
+    std::ranges::copy(vertices.wall_normals, mesh.normals.begin() + incised.first_wall_vertex);
+    return make_ref(std::move(mesh));
+}
+
+} // namespace trivar

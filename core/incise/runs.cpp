@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/runs.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr double share_of_thickness = 0.42; // so that walls from both sides of a body do not meet
+constexpr double steepest = 1.5;            // of a floor, along the cut
+constexpr double turned_round = -0.3;       // cosine of the turn of a piece
+constexpr std::size_t most_pieces = 64;     // of a run
+constexpr double least_overlap = 1e-9;      // of the length
+
+} // namespace
+
+std::vector<CutRun> runs_of(const Drawing& drawing, std::span<const std::uint32_t> incisions)
+{
+    std::vector<std::vector<Drawing::Segment>> segments(drawing.stroke_count());
+    for (const Drawing::Segment& g : drawing.segments())
+        if (g.a != g.b) segments[g.stroke].push_back(g);
+    std::vector<CutRun> out;
+    for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
+        std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
+        CutRun run{incisions[k], drawing.length(k), {}};
+        for (const Drawing::Segment& g : segments[k]) {
+            if (run.at.empty()) run.at.push_back({g.a, g.s_a});
+            run.at.push_back({g.b, g.s_b});
+        }
+        out.push_back(std::move(run));
+    }
+    return out;
+}
+
+std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
+                                                 const Drawing& drawing, const Inward& inward)
+{
+    std::vector<Ray> rays;
+    for (const CutRun& run : runs)
+        for (const CutRun::At& at : run.at) {
+            const glm::dvec3 n = inward.outward(drawing.point(at.point));
+            const double length = glm::length(n);
+            rays.push_back(
+                {drawing.position(at.point), length > 0 ? -n / length : glm::dvec3(0, 0, -1)});
+        }
+    const std::vector<double> all = drawing.skin().thickness(rays);
+    std::vector<std::vector<double>> out;
+    auto next = all.begin();
+    for (const CutRun& run : runs) {
+        const auto end = next + static_cast<std::ptrdiff_t>(run.at.size());
+        out.emplace_back(next, end);
+        next = end;
+    }
+    return out;
+}
+
+void set_depths(std::vector<CutRun>& runs, const Drawing& drawing, const Inward& inward,
+                std::span<const Incision> incisions, double scale)
+{
+    double deepest = 0;
+    for (const CutRun& run : runs)
+        deepest = std::max(deepest, scale * incisions[run.incision].depth);
+    const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, inward);
+    KeyMap known;
+    std::vector<double> below;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        CutRun& run = runs[k];
+        const Incision& incision = incisions[run.incision];
+        for (std::size_t i = 0; i < run.at.size(); ++i) {
+            CutRun::At& at = run.at[i];
+            at.depth = std::min(scale * incision.depth *
+                                    value_at(incision.depth_profile, at.s / run.length),
+                                share_of_thickness * thickness[k][i]);
+            for (const std::uint32_t t : triangles_round(drawing.skin(), drawing.point(at.point))) {
+                const auto [number, fresh] = known.number(t);
+                if (fresh) below.push_back(inward.depth_below(t, deepest));
+                at.depth = std::min(at.depth, below[number]);
+            }
+        }
+        run.at.front().depth = run.at.back().depth = 0;
+        for (std::size_t i = 1; i < run.at.size(); ++i)
+            run.at[i].depth = std::min(
+                run.at[i].depth, run.at[i - 1].depth + steepest * (run.at[i].s - run.at[i - 1].s));
+        for (std::size_t i = run.at.size() - 1; i-- > 0;)
+            run.at[i].depth = std::min(
+                run.at[i].depth, run.at[i + 1].depth + steepest * (run.at[i + 1].s - run.at[i].s));
+    }
+}
+
+double depth_at(const CutRun& run, double s)
+{
+    if (s <= run.at.front().s || s >= run.at.back().s) return 0;
+    const auto next = std::ranges::upper_bound(run.at, s, {}, &CutRun::At::s);
+    const CutRun::At &a = *(next - 1), &b = *next;
+    const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0;
+    return (1 - share) * a.depth + share * b.depth;
+}
+
+double CutPiece::weight(double s) const
+{
+    double w = 1;
+    if (s < full_from) w = full_from > begin ? (s - begin) / (full_from - begin) : 1;
+    if (s > full_to) w = std::min(w, end > full_to ? (end - s) / (end - full_to) : 1);
+    return std::clamp(w, 0.0, 1.0);
+}
+
+std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const Drawing& drawing)
+{
+    std::vector<CutPiece> out;
+    for (std::uint32_t k = 0; k < runs.size(); ++k) {
+        const std::vector<CutRun::At>& at = runs[k].at;
+        std::size_t made = 0;
+        double begin = 0, full_from = 0;
+        std::size_t first = 0; // of the piece
+        std::vector<std::pair<std::uint32_t, double>> seen{{at[0].point, at[0].s}};
+        const auto along = [&](std::size_t i) { // from point i to the next
+            return glm::normalize(drawing.position(at[i + 1].point) -
+                                  drawing.position(at[i].point));
+        };
+        for (std::size_t i = 0; i + 1 < at.size();) {
+            const double s = at[i + 1].s;
+            double from = -1; // where the next piece has to begin at the latest
+            const auto before =
+                std::ranges::find(seen, at[i + 1].point, &std::pair<std::uint32_t, double>::first);
+            if (before != seen.end())
+                from = std::max(before->second, full_from);
+            else if (glm::dot(along(i), along(first)) < turned_round)
+                from = std::max(full_from, 0.5 * (begin + s));
+            if (from < 0 || !(s - from > least_overlap * runs[k].length) || made >= most_pieces) {
+                seen.emplace_back(at[i + 1].point, s);
+                ++i;
+                continue;
+            }
+            const double middle = (from + s) / 2, half = (s - from) / 4;
+            out.push_back({k, begin, middle + half, full_from, middle - half});
+            ++made;
+            begin = middle - half;
+            full_from = middle + half;
+            std::size_t back = 0;
+            while (back < i && at[back + 1].s <= begin) ++back;
+            i = first = back;
+            seen = {{at[i].point, at[i].s}};
+        }
+        out.push_back({k, begin, runs[k].length, full_from, runs[k].length});
+    }
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/skin.h"
+
+#include "core/base/finite.h"
+#include "core/mesh/adjacency.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr double least_thickness = 0.05; // usual edges: nearer hits are the skin that is cut
+constexpr std::uint32_t most_valence = 100000;
+
+glm::dvec3 unit_or_zero(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
+SkinPlace place_in(const std::array<glm::dvec3, 3>& p, std::uint32_t t, const glm::dvec3& x)
+{
+    const glm::dvec3 u = p[1] - p[0], v = p[2] - p[0], w = x - p[0];
+    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
+    const double det = uu * vv - uv * uv;
+    if (!(det > 0)) return {t, {1, 0, 0}};
+    const double wu = glm::dot(w, u), wv = glm::dot(w, v);
+    const double b = std::clamp((vv * wu - uv * wv) / det, 0.0, 1.0);
+    const double c = std::clamp((uu * wv - uv * wu) / det, 0.0, 1 - b);
+    return {t, {1 - b - c, b, c}};
+}
+
+} // namespace
+
+Skin::Skin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays}})
+{
+    const Mesh& mesh = *mesh_;
+    const std::size_t points =
+        mesh.points.empty() ? mesh.vertex_count() : trivar::point_count(mesh);
+    positions_.resize(points);
+    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+        positions_[mesh.point(v)] = glm::dvec3(mesh.positions[v]);
+
+    const std::vector<glm::uvec3>& all = rays->triangles();
+    std::size_t f = 0;
+    for (std::uint32_t t = 0; t < all.size(); ++t) {
+        while (t >= mesh.face_begin[f + 1] - 2 * (f + 1)) ++f;
+        const glm::uvec3 v = all[t], p(mesh.point(v.x), mesh.point(v.y), mesh.point(v.z));
+        if (p.x == p.y || p.y == p.z || p.z == p.x) {
+            if (own_number_.empty())
+                for (std::uint32_t i = 0; i < t; ++i) own_number_.push_back(i);
+            own_number_.push_back(none);
+            continue;
+        }
+        if (!own_number_.empty())
+            own_number_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+        triangles_.push_back(p);
+        vertices_.push_back(v);
+        faces_.push_back(static_cast<std::uint32_t>(f));
+    }
+
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * triangles_.size());
+    for (const glm::uvec3& t : triangles_) corners.insert(corners.end(), {t.x, t.y, t.z});
+    const Adjacency adjacency(std::move(corners), points);
+    across_.assign(3 * triangles_.size(), none);
+    first_side_.assign(points, none);
+    soundness_.assign(points, Soundness::sound);
+    for (std::size_t e = 0; e < adjacency.edge_count(); ++e) {
+        const auto sides = adjacency.sides(e);
+        if (adjacency.is_manifold(e)) {
+            across_[sides[0]] = sides[1];
+            across_[sides[1]] = sides[0];
+            continue;
+        }
+        for (const std::uint32_t p : {adjacency.edges()[e].x, adjacency.edges()[e].y})
+            soundness_[p] =
+                std::max(soundness_[p], sides.size() == 1 ? Soundness::border : Soundness::tangled);
+    }
+    judge_points();
+}
+
+void Skin::judge_points()
+{
+    std::vector<std::uint32_t> valence(positions_.size(), 0);
+    normals_.assign(positions_.size(), glm::dvec3(0));
+    double lengths = 0;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const std::uint32_t p = triangles_[t][i];
+            first_side_[p] = 3 * t + i;
+            ++valence[p];
+            normals_[p] += area_normal(t);
+            lengths += glm::distance(positions_[p], positions_[to(3 * t + i)]);
+        }
+    usual_edge_ = lengths / static_cast<double>(std::max<std::size_t>(1, 3 * triangles_.size()));
+    Box box;
+    for (std::uint32_t p = 0; p < positions_.size(); ++p) {
+        normals_[p] = unit_or_zero(normals_[p]);
+        if (valence[p] == 0) continue;
+        box.add(positions_[p]);
+        if (soundness_[p] != Soundness::sound) continue;
+        std::uint32_t round = 0, side = first_side_[p]; // several fans at one point do not close
+        do {
+            ++round;
+            side = across_[previous(side)];
+        } while (side != none && side != first_side_[p] && round < most_valence);
+        if (round != valence[p]) soundness_[p] = Soundness::tangled;
+    }
+    diagonal_ = glm::length(box.size());
+}
+
+glm::dvec3 Skin::area_normal(std::uint32_t t) const
+{
+    const glm::uvec3& p = triangles_[t];
+    return glm::cross(positions_[p.y] - positions_[p.x], positions_[p.z] - positions_[p.x]);
+}
+
+std::vector<std::optional<SkinPlace>> Skin::locate(std::span<const SurfacePoint> points,
+                                                   double reach) const
+{
+    std::vector<Ray> rays;
+    for (const SurfacePoint& each : points) // from both sides toward the point, so that it is hit
+        for (const double side : {1.0, -1.0})
+            rays.push_back({each.p + side * reach * each.normal, -side * each.normal});
+    const std::vector<double> to(rays.size(), 2 * reach);
+    const std::vector<std::optional<Hit>> hits = scene_.hits(rays, false, to);
+    std::vector<std::optional<SkinPlace>> out(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double nearest = 2 * reach;
+        for (const std::size_t k : {2 * i, 2 * i + 1}) {
+            if (!hits[k]) continue;
+            const double away = glm::distance(hits[k]->p_world, points[i].p);
+            const auto hit = static_cast<std::uint32_t>(hits[k]->triangle);
+            const std::uint32_t t = own_number_.empty() ? hit : own_number_[hit];
+            if (!(away < nearest) || t == none) continue;
+            nearest = away;
+            const glm::uvec3& p = triangles_[t];
+            out[i] =
+                place_in({positions_[p.x], positions_[p.y], positions_[p.z]}, t, hits[k]->p_world);
+        }
+    }
+    return out;
+}
+
+std::vector<double> Skin::thickness(std::span<const Ray> rays) const
+{
+    std::vector<Ray> below(rays.begin(), rays.end());
+    const double skipped = least_thickness * usual_edge_;
+    for (Ray& ray : below) ray.origin += skipped * ray.direction;
+    const std::vector<std::optional<Hit>> hits = scene_.hits(below);
+    std::vector<double> out;
+    for (const std::optional<Hit>& hit : hits)
+        out.push_back(hit ? skipped + hit->distance : infinite);
+    return out;
+}
+
+} // namespace trivar

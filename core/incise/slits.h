@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/fill.h"
+#include "core/incise/runs.h"
+
+namespace trivar {
+
+// Depths of walls are whole numbers: this many to the greatest depth that was asked for.
+inline constexpr int depth_steps = 1 << 16;
+
+// A SlitEdge is an edge along which the skin is cut, from point a to point b, a < b. Several runs
+// may pass it.
+struct SlitEdge {
+    struct Pass {
+        std::uint32_t piece;
+        double s_a, s_b;
+        bool forward; // from a to b
+    };
+    std::uint32_t a, b;
+    std::vector<Pass> passes; // at most one of each piece
+    bool flat_floor = false;  // U
+    int depth_a = 0, depth_b = 0;
+
+    bool starts_at(std::uint32_t point) const { return a == point; }
+    int depth_at(std::uint32_t point) const { return a == point ? depth_a : depth_b; }
+};
+
+// A SlitNode is a point at which slit edges end. They divide what lies round it into sectors:
+// sector i lies between edge i and the next one, counter-clockwise. Below the node hangs a column
+// of levels; at each level sectors that belong together are one vertex.
+struct SlitNode {
+    std::uint32_t point = 0;
+    std::vector<std::uint32_t> edges;   // counter-clockwise
+    std::vector<int> levels;            // ascending from 0
+    std::vector<std::uint32_t> corners; // #levels by #edges: the vertex of a sector at a level
+
+    std::uint32_t corner(std::size_t level, std::size_t sector) const
+    {
+        return corners[level * edges.size() + sector];
+    }
+    std::size_t edge_number(std::uint32_t edge) const; // 0 .. #edges - 1
+    std::size_t level_number(int depth) const;
+};
+
+struct SlitGraph {
+    std::vector<SlitEdge> edges;
+    std::vector<SlitNode> nodes;
+    KeyMap node_of_point;
+};
+
+// The slit edges of runs with depths, and their nodes, whose edges are in no order yet. No floor
+// hangs free: the deepest floor of a node belongs to two edges at least. Edges without depth are
+// left out. `step` is the depth of one step; floors nearer than `alike` steps become one.
+SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
+                   std::span<const Incision> incisions, const Drawing& drawing,
+                   const Inward& inward, double step, int alike);
+
+} // namespace trivar

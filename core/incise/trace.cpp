@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace trivar {
+namespace {
+
+using On = LatticePoint::On;
+
+constexpr double attached = 0.15;  // of the mean side of a triangle: points nearer become one
+constexpr double least_bend = 0.1; // of the shortest side: a point nearer to its chord is not drawn
+constexpr double hook = -0.2;      // cosine of the turn at an end that is a slip of the hand
+constexpr int most_steps = 2000;   // across triangles, from one place to the next
+constexpr std::size_t most_tries = 20000; // points that are looked at for a way along edges
+
+glm::dvec3 unit_or_zero_of(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
+double cosine(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return glm::dot(a, b) / (glm::length(a) * glm::length(b) + 1e-300);
+}
+
+class Tracer {
+public:
+    explicit Tracer(const Drawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
+
+    Traced operator()(std::span<const SkinPlace> places)
+    {
+        std::vector<LatticePoint> hits;
+        for (const SkinPlace& place : places) {
+            const LatticePoint p = attach(nearest_lattice_point(skin_, place));
+            if (hits.empty() || !(hits.back() == p)) hits.push_back(p);
+        }
+        if (hits.size() < 2) return refused("it is shorter than a step of the surface");
+        chain_.points = {hits.front()};
+        for (std::size_t i = 1; i < hits.size(); ++i) {
+            if (walk(hits[i]) || walk_along_edges(hits[i])) continue;
+            return refused("its points lie on parts of the surface that are not joined");
+        }
+        for (const LatticePoint& p : chain_.points)
+            if (const char* const why = unsound(p)) return refused(why);
+        drop_hooks();
+        drop_points_on_chords();
+        if (chain_.points.size() == 2 && !halve())
+            return refused("it is shorter than a step of the surface");
+        if (chain_.points.size() < 3) return refused("it is shorter than a step of the surface");
+        return {std::move(chain_), {}};
+    }
+
+private:
+    static Traced refused(const char* why) { return {{}, why}; }
+    glm::dvec3 at(const LatticePoint& p) const { return position(skin_, p); }
+    glm::dvec3 corner(std::uint32_t t, int i) const { return skin_.position(skin_.triangle(t)[i]); }
+    double side_length(std::uint32_t side) const
+    {
+        return glm::distance(skin_.position(skin_.from(side)), skin_.position(skin_.to(side)));
+    }
+
+    LatticePoint attach(const LatticePoint& p) const
+    {
+        LatticePoint nearest = p;
+        const glm::dvec3 x = at(p);
+        double least = 1e300;
+        for (const std::uint32_t t : triangles_round(skin_, p)) {
+            double sides = 0;
+            for (std::uint32_t i = 0; i < 3; ++i) sides += side_length(3 * t + i);
+            const double within = attached * sides / 3;
+            const auto look = [&](std::uint32_t number) {
+                const double away = glm::distance(drawing_.position(number), x);
+                if (away >= std::min(least, within)) return;
+                least = away;
+                nearest = drawing_.point(number);
+            };
+            for (std::uint32_t i = 0; i < 3; ++i)
+                if (const auto* on = drawing_.on_edge(skin_.edge(3 * t + i)))
+                    for (const Drawing::OnEdge& each : *on) look(each.point);
+            if (const auto* on = drawing_.on_triangle(t)) {
+                for (const std::uint32_t number : on->points) look(number);
+                for (const std::uint32_t s : on->segments) // those that are points of the skin
+                    for (const std::uint32_t number :
+                         {drawing_.segments()[s].a, drawing_.segments()[s].b})
+                        look(number);
+            }
+        }
+        return nearest;
+    }
+
+    glm::dvec3 normal_at(const LatticePoint& p) const
+    {
+        glm::dvec3 sum(0);
+        for (const std::uint32_t t : triangles_round(skin_, p))
+            sum += unit_or_zero_of(skin_.area_normal(t));
+        return unit_or_zero_of(sum);
+    }
+
+    // The point at which the plane leaves a side, `share` of the way along it.
+    LatticePoint exit_at(std::uint32_t side, double share) const
+    {
+        std::uint32_t lo = skin_.from(side), hi = skin_.to(side);
+        if (lo > hi) {
+            std::swap(lo, hi);
+            share = 1 - share;
+        }
+        int steps = static_cast<int>(std::lround(share * lattice_steps));
+        if (const auto* on = drawing_.on_edge(skin_.edge(side))) {
+            const double step = side_length(side) / lattice_steps;
+            double least = attached * side_length(side);
+            const int asked = steps;
+            for (const Drawing::OnEdge& each : *on) {
+                const double away = std::abs(each.steps - asked) * step;
+                if (away >= least) continue;
+                least = away;
+                steps = each.steps;
+            }
+        }
+        if (steps <= 0) return {On::point, lo, 0, 0};
+        if (steps >= lattice_steps) return {On::point, hi, 0, 0};
+        return {On::edge, skin_.edge(side), steps, 0};
+    }
+
+    bool walk(const LatticePoint& to)
+    {
+        const LatticePoint from = chain_.points.back();
+        const std::size_t points = chain_.points.size(), triangles = chain_.triangles.size();
+        const glm::dvec3 a = at(from), d = at(to) - a;
+        const glm::dvec3 across = glm::cross(d, normal_at(from) + normal_at(to));
+        LatticePoint x = from;
+        std::uint32_t last = Skin::none;
+        std::vector<LatticePoint> seen{from};
+        for (int step = 0; step < most_steps; ++step) {
+            const std::vector<std::uint32_t> round = triangles_round(skin_, x);
+            for (const std::uint32_t t : round)
+                if (weights_in(skin_, to, t)) {
+                    chain_.points.push_back(to);
+                    chain_.triangles.push_back(t);
+                    return true;
+                }
+            double best = 0;
+            LatticePoint next;
+            std::uint32_t through = Skin::none;
+            for (const std::uint32_t t : round) {
+                if (t == last && x.on == On::edge) continue;
+                for (std::uint32_t i = 0; i < 3; ++i) {
+                    const std::uint32_t side = 3 * t + i, u = skin_.from(side), v = skin_.to(side);
+                    if (x.on == On::point && (x.index == u || x.index == v)) continue;
+                    if (x.on == On::edge && x.index == skin_.edge(side)) continue;
+                    const double h_u = glm::dot(across, skin_.position(u) - a);
+                    const double h_v = glm::dot(across, skin_.position(v) - a);
+                    if ((h_u < 0) == (h_v < 0)) continue;
+                    const LatticePoint y = exit_at(side, h_u / (h_u - h_v));
+                    const double ahead = cosine(at(y) - at(x), d);
+                    if (!(ahead > best) || std::ranges::count(seen, y) > 0) continue;
+                    best = ahead;
+                    next = y;
+                    through = t;
+                }
+            }
+            if (through == Skin::none) break;
+            chain_.points.push_back(next);
+            chain_.triangles.push_back(through);
+            seen.push_back(next);
+            x = next;
+            last = through;
+        }
+        chain_.points.resize(points);
+        chain_.triangles.resize(triangles);
+        return false;
+    }
+
+    // Where the plane loses its aim: the shortest way along edges.
+    bool walk_along_edges(const LatticePoint& to)
+    {
+        struct Open {
+            double far;
+            std::uint32_t number;
+            bool operator<(const Open& o) const
+            {
+                return far != o.far ? far > o.far : number > o.number;
+            }
+        };
+        struct Reached {
+            std::uint32_t point, before;
+            double far;
+            bool done = false;
+        };
+        std::priority_queue<Open> open;
+        std::vector<Reached> reached;
+        KeyMap number_of;
+        const glm::dvec3 goal = at(to), start = at(chain_.points.back());
+        const auto reach = [&](std::uint32_t point, std::uint32_t before, double far) {
+            const auto [number, fresh] = number_of.number(point);
+            if (fresh)
+                reached.push_back({point, before, far});
+            else if (far < reached[number].far)
+                reached[number] = {point, before, far, reached[number].done};
+            else
+                return;
+            open.push({far + glm::distance(goal, skin_.position(point)), number});
+        };
+        KeyMap ends;
+        for (const std::uint32_t t : triangles_round(skin_, to))
+            for (int i = 0; i < 3; ++i) ends.number(skin_.triangle(t)[i]);
+        for (const std::uint32_t t : triangles_round(skin_, chain_.points.back()))
+            for (int i = 0; i < 3; ++i)
+                reach(skin_.triangle(t)[i], KeyMap::none, glm::distance(start, corner(t, i)));
+        std::uint32_t end = KeyMap::none;
+        for (std::size_t tries = 0; !open.empty() && tries < most_tries; ++tries) {
+            const std::uint32_t number = open.top().number;
+            open.pop();
+            if (reached[number].done) continue;
+            reached[number].done = true;
+            const std::uint32_t point = reached[number].point;
+            if (ends.contains(point)) {
+                end = number;
+                break;
+            }
+            const double far = reached[number].far;
+            skin_.around(point, [&](std::uint32_t side) {
+                for (const std::uint32_t other : {skin_.to(side), skin_.from(skin_.previous(side))})
+                    reach(other, number,
+                          far + glm::distance(skin_.position(point), skin_.position(other)));
+            });
+        }
+        if (end == KeyMap::none) return false;
+        std::vector<LatticePoint> way;
+        for (std::uint32_t i = end; i != KeyMap::none; i = reached[i].before)
+            way.push_back({On::point, reached[i].point, 0, 0});
+        std::ranges::reverse(way);
+        way.push_back(to);
+        for (const LatticePoint& p : way)
+            if (!append(p)) return false;
+        return true;
+    }
+    bool append(const LatticePoint& p)
+    {
+        if (p == chain_.points.back()) return true;
+        for (const std::uint32_t t : triangles_round(skin_, chain_.points.back()))
+            if (weights_in(skin_, p, t)) {
+                chain_.points.push_back(p);
+                chain_.triangles.push_back(t);
+                return true;
+            }
+        return false;
+    }
+
+    const char* unsound(const LatticePoint& p) const
+    {
+        Skin::Soundness worst = Skin::Soundness::sound;
+        for (const std::uint32_t t : triangles_round(skin_, p))
+            for (int i = 0; i < 3; ++i)
+                worst = std::max(worst, skin_.soundness(skin_.triangle(t)[i]));
+        if (worst == Skin::Soundness::border) return "it touches an open border of the surface";
+        if (worst == Skin::Soundness::tangled)
+            return "it runs over faces that share an edge or a point in more than one way";
+        return nullptr;
+    }
+
+    double cosine_at(std::size_t i) const
+    {
+        const auto& p = chain_.points;
+        return cosine(at(p[i]) - at(p[i - 1]), at(p[i + 1]) - at(p[i]));
+    }
+    void drop_hooks()
+    {
+        auto& [points, triangles] = chain_;
+        while (points.size() > 3 && cosine_at(1) < hook) {
+            points.erase(points.begin());
+            triangles.erase(triangles.begin());
+        }
+        while (points.size() > 3 && cosine_at(points.size() - 2) < hook) {
+            points.pop_back();
+            triangles.pop_back();
+        }
+    }
+    // Points inside a triangle that hardly bend the line make slivers, not shape.
+    void drop_points_on_chords()
+    {
+        auto& [points, triangles] = chain_;
+        for (std::size_t i = 1; i + 1 < points.size();) {
+            const auto k = static_cast<std::ptrdiff_t>(i);
+            if (points[i].on == On::triangle && triangles[i - 1] == triangles[i] &&
+                !(points[i - 1] == points[i + 1])) {
+                const glm::dvec3 a = at(points[i - 1]), d = at(points[i + 1]) - a,
+                                 x = at(points[i]);
+                const double t = std::clamp(glm::dot(x - a, d) / glm::dot(d, d), 0.0, 1.0);
+                const std::uint32_t side = 3 * triangles[i];
+                const double shortest =
+                    std::min({side_length(side), side_length(side + 1), side_length(side + 2)});
+                if (glm::distance(x, a + t * d) < least_bend * shortest) {
+                    points.erase(points.begin() + k);
+                    triangles.erase(triangles.begin() + k);
+                    continue;
+                }
+            }
+            ++i;
+        }
+    }
+    // A single segment gets a point in its middle, which can open.
+    bool halve()
+    {
+        auto& [points, triangles] = chain_;
+        const std::uint32_t t = triangles[0];
+        const auto a = weights_in(skin_, points[0], t), b = weights_in(skin_, points[1], t);
+        const LatticePoint middle = lattice_point(skin_, t, (*a + *b) / 2);
+        if (middle == points[0] || middle == points[1]) return false;
+        points.insert(points.begin() + 1, middle);
+        triangles.push_back(t);
+        return true;
+    }
+
+    const Drawing& drawing_;
+    const Skin& skin_;
+    DrawnChain chain_;
+};
+
+} // namespace
+
+Traced trace(const Drawing& drawing, std::span<const SkinPlace> places)
+{
+    return Tracer(drawing)(places);
+}
+
+} // namespace trivar
