@@ -18,7 +18,7 @@ glm::dvec3 unit_or_null(const glm::dvec3& v)
 
 } // namespace
 
-CutCurve::CutCurve(const CutRun& run, const Drawing& drawing, const Inward& inward, double width)
+CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward, double width)
 {
     std::vector<glm::dvec3> up;
     for (const CutRun::At& at : run.at) {

@@ -10,7 +10,7 @@ namespace trivar {
 class CutCurve {
 public:
     // `width` is that of the widest gap: the direction along the cut is taken over such a length.
-    CutCurve(const CutRun& run, const Drawing& drawing, const Inward& inward, double width);
+    CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward, double width);
 
     struct Foot {
         std::size_t segment;

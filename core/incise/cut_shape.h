@@ -7,7 +7,7 @@ namespace trivar {
 
 // A CutShape is everything that is known of cuts in a skin: what the passes of incise() found.
 struct CutShape {
-    const Drawing& drawing;
+    const CutDrawing& drawing;
     const Inward& inward;
     double step; // depth of one of depth_steps
     std::vector<CutRun> runs;

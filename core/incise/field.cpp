@@ -89,7 +89,7 @@ double share_at_depth(const Incision& incision, double depth)
 }
 
 struct FieldOfPiece {
-    const Drawing& drawing;
+    const CutDrawing& drawing;
     const CutPatch& patch;
     const SlitGraph& graph;
     const Neighbours& neighbours;
@@ -163,7 +163,7 @@ private:
 
     void flood()
     {
-        const Skin& skin = drawing.skin();
+        const CutSkin& skin = drawing.skin();
         std::size_t first = 0, last = curve.segment_count() - 1;
         while (first < last && curve.s(first + 1) < piece.begin) ++first;
         while (last > first && curve.s(last) > piece.end) --last;
@@ -211,7 +211,7 @@ private:
             skin.around(at.point, [&](std::uint32_t side) {
                 if (local != KeyMap::none && patch.replaces(side / 3)) return;
                 accept(skin.to(side), at.segment, at.side, false);
-                accept(skin.from(Skin::previous(side)), at.segment, at.side, false);
+                accept(skin.from(CutSkin::previous(side)), at.segment, at.side, false);
             });
         }
     }
@@ -248,9 +248,9 @@ private:
 
 } // namespace
 
-std::vector<CutTerm> field_of(const Drawing& drawing, const CutPatch& patch, const SlitGraph& graph,
-                              const CutWalls& walls, const std::vector<CutRun>& runs,
-                              const std::vector<CutPiece>& pieces,
+std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
+                              const SlitGraph& graph, const CutWalls& walls,
+                              const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
                               std::span<const Incision> incisions, const Inward& inward,
                               double step)
 {

@@ -18,9 +18,9 @@ struct CutTerm {
 // skin moves to that side, across the cut; less with the distance from it, with the depth below the
 // skin and towards the ends. Sides at the slit come from the sectors, and elsewhere from a flood
 // that starts there. In parallel by pieces; the same terms for any number of threads.
-std::vector<CutTerm> field_of(const Drawing& drawing, const CutPatch& patch, const SlitGraph& graph,
-                              const CutWalls& walls, const std::vector<CutRun>& runs,
-                              const std::vector<CutPiece>& pieces,
+std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
+                              const SlitGraph& graph, const CutWalls& walls,
+                              const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
                               std::span<const Incision> incisions, const Inward& inward,
                               double step);
 

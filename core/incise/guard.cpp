@@ -144,7 +144,7 @@ private:
 
 CutGuard::CutGuard(const CutShape& shape)
 {
-    const Skin& skin = shape.drawing.skin();
+    const CutSkin& skin = shape.drawing.skin();
     KeyMap local;
     std::vector<std::uint32_t> vertices;
     const auto number = [&](std::uint32_t vertex) {

@@ -29,7 +29,7 @@ const char* unfit(const Incision& incision)
 }
 
 // Where a stroke meets the skin; empty, with a sentence, where it leaves it.
-std::vector<SkinPlace> places_of(const Skin& skin, const Incision& incision, double reach,
+std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, double reach,
                                  std::string& refusal)
 {
     std::vector<SkinPlace> out;
@@ -44,10 +44,10 @@ std::vector<SkinPlace> places_of(const Skin& skin, const Incision& incision, dou
 }
 
 // The drawing of all strokes that can be drawn. Which incision each is of goes to `incisions`.
-Drawing drawn(const Skin& skin, std::span<const Incision> all, const InciseOptions& options,
-              std::vector<IncisedMesh::Outcome>& outcomes, std::vector<std::uint32_t>& incisions)
+CutDrawing drawn(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options,
+                 std::vector<IncisedMesh::Outcome>& outcomes, std::vector<std::uint32_t>& incisions)
 {
-    Drawing drawing(skin);
+    CutDrawing drawing(skin);
     for (std::uint32_t k = 0; k < all.size(); ++k) {
         std::string& refusal = outcomes[k].refusal;
         if (const char* const why = unfit(all[k])) {
@@ -69,7 +69,7 @@ Drawing drawn(const Skin& skin, std::span<const Incision> all, const InciseOptio
 
 // Incisions no wider than the body lets them be.
 std::vector<Incision> limited(std::span<const Incision> all, const std::vector<CutRun>& runs,
-                              const Drawing& drawing, const Inward& inward)
+                              const CutDrawing& drawing, const Inward& inward)
 {
     std::vector<Incision> out(all.begin(), all.end());
     const auto thickness = thickness_below(runs, drawing, inward);
@@ -83,13 +83,13 @@ std::vector<Incision> limited(std::span<const Incision> all, const std::vector<C
 
 } // namespace
 
-IncisedMesh incise(const Skin& skin, std::span<const Incision> all, const InciseOptions& options)
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
 {
     IncisedMesh out;
     out.original = out.rest = skin.mesh();
     out.outcomes.resize(all.size());
     std::vector<std::uint32_t> incision_of_stroke;
-    const Drawing drawing = drawn(skin, all, options, out.outcomes, incision_of_stroke);
+    const CutDrawing drawing = drawn(skin, all, options, out.outcomes, incision_of_stroke);
     if (drawing.stroke_count() == 0) return out;
 
     const std::vector<CutRun> runs = runs_of(drawing, incision_of_stroke);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/incise/cut_skin.h"
 #include "core/incise/incision.h"
-#include "core/incise/skin.h"
 
 #include <string>
 
@@ -44,7 +44,7 @@ struct IncisedMesh {
 // of the mesh keep their numbers and bits. Costs what the region of the cuts costs, and one copy of
 // the arrays. The same bits for any number of threads.
 //   Base: the room's page docs/incise.md tells the steps.
-IncisedMesh incise(const Skin& skin, std::span<const Incision> incisions,
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
 
 // Where the vertices that move are at some openings, one for each incision, and the normals of the
@@ -53,9 +53,10 @@ struct OpenedVertices {
     std::vector<glm::vec3> positions;    // by IncisedMesh::moved
     std::vector<glm::vec3> wall_normals; // from first_wall_vertex on
 };
-OpenedVertices opened_vertices(const IncisedMesh& incised, std::span<const Opening> openings);
+OpenedVertices opened_vertices(const IncisedMesh& incised,
+                               std::span<const IncisionOpening> openings);
 
 // The whole mesh at some openings; the original itself while all are shut.
-Ref<Mesh> opened(const IncisedMesh& incised, std::span<const Opening> openings);
+Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings);
 
 } // namespace trivar

@@ -123,14 +123,14 @@ private:
     // The vertices at both ends of an edge as one of its sides sees them, the lower point's first.
     glm::uvec2 ends_of(std::uint32_t side) const
     {
-        const glm::uvec2 ends(mesh_vertex(side), mesh_vertex(Skin::next(side)));
+        const glm::uvec2 ends(mesh_vertex(side), mesh_vertex(CutSkin::next(side)));
         return skin_.from(side) < skin_.to(side) ? ends : glm::uvec2(ends.y, ends.x);
     }
     // The side of a point's edge whose attributes it has in a triangle: the lower one but at seams.
     std::uint32_t side_seen_from(const LatticePoint& p, std::uint32_t triangle) const
     {
         const std::uint32_t other = skin_.across(p.index);
-        if (other == Skin::none || other / 3 != triangle) return p.index;
+        if (other == CutSkin::none || other / 3 != triangle) return p.index;
         return ends_of(other) == ends_of(p.index) ? p.index : other;
     }
 
@@ -264,7 +264,7 @@ private:
             bool whole = true;
             const std::uint32_t to = mesh_.point(crease.b);
             skin_.around(mesh_.point(crease.a), [&](std::uint32_t side) {
-                for (const std::uint32_t each : {side, Skin::previous(side)})
+                for (const std::uint32_t each : {side, CutSkin::previous(side)})
                     if ((skin_.to(each) == to || skin_.from(each) == to) &&
                         shape_.drawing.on_edge(skin_.edge(each)))
                         whole = false;
@@ -299,7 +299,7 @@ private:
     }
 
     const CutShape& shape_;
-    const Skin& skin_;
+    const CutSkin& skin_;
     std::span<const Incision> incisions_;
     const Mesh& mesh_;
     std::uint32_t first_new_;

@@ -40,7 +40,7 @@ double value_at(const CutProfile& profile, double x)
     return ends * std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
 
-double share_at(const Opening& opening, double x)
+double share_at(const IncisionOpening& opening, double x)
 {
     const double behind = opening.from > 0 ? smooth_step((x - opening.from) / blade_taper) : 1;
     const double before = opening.to < 1 ? smooth_step((opening.to - x) / blade_taper) : 1;

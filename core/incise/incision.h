@@ -32,15 +32,15 @@ struct Incision {
     bool operator==(const Incision&) const = default;
 };
 
-// An Opening is the state of an incision at a time; nothing of the topology depends on it.
-struct Opening {
+// An IncisionOpening is the state of an incision at a time; nothing of the topology depends on it.
+struct IncisionOpening {
     double share = 1;        // of the width: 0 shut, 1 quite open
     double from = 0, to = 1; // shares of the length between which the blade has passed
-    bool operator==(const Opening&) const = default;
+    bool operator==(const IncisionOpening&) const = default;
 };
 
 // What of the opening there is at x, the share of the length: from 0 to 1, with soft ends.
-double share_at(const Opening& opening, double x);
+double share_at(const IncisionOpening& opening, double x);
 
 // A WallLayer is the material of the walls above a depth and below that of the layer before.
 struct WallLayer {

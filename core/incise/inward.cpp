@@ -21,7 +21,7 @@ glm::dvec3 unit_or_none(const glm::dvec3& v)
 
 } // namespace
 
-Inward::Inward(const Skin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
+Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
 {
     std::vector<std::uint32_t> points;
     const auto put = [&](std::uint32_t p) {
@@ -36,7 +36,7 @@ Inward::Inward(const Skin& skin, std::span<const std::uint32_t> triangles) : ski
         for (; ring < end; ++ring)
             skin.around(points[ring], [&](std::uint32_t side) {
                 put(skin.to(side));
-                put(skin.from(Skin::previous(side)));
+                put(skin.from(CutSkin::previous(side)));
             });
     }
     std::vector<glm::dvec3> now, next(points.size());

@@ -12,7 +12,7 @@ namespace trivar {
 class Inward {
 public:
     // For the corners of some triangles. O(#triangles and their rings).
-    Inward(const Skin& skin, std::span<const std::uint32_t> triangles);
+    Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles);
 
     // Unit, at a point of these triangles; elsewhere the normal.
     glm::dvec3 outward(std::uint32_t point) const;
@@ -30,7 +30,7 @@ private:
     };
     void turn_to_faces(std::uint32_t point, Direction& d) const;
 
-    const Skin* skin_;
+    const CutSkin* skin_;
     KeyMap number_;
     std::vector<Direction> directions_;
 };

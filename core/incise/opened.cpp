@@ -6,13 +6,14 @@
 
 namespace trivar {
 
-OpenedVertices opened_vertices(const IncisedMesh& incised, std::span<const Opening> openings)
+OpenedVertices opened_vertices(const IncisedMesh& incised,
+                               std::span<const IncisionOpening> openings)
 {
     assert(openings.size() == incised.outcomes.size());
     const Mesh& rest = *incised.rest;
     std::vector<glm::dvec3> moves(incised.slots, glm::dvec3(0));
     for (const IncisedMesh::Term& term : incised.terms) {
-        const Opening& opening = openings[term.incision];
+        const IncisionOpening& opening = openings[term.incision];
         const bool whole = opening.from <= 0 && opening.to >= 1;
         const double share = whole ? opening.share : share_at(opening, term.share);
         moves[term.slot] += share * incised.outcomes[term.incision].widest * glm::dvec3(term.move);
@@ -42,7 +43,7 @@ OpenedVertices opened_vertices(const IncisedMesh& incised, std::span<const Openi
     return out;
 }
 
-Ref<Mesh> opened(const IncisedMesh& incised, std::span<const Opening> openings)
+Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings)
 {
     bool open = false;
     for (std::size_t k = 0; k < openings.size(); ++k)

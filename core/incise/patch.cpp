@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 // Adds all triangles of the faces that have one of `triangles`.
-void complete_faces(const Skin& skin, std::vector<std::uint32_t>& triangles)
+void complete_faces(const CutSkin& skin, std::vector<std::uint32_t>& triangles)
 {
     const std::span<const std::uint32_t> faces = skin.faces();
     const std::size_t given = triangles.size();
@@ -61,9 +61,9 @@ bool CutPatch::replaces(std::uint32_t triangle) const
     return std::ranges::binary_search(replaced, triangle);
 }
 
-CutPatch patch_of(const Drawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph)
+CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph)
 {
-    const Skin& skin = drawing.skin();
+    const CutSkin& skin = drawing.skin();
     CutPatch patch;
     patch.triangles = std::move(pieces);
     for (const SkinTriangle& piece : patch.triangles)

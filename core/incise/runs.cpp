@@ -14,16 +14,16 @@ constexpr double least_overlap = 1e-9;      // of the length
 
 } // namespace
 
-std::vector<CutRun> runs_of(const Drawing& drawing, std::span<const std::uint32_t> incisions)
+std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions)
 {
-    std::vector<std::vector<Drawing::Segment>> segments(drawing.stroke_count());
-    for (const Drawing::Segment& g : drawing.segments())
+    std::vector<std::vector<CutDrawing::Segment>> segments(drawing.stroke_count());
+    for (const CutDrawing::Segment& g : drawing.segments())
         if (g.a != g.b) segments[g.stroke].push_back(g);
     std::vector<CutRun> out;
     for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
         std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
         CutRun run{incisions[k], drawing.length(k), {}};
-        for (const Drawing::Segment& g : segments[k]) {
+        for (const CutDrawing::Segment& g : segments[k]) {
             if (run.at.empty()) run.at.push_back({g.a, g.s_a});
             run.at.push_back({g.b, g.s_b});
         }
@@ -33,7 +33,7 @@ std::vector<CutRun> runs_of(const Drawing& drawing, std::span<const std::uint32_
 }
 
 std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
-                                                 const Drawing& drawing, const Inward& inward)
+                                                 const CutDrawing& drawing, const Inward& inward)
 {
     std::vector<Ray> rays;
     for (const CutRun& run : runs)
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs
     return out;
 }
 
-void set_depths(std::vector<CutRun>& runs, const Drawing& drawing, const Inward& inward,
+void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
                 std::span<const Incision> incisions, double scale)
 {
     double deepest = 0;
@@ -104,7 +104,7 @@ double CutPiece::weight(double s) const
     return std::clamp(w, 0.0, 1.0);
 }
 
-std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const Drawing& drawing)
+std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawing& drawing)
 {
     std::vector<CutPiece> out;
     for (std::uint32_t k = 0; k < runs.size(); ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/drawing.h"
+#include "core/incise/cut_drawing.h"
 #include "core/incise/incision.h"
 #include "core/incise/inward.h"
 
@@ -18,17 +18,17 @@ struct CutRun {
     double length = 0;
     std::vector<At> at;
 };
-std::vector<CutRun> runs_of(const Drawing& drawing, std::span<const std::uint32_t> incisions);
+std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions);
 
 // Gives the runs their depth at each point: that of the profile, within what the skin's curvature
 // and the body's thickness let be, without steep steps. All depths come times `scale`.
-void set_depths(std::vector<CutRun>& runs, const Drawing& drawing, const Inward& inward,
+void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
                 std::span<const Incision> incisions, double scale);
 double depth_at(const CutRun& run, double s);
 
 // The least thickness of the body below the points of each run, along `inward`.
 std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
-                                                 const Drawing& drawing, const Inward& inward);
+                                                 const CutDrawing& drawing, const Inward& inward);
 
 // A CutPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
 // overlap: the weight of each rises from `begin` to `full_from` and falls from `full_to` to `end`,
@@ -38,6 +38,6 @@ struct CutPiece {
     double begin, end, full_from, full_to;
     double weight(double s) const;
 };
-std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const Drawing& drawing);
+std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawing& drawing);
 
 } // namespace trivar

@@ -93,7 +93,8 @@ void unite_floors(std::vector<SlitEdge>& edges, int alike)
 }
 
 // A wall that ended alone in its depth would hang free: both its sides would be one column.
-bool lower_free_floors(std::vector<SlitEdge>& edges, const Drawing& drawing, const Inward& inward)
+bool lower_free_floors(std::vector<SlitEdge>& edges, const CutDrawing& drawing,
+                       const Inward& inward)
 {
     bool changed = false;
     const EdgeEnds all(edges);
@@ -129,7 +130,7 @@ std::size_t SlitNode::level_number(int depth) const
 }
 
 SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                   std::span<const Incision> incisions, const Drawing& drawing,
+                   std::span<const Incision> incisions, const CutDrawing& drawing,
                    const Inward& inward, double step, int alike)
 {
     SlitGraph graph;

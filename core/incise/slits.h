@@ -53,7 +53,7 @@ struct SlitGraph {
 // hangs free: the deepest floor of a node belongs to two edges at least. Edges without depth are
 // left out. `step` is the depth of one step; floors nearer than `alike` steps become one.
 SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                   std::span<const Incision> incisions, const Drawing& drawing,
+                   std::span<const Incision> incisions, const CutDrawing& drawing,
                    const Inward& inward, double step, int alike);
 
 } // namespace trivar

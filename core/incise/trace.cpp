@@ -29,7 +29,7 @@ double cosine(const glm::dvec3& a, const glm::dvec3& b)
 
 class Tracer {
 public:
-    explicit Tracer(const Drawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
+    explicit Tracer(const CutDrawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
 
     Traced operator()(std::span<const SkinPlace> places)
     {
@@ -80,7 +80,7 @@ private:
             };
             for (std::uint32_t i = 0; i < 3; ++i)
                 if (const auto* on = drawing_.on_edge(skin_.edge(3 * t + i)))
-                    for (const Drawing::OnEdge& each : *on) look(each.point);
+                    for (const CutDrawing::OnEdge& each : *on) look(each.point);
             if (const auto* on = drawing_.on_triangle(t)) {
                 for (const std::uint32_t number : on->points) look(number);
                 for (const std::uint32_t s : on->segments) // those that are points of the skin
@@ -113,7 +113,7 @@ private:
             const double step = side_length(side) / lattice_steps;
             double least = attached * side_length(side);
             const int asked = steps;
-            for (const Drawing::OnEdge& each : *on) {
+            for (const CutDrawing::OnEdge& each : *on) {
                 const double away = std::abs(each.steps - asked) * step;
                 if (away >= least) continue;
                 least = away;
@@ -132,7 +132,7 @@ private:
         const glm::dvec3 a = at(from), d = at(to) - a;
         const glm::dvec3 across = glm::cross(d, normal_at(from) + normal_at(to));
         LatticePoint x = from;
-        std::uint32_t last = Skin::none;
+        std::uint32_t last = CutSkin::none;
         std::vector<LatticePoint> seen{from};
         for (int step = 0; step < most_steps; ++step) {
             const std::vector<std::uint32_t> round = triangles_round(skin_, x);
@@ -144,7 +144,7 @@ private:
                 }
             double best = 0;
             LatticePoint next;
-            std::uint32_t through = Skin::none;
+            std::uint32_t through = CutSkin::none;
             for (const std::uint32_t t : round) {
                 if (t == last && x.on == On::edge) continue;
                 for (std::uint32_t i = 0; i < 3; ++i) {
@@ -162,7 +162,7 @@ private:
                     through = t;
                 }
             }
-            if (through == Skin::none) break;
+            if (through == CutSkin::none) break;
             chain_.points.push_back(next);
             chain_.triangles.push_back(through);
             seen.push_back(next);
@@ -252,12 +252,12 @@ private:
 
     const char* unsound(const LatticePoint& p) const
     {
-        Skin::Soundness worst = Skin::Soundness::sound;
+        CutSkin::Soundness worst = CutSkin::Soundness::sound;
         for (const std::uint32_t t : triangles_round(skin_, p))
             for (int i = 0; i < 3; ++i)
                 worst = std::max(worst, skin_.soundness(skin_.triangle(t)[i]));
-        if (worst == Skin::Soundness::border) return "it touches an open border of the surface";
-        if (worst == Skin::Soundness::tangled)
+        if (worst == CutSkin::Soundness::border) return "it touches an open border of the surface";
+        if (worst == CutSkin::Soundness::tangled)
             return "it runs over faces that share an edge or a point in more than one way";
         return nullptr;
     }
@@ -315,14 +315,14 @@ private:
         return true;
     }
 
-    const Drawing& drawing_;
-    const Skin& skin_;
+    const CutDrawing& drawing_;
+    const CutSkin& skin_;
     DrawnChain chain_;
 };
 
 } // namespace
 
-Traced trace(const Drawing& drawing, std::span<const SkinPlace> places)
+Traced trace(const CutDrawing& drawing, std::span<const SkinPlace> places)
 {
     return Tracer(drawing)(places);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/drawing.h"
+#include "core/incise/cut_drawing.h"
 
 #include <string>
 
@@ -15,6 +15,6 @@ struct Traced {
 // Draws a line over the skin through places in their order: between two of them in the plane
 // through both and their mean normal. Points near points that are drawn already become these: so
 // strokes join, and such as run over each other share their edges.
-Traced trace(const Drawing& drawing, std::span<const SkinPlace> places);
+Traced trace(const CutDrawing& drawing, std::span<const SkinPlace> places);
 
 } // namespace trivar

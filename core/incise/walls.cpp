@@ -9,7 +9,7 @@ namespace {
 
 class WallBuilder {
 public:
-    WallBuilder(const Drawing& drawing, const CutPatch& patch, SlitGraph& graph,
+    WallBuilder(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph,
                 std::span<const int> borders)
         : first_made_(static_cast<std::uint32_t>(drawing.point_count())),
           patch_(patch),
@@ -201,7 +201,7 @@ private:
 
 } // namespace
 
-CutWalls walls_of(const Drawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
+CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
                   std::span<const int> borders)
 {
     return WallBuilder(drawing, patch, graph, borders)(rows);

@@ -43,10 +43,10 @@ struct CutWalls {
 };
 
 // The patch of a drawing and of the nodes of a graph, whose edges it puts in order.
-CutPatch patch_of(const Drawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph);
+CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph);
 
 // `rows` levels below a node at least; `borders`: depths between layers, ascending, in steps.
-CutWalls walls_of(const Drawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
+CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
                   std::span<const int> borders);
 
 } // namespace trivar

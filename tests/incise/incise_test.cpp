@@ -17,7 +17,7 @@ Mesh welded_by_place(Mesh mesh)
 
 TEST(Incise, CutsASphere)
 {
-    const Skin skin(
+    const CutSkin skin(
         std::make_shared<const RayMesh>(make_ref(welded_by_place(sphere_mesh(1, 48, 24)))));
     Incision cut;
     for (int i = 0; i <= 20; ++i) {
@@ -29,7 +29,7 @@ TEST(Incise, CutsASphere)
     EXPECT_EQ(made.outcomes[0].refusal, "");
     EXPECT_GT(made.outcomes[0].widest, 0);
     EXPECT_NE(made.rest, made.original);
-    EXPECT_TRUE(is_closed_body(*opened(made, std::vector<Opening>(1))));
+    EXPECT_TRUE(is_closed_body(*opened(made, std::vector<IncisionOpening>(1))));
 }
 
 } // namespace

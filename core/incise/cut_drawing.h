@@ -12,9 +12,9 @@ struct DrawnChain {
     std::vector<std::uint32_t> triangles; // between each point and the next
 };
 
-// A Drawing is a graph of straight segments on a skin: all strokes of its cuts. Points have
-// numbers: those of the skin their own, others from Skin::point_count() on.
-class Drawing {
+// A CutDrawing is a graph of straight segments on a skin: all strokes of its cuts. Points have
+// numbers: those of the skin their own, others from CutSkin::point_count() on.
+class CutDrawing {
 public:
     struct Segment {
         std::uint32_t a, b, stroke;
@@ -30,8 +30,8 @@ public:
         auto operator<=>(const OnEdge&) const = default;
     };
 
-    explicit Drawing(const Skin& skin) : skin_(&skin) {}
-    const Skin& skin() const { return *skin_; }
+    explicit CutDrawing(const CutSkin& skin) : skin_(&skin) {}
+    const CutSkin& skin() const { return *skin_; }
 
     // Adds a chain as the next stroke and returns its number. Places that are none are left out.
     std::uint32_t add(const DrawnChain& chain);
@@ -61,7 +61,7 @@ private:
     bool split_at_points(std::uint32_t t);
     bool split_at_crossing(std::uint32_t t, std::vector<std::uint32_t>& others);
 
-    const Skin* skin_;
+    const CutSkin* skin_;
     std::vector<LatticePoint> points_; // by number from the skin's on
     std::vector<Segment> segments_;
     std::uint32_t strokes_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/skin.h"
+#include "core/incise/cut_skin.h"
 
 #include "core/base/finite.h"
 #include "core/mesh/adjacency.h"
@@ -32,7 +32,7 @@ SkinPlace place_in(const std::array<glm::dvec3, 3>& p, std::uint32_t t, const gl
 
 } // namespace
 
-Skin::Skin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays}})
+CutSkin::CutSkin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays}})
 {
     const Mesh& mesh = *mesh_;
     const std::size_t points =
@@ -80,7 +80,7 @@ Skin::Skin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays
     judge_points();
 }
 
-void Skin::judge_points()
+void CutSkin::judge_points()
 {
     std::vector<std::uint32_t> valence(positions_.size(), 0);
     normals_.assign(positions_.size(), glm::dvec3(0));
@@ -110,14 +110,14 @@ void Skin::judge_points()
     diagonal_ = glm::length(box.size());
 }
 
-glm::dvec3 Skin::area_normal(std::uint32_t t) const
+glm::dvec3 CutSkin::area_normal(std::uint32_t t) const
 {
     const glm::uvec3& p = triangles_[t];
     return glm::cross(positions_[p.y] - positions_[p.x], positions_[p.z] - positions_[p.x]);
 }
 
-std::vector<std::optional<SkinPlace>> Skin::locate(std::span<const SurfacePoint> points,
-                                                   double reach) const
+std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoint> points,
+                                                      double reach) const
 {
     std::vector<Ray> rays;
     for (const SurfacePoint& each : points) // from both sides toward the point, so that it is hit
@@ -143,7 +143,7 @@ std::vector<std::optional<SkinPlace>> Skin::locate(std::span<const SurfacePoint>
     return out;
 }
 
-std::vector<double> Skin::thickness(std::span<const Ray> rays) const
+std::vector<double> CutSkin::thickness(std::span<const Ray> rays) const
 {
     std::vector<Ray> below(rays.begin(), rays.end());
     const double skipped = least_thickness * usual_edge_;

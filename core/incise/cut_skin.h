@@ -10,22 +10,22 @@
 
 namespace trivar {
 
-// A SkinPlace is a point of a triangle of a Skin.
+// A SkinPlace is a point of a triangle of a CutSkin.
 struct SkinPlace {
     std::uint32_t triangle = 0;
     glm::dvec3 weights{1, 0, 0}; // of its corners; their sum is 1
 };
 
-// A Skin is a mesh made ready to be cut: its triangles between points of the surface, what lies
+// A CutSkin is a mesh made ready to be cut: its triangles between points of the surface, what lies
 // round each, and rays. It is made once for a mesh; a cut then costs what its region costs. Side
 // 3 t + i runs from corner i of triangle t to the next one. Triangles that repeat a point are left
 // out. Building costs O(#C log valence).
-class Skin {
+class CutSkin {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
     enum class Soundness : char { sound, border, tangled }; // tangled: not a disk round a point
 
-    explicit Skin(const Ref<RayMesh>& rays);
+    explicit CutSkin(const Ref<RayMesh>& rays);
 
     const Ref<Mesh>& mesh() const { return mesh_; }
     std::uint32_t point_count() const { return static_cast<std::uint32_t>(positions_.size()); }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/cut_skin.h"
+
+namespace trivar::testing {
+
+CutSkin skin_of(Mesh mesh); // vertices at one place are one point
+Mesh icosphere(int halvings);
+Mesh any_closed_primitive(std::size_t i); // 0, 1, ...: sphere, torus, box, cylinder, icosphere
+
+} // namespace trivar::testing

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/incise.h"
+
+namespace trivar::testing {
+
+// What is wrong with a cut mesh; all 0 for a sound one.
+struct CutFaults {
+    std::size_t open = 0;    // directed edges without an opposite one
+    std::size_t twice = 0;   // directed edges of two faces
+    std::size_t pinched = 0; // points round which faces are not one cycle
+    long euler = 0;          // change of the Euler number
+    std::size_t lost = 0;    // vertices of the original that no face uses any more
+    double volume = 0;       // change at rest, as a share of the cube of the diagonal
+    bool none() const { return open == 0 && twice == 0 && pinched == 0 && euler == 0 && lost == 0; }
+};
+
+// Counted over the whole mesh, without what the original has itself (rims of scans).
+CutFaults faults_of(const IncisedMesh& made);
+
+// Vertices of one point that do not have the same position to the bit.
+std::size_t copies_apart(const Mesh& mesh);
+
+} // namespace trivar::testing

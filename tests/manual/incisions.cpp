@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes random incisions, single ones and sets that cross in ten ways, and counts what is open,
+// doubled, pinched or lost, what was refused, and how often the guard narrowed an opening.
+// Arguments: sets, a seed, the share of single ones, the number of a set to look at alone, and a
+// folder of real models, where there is one.
+#include "core/base/rejected.h"
+#include "core/files/read_model.h"
+#include "tests/incise/bodies.h"
+#include "tests/incise/soundness.h"
+#include "tests/incise/strokes.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+
+namespace trivar::testing {
+namespace {
+
+struct Counts {
+    long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, shallower = 0, narrowed = 0,
+         shut = 0, apart = 0, thrown = 0;
+    double volume = 0, least = 1;
+    std::map<std::string, long> refusals;
+};
+
+void make(const CutSkin& skin, const std::string& body, const std::string& kind, long number,
+          const std::vector<Incision>& incisions, Counts& counts)
+{
+    ++counts.sets;
+    counts.incisions += static_cast<long>(incisions.size());
+    try {
+        const IncisedMesh made = incise(skin, incisions);
+        bool cut = false;
+        double widest = 1;
+        for (const IncisedMesh::Outcome& outcome : made.outcomes) {
+            if (!outcome.refusal.empty()) {
+                ++counts.refused;
+                ++counts.refusals[outcome.refusal];
+                continue;
+            }
+            cut = true;
+            widest = std::min(widest, outcome.widest);
+        }
+        if (!cut) return;
+        counts.narrowed += widest < 1;
+        counts.shut += widest < 0.02;
+        counts.least = std::min(counts.least, widest);
+        const CutFaults faults = faults_of(made);
+        counts.volume = std::max(counts.volume, std::abs(faults.volume));
+        if (!faults.none()) {
+            ++counts.faulty;
+            fmt::print("FAULTY {} {} #{}: open {} twice {} pinched {} euler {} lost {}\n", body,
+                       kind, number, faults.open, faults.twice, faults.pinched, faults.euler,
+                       faults.lost);
+        }
+        const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(incisions.size()));
+        counts.apart += copies_apart(*open) > 0 || copies_apart(*made.rest) > 0;
+        counts.off += opened(made, std::vector<IncisionOpening>(
+                                       incisions.size(), IncisionOpening{0, 0, 1})) != skin.mesh();
+    } catch (const std::exception& e) {
+        ++counts.thrown;
+        fmt::print("THROWN {} {} #{}: {}\n", body, kind, number, e.what());
+    }
+}
+
+void print(const std::string& kind, const Counts& c)
+{
+    fmt::print("{}: {} sets, {} incisions; refused {}; faulty {}, thrown {}, copies apart {}, "
+               "opening 0 not the original {}; volume at rest off by at most {:.1e}\n"
+               "  narrowed by the guard {} ({:.1f} %), least share {:.2f}, shut {}\n",
+               kind, c.sets, c.incisions, c.refused, c.faulty, c.thrown, c.apart, c.off, c.volume,
+               c.narrowed, 100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.sets),
+               c.least, c.shut);
+    for (const auto& [why, count] : c.refusals) fmt::print("  {} {}\n", count, why);
+}
+
+struct Body {
+    std::string name;
+    CutSkin skin;
+};
+
+std::deque<Body> bodies(const std::string& folder)
+{
+    std::deque<Body> out;
+    const std::array names{"sphere", "torus", "box", "cylinder", "icosphere"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        out.push_back({names[i], skin_of(any_closed_primitive(i))});
+    out.push_back({"icosphere 5", skin_of(icosphere(5))});
+    if (folder.empty()) return out;
+    for (const char* name : {"spot.obj", "camel.off", "stanford-bunny.obj", "face.obj"}) {
+        const std::filesystem::path path = std::filesystem::path(folder) / name;
+        if (!std::filesystem::exists(path)) continue;
+        const Model model = read_model(path);
+        out.push_back({name, skin_of(*model.meshes[0])});
+    }
+    return out;
+}
+
+} // namespace
+} // namespace trivar::testing
+
+int main(int count, char** arguments)
+{
+    using namespace trivar::testing;
+    const auto number = [&](int i, double otherwise) {
+        return count > i ? std::atof(arguments[i]) : otherwise;
+    };
+    const long sets = static_cast<long>(number(1, 1000));
+    const auto seed = static_cast<std::uint64_t>(number(2, 7));
+    const double single = number(3, 0.75);
+    const long only = static_cast<long>(number(4, -1));
+    const std::deque<Body> all = bodies(count > 5 ? arguments[5] : "");
+    const auto begin = std::chrono::steady_clock::now();
+    std::map<std::string, Counts> counts;
+    for (long i = 0; i < sets; ++i) {
+        if (only >= 0 && i != only) continue;
+        const Body& body = all[static_cast<std::size_t>(i) % all.size()];
+        RandomHand hand(body.skin, seed * 1000003 + static_cast<std::uint64_t>(i));
+        if (hand.number() < single) {
+            const bool loop = hand.number() < 0.1;
+            const trivar::Incision cut = random_single(body.skin, hand, loop);
+            make(body.skin, body.name, loop ? "loop" : "single", i, {cut},
+                 counts[loop ? "loop" : "single"]);
+            continue;
+        }
+        const std::size_t kind = static_cast<std::size_t>(hand.number(0, cut_kinds.size() - 1e-9));
+        const std::vector<trivar::Incision> set = random_set(body.skin, hand, kind);
+        make(body.skin, body.name, cut_kinds[kind], i, set, counts[cut_kinds[kind]]);
+    }
+    for (const auto& [kind, each] : counts) print(kind, each);
+    fmt::print("{:.1f} s\n",
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return 0;
+}
