@@ -5,11 +5,16 @@
 #include "core/mesh/adjacency.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace trivar {
 namespace {
 
 constexpr double least_thickness = 0.05; // usual edges: nearer hits are the skin that is cut
+// Lines along which points are looked for, beside their normals: one that only grazes an edge or a
+// corner of the body misses it.
+constexpr std::array<glm::dvec3, 5> leans{
+    {{0, 0, 0}, {0.3, 0.1, 0.2}, {-0.3, 0.2, -0.1}, {0.1, -0.3, -0.2}, {-0.1, -0.1, 0.3}}};
 constexpr std::uint32_t most_valence = 100000;
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v)
@@ -119,26 +124,34 @@ glm::dvec3 CutSkin::area_normal(std::uint32_t t) const
 std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoint> points,
                                                       double reach) const
 {
-    std::vector<Ray> rays;
-    for (const SurfacePoint& each : points) // from both sides toward the point, so that it is hit
-        for (const double side : {1.0, -1.0})
-            rays.push_back({each.p + side * reach * each.normal, -side * each.normal});
-    const std::vector<double> to(rays.size(), 2 * reach);
-    const std::vector<std::optional<Hit>> hits = scene_.hits(rays, false, to);
     std::vector<std::optional<SkinPlace>> out(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        double nearest = 2 * reach;
-        for (const std::size_t k : {2 * i, 2 * i + 1}) {
-            if (!hits[k]) continue;
-            const double away = glm::distance(hits[k]->p_world, points[i].p);
-            const auto hit = static_cast<std::uint32_t>(hits[k]->triangle);
-            const std::uint32_t t = own_number_.empty() ? hit : own_number_[hit];
-            if (!(away < nearest) || t == none) continue;
-            nearest = away;
-            const glm::uvec3& p = triangles_[t];
-            out[i] =
-                place_in({positions_[p.x], positions_[p.y], positions_[p.z]}, t, hits[k]->p_world);
+    std::vector<std::size_t> lost(points.size());
+    std::iota(lost.begin(), lost.end(), std::size_t{0});
+    for (const glm::dvec3& lean : leans) {
+        std::vector<Ray> rays;
+        for (const std::size_t i : lost) // from both sides toward the point, so that it is hit
+            for (const double side : {1.0, -1.0}) {
+                const glm::dvec3 n = glm::normalize(points[i].normal + lean);
+                rays.push_back({points[i].p + side * reach * n, -side * n});
+            }
+        const std::vector<double> to(rays.size(), 2 * reach);
+        const std::vector<std::optional<Hit>> hits = scene_.hits(rays, false, to);
+        for (std::size_t k = 0; k < lost.size(); ++k) {
+            double nearest = 2 * reach;
+            for (const std::optional<Hit>& hit : {hits[2 * k], hits[2 * k + 1]}) {
+                if (!hit) continue;
+                const double away = glm::distance(hit->p_world, points[lost[k]].p);
+                const auto number = static_cast<std::uint32_t>(hit->triangle);
+                const std::uint32_t t = own_number_.empty() ? number : own_number_[number];
+                if (!(away < nearest) || t == none) continue;
+                nearest = away;
+                const glm::uvec3& p = triangles_[t];
+                out[lost[k]] =
+                    place_in({positions_[p.x], positions_[p.y], positions_[p.z]}, t, hit->p_world);
+            }
         }
+        std::erase_if(lost, [&](std::size_t i) { return out[i].has_value(); });
+        if (lost.empty()) break;
     }
     return out;
 }

@@ -11,6 +11,8 @@ namespace trivar {
 namespace {
 
 constexpr double least_certain = 1e-14; // of the largest determinant with such edges
+constexpr double cell_of_mean = 1.5;    // of the mean diagonal of boxes
+constexpr std::array narrower{1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.05, 0.02, 0.0}; // shares
 constexpr std::size_t entries_per_block = 4096;
 
 int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
@@ -33,14 +35,11 @@ bool goes_through(const glm::dvec3& p, const glm::dvec3& q, const std::array<glm
     return u != 0 && u == side_of(p, q, t[1], t[2]) && u == side_of(p, q, t[2], t[0]);
 }
 
-class PiercingCount {
+class PiercingSearch {
 public:
-    PiercingCount(const std::vector<glm::dvec3>& p, const std::vector<glm::uvec3>& triangles,
-                  std::size_t first_wall, std::size_t end_of_walls)
+    PiercingSearch(const std::vector<glm::dvec3>& p, const std::vector<glm::uvec3>& triangles)
         : p_(p),
-          triangles_(triangles),
-          first_wall_(first_wall),
-          end_of_walls_(end_of_walls)
+          triangles_(triangles)
     {
         double sizes = 0;
         Box all;
@@ -57,21 +56,19 @@ public:
             {sizes / static_cast<double>(std::max<std::size_t>(1, boxes_.size())), most, 1e-300});
     }
 
-    Piercings operator()()
+    std::vector<CutGuard::Pair> operator()()
     {
         enter_cells();
-        std::vector<Piercings> found(entries_.size() / entries_per_block + 1);
+        std::vector<std::vector<CutGuard::Pair>> found(entries_.size() / entries_per_block + 1);
         parallel_blocks(entries_.size(), entries_per_block,
                         [&](std::size_t begin, std::size_t end) {
                             for (std::size_t i = begin; i < end; ++i)
                                 compare_with_next(i, found[begin / entries_per_block]);
                         });
-        Piercings sum;
-        for (const Piercings& each : found) {
-            sum.of_walls += each.of_walls;
-            sum.of_skin += each.of_skin;
-        }
-        return sum;
+        std::vector<CutGuard::Pair> all;
+        for (const auto& each : found) all.insert(all.end(), each.begin(), each.end());
+        std::ranges::sort(all);
+        return all;
     }
 
 private:
@@ -94,9 +91,8 @@ private:
         }
         std::ranges::sort(entries_);
     }
-    bool is_wall(std::uint32_t t) const { return t >= first_wall_ && t < end_of_walls_; }
 
-    void compare_with_next(std::size_t i, Piercings& found) const
+    void compare_with_next(std::size_t i, std::vector<CutGuard::Pair>& found) const
     {
         for (std::size_t j = i + 1; j < entries_.size() && entries_[j].cell == entries_[i].cell;
              ++j) {
@@ -104,8 +100,8 @@ private:
             if (boxes_[s].apart(boxes_[t])) continue;
             // A pair that meets in several cells is looked at in the first of them
             if (key(cell_at(glm::max(boxes_[s].lo, boxes_[t].lo))) != entries_[i].cell) continue;
-            if (!pierce(triangles_[s], triangles_[t])) continue;
-            ++(is_wall(s) || is_wall(t) ? found.of_walls : found.of_skin);
+            if (pierce(triangles_[s], triangles_[t]))
+                found.push_back({std::min(s, t), std::max(s, t)});
         }
     }
     bool pierce(const glm::uvec3& s, const glm::uvec3& t) const
@@ -133,7 +129,6 @@ private:
 
     const std::vector<glm::dvec3>& p_;
     const std::vector<glm::uvec3>& triangles_;
-    std::size_t first_wall_, end_of_walls_;
     std::vector<Box> boxes_;
     glm::dvec3 origin_{0};
     double cell_ = 1;
@@ -165,7 +160,10 @@ CutGuard::CutGuard(const CutShape& shape)
     for (const CutTerm& term : shape.terms) {
         terms_.push_back(term);
         terms_.back().vertex = number(term.vertex);
+        movers_.push_back({terms_.back().vertex, term.incision});
     }
+    std::ranges::sort(movers_);
+    movers_.erase(std::ranges::unique(movers_).begin(), movers_.end());
     KeyMap taken; // triangles of the skin round all these vertices
     const std::size_t inner = vertices.size();
     for (std::size_t i = 0; i < inner; ++i) {
@@ -178,33 +176,50 @@ CutGuard::CutGuard(const CutShape& shape)
     }
 }
 
-Piercings CutGuard::piercings(std::span<const double> shares) const
+std::vector<CutGuard::Pair> CutGuard::piercings(std::span<const double> shares) const
 {
     std::vector<glm::dvec3> p = rest_;
     for (const CutTerm& term : terms_)
         p[term.vertex] += shares[term.incision] * glm::dvec3(term.move);
-    return PiercingCount(p, triangles_, first_wall_, end_of_walls_)();
+    return PiercingSearch(p, triangles_)();
+}
+
+std::vector<std::uint32_t> CutGuard::incisions_at(const Pair& pair) const
+{
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t t : {pair.a, pair.b})
+        for (int i = 0; i < 3; ++i)
+            for (auto mover = std::ranges::lower_bound(movers_, Mover{triangles_[t][i], 0});
+                 mover != movers_.end() && mover->vertex == triangles_[t][i]; ++mover)
+                out.push_back(mover->incision);
+    std::ranges::sort(out);
+    out.erase(std::ranges::unique(out).begin(), out.end());
+    return out;
 }
 
 std::vector<double> admissible_shares(const CutShape& shape, std::size_t incisions)
 {
     const CutGuard guard(shape);
     std::vector<double> shares(incisions, 0.0);
-    const Piercings shut = guard.piercings(shares);
-    if (shut.of_walls > 0) return {};
-    for (const double of_next : {1.0, 0.5, 0.0}) // each as a share of the one before
-        for (const double first : {1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.05, 0.02}) {
-            if (of_next < 1 && (shape.runs.size() < 2 || first == 1)) continue;
-            double share = first;
-            for (const CutRun& run : shape.runs) {
-                shares[run.incision] = share;
-                share *= of_next;
-            }
-            const Piercings open = guard.piercings(shares);
-            if (open.of_walls == 0 && open.of_skin <= shut.of_skin) return shares;
+    const std::vector<CutGuard::Pair> shut = guard.piercings(shares); // the model's own
+    for (const CutGuard::Pair& pair : shut)
+        if (guard.is_wall(pair.a) || guard.is_wall(pair.b)) return {};
+    std::vector<std::size_t> step(incisions, 0); // of narrowing
+    for (;;) {
+        for (std::size_t k = 0; k < incisions; ++k) shares[k] = narrower[step[k]];
+        std::vector<char> to_narrow(incisions, 0);
+        for (const CutGuard::Pair& pair : guard.piercings(shares)) {
+            if (std::ranges::binary_search(shut, pair)) continue;
+            for (const std::uint32_t k : guard.incisions_at(pair)) to_narrow[k] = 1;
         }
-    std::ranges::fill(shares, 0.0);
-    return shares;
+        bool narrowed = false;
+        for (std::size_t k = 0; k < incisions; ++k)
+            if (to_narrow[k] && step[k] + 1 < narrower.size()) {
+                ++step[k];
+                narrowed = true;
+            }
+        if (!narrowed) return shares;
+    }
 }
 
 } // namespace trivar

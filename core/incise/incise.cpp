@@ -16,6 +16,7 @@ namespace {
 constexpr double widest_of_thickness = 0.25; // of the body below a cut
 constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.5;
 constexpr int most_attempts = 12, most_open_attempts = 4;
+constexpr const char* no_room = "the body has no room for its depth there";
 constexpr double hardly_open = 0.02; // share of the width
 
 const char* unfit(const Incision& incision)
@@ -121,8 +122,7 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
         shape.graph = slits_of(shape.runs, pieces, incisions, drawing, inward, step,
                                depth_steps / std::max(1, options.rows) / 2);
         if (shape.graph.edges.empty()) {
-            for (const CutRun& run : runs)
-                out.outcomes[run.incision].refusal = "the body has no room for its depth there";
+            for (const CutRun& run : runs) out.outcomes[run.incision].refusal = no_room;
             return out;
         }
         shape.patch = patch_of(drawing, pieces_of_skin, shape.graph);
@@ -150,6 +150,12 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
             for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
             outcome.widest = shares[run.incision];
         }
+        std::vector<char> has_walls(all.size(), 0);
+        for (const SlitEdge& edge : shape.graph.edges)
+            for (const SlitEdge::Pass& pass : edge.passes)
+                has_walls[shape.runs[pieces[pass.piece].run].incision] = 1;
+        for (const CutRun& run : shape.runs)
+            if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
         make_rest(out, shape, incisions, borders, options.layers);
         return out;
     }

@@ -20,7 +20,7 @@ namespace trivar::testing {
 namespace {
 
 struct Counts {
-    long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, shallower = 0, narrowed = 0,
+    long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, narrowed = 0, narrowed_sets = 0,
          shut = 0, apart = 0, thrown = 0;
     double volume = 0, least = 1;
     std::map<std::string, long> refusals;
@@ -43,10 +43,11 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
             }
             cut = true;
             widest = std::min(widest, outcome.widest);
+            counts.narrowed += outcome.widest < 1;
+            counts.shut += outcome.widest < 0.02;
         }
         if (!cut) return;
-        counts.narrowed += widest < 1;
-        counts.shut += widest < 0.02;
+        counts.narrowed_sets += widest < 1;
         counts.least = std::min(counts.least, widest);
         const CutFaults faults = faults_of(made);
         counts.volume = std::max(counts.volume, std::abs(faults.volume));
@@ -70,10 +71,11 @@ void print(const std::string& kind, const Counts& c)
 {
     fmt::print("{}: {} sets, {} incisions; refused {}; faulty {}, thrown {}, copies apart {}, "
                "opening 0 not the original {}; volume at rest off by at most {:.1e}\n"
-               "  narrowed by the guard {} ({:.1f} %), least share {:.2f}, shut {}\n",
+               "  narrowed by the guard {} ({:.1f} %), in {} sets, least share {:.2f}, shut {}\n",
                kind, c.sets, c.incisions, c.refused, c.faulty, c.thrown, c.apart, c.off, c.volume,
-               c.narrowed, 100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.sets),
-               c.least, c.shut);
+               c.narrowed,
+               100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.incisions),
+               c.narrowed_sets, c.least, c.shut);
     for (const auto& [why, count] : c.refusals) fmt::print("  {} {}\n", count, why);
 }
 
