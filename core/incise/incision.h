@@ -13,7 +13,7 @@ namespace trivar {
 struct CutProfile {
     enum class Shape { lens, even, custom } shape = Shape::lens;
     // Of a custom profile, by ascending x: (x, share), share 0 to 1, and straight lines between.
-    std::vector<glm::dvec2> points;
+    std::vector<glm::dvec2> points = {};
     bool operator==(const CutProfile&) const = default;
 };
 double value_at(const CutProfile& profile, double x);

@@ -262,10 +262,18 @@ private:
         return nullptr;
     }
 
+    // Of the turn at a point, with the triangles on both sides of an edge unfolded.
     double cosine_at(std::size_t i) const
     {
-        const auto& p = chain_.points;
-        return cosine(at(p[i]) - at(p[i - 1]), at(p[i + 1]) - at(p[i]));
+        const auto& [points, triangles] = chain_;
+        const glm::dvec3 in = unit_or_zero_of(at(points[i]) - at(points[i - 1]));
+        const glm::dvec3 out = unit_or_zero_of(at(points[i + 1]) - at(points[i]));
+        if (points[i].on != On::edge || triangles[i - 1] == triangles[i]) return glm::dot(in, out);
+        const std::uint32_t side = points[i].index;
+        const glm::dvec3 edge =
+            glm::normalize(skin_.position(skin_.to(side)) - skin_.position(skin_.from(side)));
+        const double u = glm::dot(in, edge), v = glm::dot(out, edge);
+        return u * v + std::sqrt(std::max(0.0, (1 - u * u) * (1 - v * v)));
     }
     void drop_hooks()
     {

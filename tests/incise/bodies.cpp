@@ -53,11 +53,11 @@ Mesh icosphere(int halvings)
 Mesh any_closed_primitive(std::size_t i)
 {
     switch (i % 5) {
-    case 0: return sphere_mesh(1, 48, 24);
-    case 1: return torus_mesh(1, 0.4, {48, 24});
-    case 2: return box_mesh({1, 1.4, 0.8}, {8, 10, 6});
-    case 3: return cylinder_mesh(0.6, 1.5, 32, 12);
-    default: return icosphere(4);
+    case 0: return sphere_mesh(1, 32, 16);
+    case 1: return torus_mesh(1, 0.4, {36, 18});
+    case 2: return box_mesh({1, 1.4, 0.8}, {6, 8, 5});
+    case 3: return cylinder_mesh(0.6, 1.5, 24, 10);
+    default: return icosphere(3);
     }
 }
 

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/closed_body.h"
+#include "core/mesh/primitives.h"
+#include "tests/incise/bodies.h"
+#include "tests/incise/cuts.h"
+
+#include <gtest/gtest.h>
+
+namespace trivar::testing {
+namespace {
+
+// How wide the gap is at a place of the sphere: twice the way of the nearest wall vertex there
+// that moves most.
+double gap_at(const IncisedMesh& made, const Mesh& open, const glm::dvec3& place)
+{
+    double most = 0;
+    for (const std::uint32_t v : made.moved)
+        if (v >= made.first_wall_vertex &&
+            glm::distance(glm::dvec3(made.rest->positions[v]), place) < 0.03)
+            most =
+                std::max(most, double{glm::distance(made.rest->positions[v], open.positions[v])});
+    return 2 * most;
+}
+
+class OpenSphere : public ::testing::Test {
+protected:
+    CutSkin skin = skin_of(sphere_mesh(1, 96, 48));
+    const glm::dvec3 middle{1, 0, 0};
+    const Incision along = cut_on_sphere({{1, -0.4, 0.003}, {1, 0.4, -0.002}});
+};
+
+TEST_F(OpenSphere, TheGapIsAsWideAsAskedInTheMiddleAndShutAtTheEnds)
+{
+    const IncisedMesh made = incise(skin, std::vector{along});
+    EXPECT_EQ(made.outcomes[0].widest, 1);
+    EXPECT_NEAR(made.outcomes[0].depth, 0.1, 1e-6);
+    EXPECT_NEAR(made.outcomes[0].length, 2 * std::atan(0.4), 0.01);
+    const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
+    EXPECT_TRUE(is_closed_body(*open));
+    EXPECT_NEAR(gap_at(made, *open, middle), along.width, 0.05 * along.width);
+    EXPECT_LT(gap_at(made, *open, along.stroke.front().p), 0.1 * along.width);
+    const Ref<Mesh> half = opened(made, std::vector{IncisionOpening{0.5, 0, 1}});
+    EXPECT_NEAR(gap_at(made, *half, middle), 0.5 * along.width, 0.03 * along.width);
+}
+
+TEST_F(OpenSphere, ACustomProfileOpensWhereItSays)
+{
+    Incision cut = along;
+    cut.opening_profile = {CutProfile::Shape::custom, {{0, 0}, {0.45, 0}, {0.7, 1}, {1, 1}}};
+    const IncisedMesh made = incise(skin, std::vector{cut});
+    const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
+    const glm::dvec3 early = glm::normalize(glm::dvec3(1, -0.15, 0));
+    const glm::dvec3 late = glm::normalize(glm::dvec3(1, 0.16, 0));
+    EXPECT_EQ(gap_at(made, *open, early), 0);
+    EXPECT_GT(gap_at(made, *open, late), 0.8 * cut.width);
+}
+
+TEST_F(OpenSphere, TheBladeOpensWhatItHasPassed)
+{
+    const IncisedMesh made = incise(skin, std::vector{along});
+    const Ref<Mesh> open = opened(made, std::vector{IncisionOpening{1, 0, 0.5}});
+    EXPECT_GT(gap_at(made, *open, glm::normalize(glm::dvec3(1, -0.15, 0))), 0.4 * along.width);
+    EXPECT_EQ(gap_at(made, *open, glm::normalize(glm::dvec3(1, 0.15, 0))), 0);
+}
+
+TEST_F(OpenSphere, FlapsBetweenCrossingCutsMoveOutwardsTogether)
+{
+    const IncisedMesh made = incise(skin, crossing_cuts_on_sphere());
+    const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(2));
+    std::size_t corners = 0; // of the four flaps, at the crossing
+    for (const std::uint32_t v : made.moved) {
+        const glm::dvec3 rest(made.rest->positions[v]);
+        if (v >= made.first_wall_vertex || glm::distance(rest, middle) > 0.02) continue;
+        const glm::dvec3 move = glm::dvec3(open->positions[v]) - rest;
+        corners += std::abs(move.y) > 0.03 && std::abs(move.z) > 0.03;
+    }
+    EXPECT_GE(corners, 4u);
+    EXPECT_TRUE(is_closed_body(*open));
+}
+
+TEST_F(OpenSphere, EachOfTwoCutsOpensByItself)
+{
+    const IncisedMesh made = incise(skin, crossing_cuts_on_sphere());
+    const Ref<Mesh> open = opened(made, std::vector{IncisionOpening{1, 0, 1}, {0, 0, 1}});
+    EXPECT_TRUE(is_closed_body(*open));
+    EXPECT_GT(gap_at(made, *open, middle), 0.08);
+    EXPECT_EQ(gap_at(made, *open, glm::normalize(glm::dvec3(1, 0, 0.39))), 0);
+}
+
+TEST_F(OpenSphere, AUFloorHasTheShareOfTheWidthThatIsAskedFor)
+{
+    Incision cut = along;
+    cut.floor = Incision::Floor::u;
+    cut.floor_width = 0.5;
+    const IncisedMesh made = incise(skin, std::vector{cut});
+    const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
+    EXPECT_TRUE(is_closed_body(*open));
+    double most = 0; // of the vertices of the floor
+    for (const std::uint32_t v : made.moved)
+        if (glm::length(made.rest->positions[v]) < 0.901f)
+            most =
+                std::max(most, double{glm::distance(made.rest->positions[v], open->positions[v])});
+    EXPECT_NEAR(2 * most, 0.5 * cut.width, 0.05 * cut.width);
+}
+
+TEST_F(OpenSphere, TheGuardKeepsWallsFromMeetingInAThinBody)
+{
+    const CutSkin thin = skin_of(box_mesh({2, 2, 0.1}, {40, 40, 2}));
+    Incision cut;
+    cut.depth = 0.5;
+    cut.width = 0.5;
+    for (int i = 0; i <= 30; ++i) cut.stroke.push_back({{-0.6 + 0.04 * i, 0.03, 0.05}, {0, 0, 1}});
+    const IncisedMesh made = incise(thin, std::vector{cut});
+    EXPECT_EQ(made.outcomes[0].refusal, "");
+    EXPECT_LT(made.outcomes[0].depth, 0.05);
+    const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
+    for (std::size_t v = made.first_wall_vertex; v < open->vertex_count(); ++v)
+        EXPECT_GT(open->positions[v].z, -0.05f);
+}
+
+TEST(CutProfiles, AreShutAtBothEndsAndReachTheirGreatestValue)
+{
+    for (const CutProfile& profile : {CutProfile{}, CutProfile{CutProfile::Shape::even, {}},
+                                      CutProfile{CutProfile::Shape::custom, {{0, 1}, {1, 1}}}}) {
+        EXPECT_EQ(value_at(profile, 0), 0);
+        EXPECT_EQ(value_at(profile, 1), 0);
+        EXPECT_DOUBLE_EQ(value_at(profile, 0.5), 1);
+    }
+}
+
+} // namespace
+} // namespace trivar::testing
