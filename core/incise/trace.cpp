@@ -287,27 +287,61 @@ private:
             triangles.pop_back();
         }
     }
-    // Points inside a triangle that hardly bend the line make slivers, not shape.
+    // Points of one triangle that hardly bend the line make slivers, not shape.
+    // [Douglas, Peucker 1973]
     void drop_points_on_chords()
     {
         auto& [points, triangles] = chain_;
-        for (std::size_t i = 1; i + 1 < points.size();) {
-            const auto k = static_cast<std::ptrdiff_t>(i);
-            if (points[i].on == On::triangle && triangles[i - 1] == triangles[i] &&
-                !(points[i - 1] == points[i + 1])) {
-                const glm::dvec3 a = at(points[i - 1]), d = at(points[i + 1]) - a,
-                                 x = at(points[i]);
-                const double t = std::clamp(glm::dot(x - a, d) / glm::dot(d, d), 0.0, 1.0);
-                const std::uint32_t side = 3 * triangles[i];
-                const double shortest =
-                    std::min({side_length(side), side_length(side + 1), side_length(side + 2)});
-                if (glm::distance(x, a + t * d) < least_bend * shortest) {
-                    points.erase(points.begin() + k);
-                    triangles.erase(triangles.begin() + k);
-                    continue;
-                }
+        std::vector<char> kept(points.size(), 0);
+        kept[0] = 1;
+        for (std::size_t begin = 0; begin + 1 < points.size();) {
+            const std::uint32_t t = triangles[begin]; // that a run of points belongs to
+            std::size_t end = begin + 1;
+            while (end + 1 < points.size() && points[end].on != On::point &&
+                   weights_in(skin_, points[end + 1], t))
+                triangles[end++] = t;
+            kept[end] = 1;
+            keep_bends(begin, end, kept);
+            begin = end;
+        }
+        DrawnChain chain;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!kept[i]) continue;
+            chain.points.push_back(points[i]);
+            if (i + 1 < points.size()) chain.triangles.push_back(triangles[i]);
+        }
+        chain_ = std::move(chain);
+    }
+    // Of the points of one triangle between two that are kept.
+    void keep_bends(std::size_t first, std::size_t last, std::vector<char>& kept) const
+    {
+        const std::uint32_t side = 3 * chain_.triangles[first];
+        const double near = least_bend * std::min({side_length(side), side_length(side + 1),
+                                                   side_length(side + 2)});
+        std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+        while (!open.empty()) {
+            const auto [from, to] = open.back();
+            open.pop_back();
+            const glm::dvec3 a = at(chain_.points[from]), d = at(chain_.points[to]) - a;
+            double most = near;
+            std::size_t bend = from;
+            for (std::size_t i = from + 1; i < to; ++i) {
+                const glm::dvec3 x = at(chain_.points[i]);
+                const double length2 = glm::dot(d, d);
+                const double t =
+                    length2 > 0 ? std::clamp(glm::dot(x - a, d) / length2, 0.0, 1.0) : 0;
+                const double away = glm::distance(x, a + t * d);
+                if (away < most) continue;
+                most = away;
+                bend = i;
             }
-            ++i;
+            // A line that comes back to where it began has to go somewhere
+            if (bend == from && chain_.points[from] == chain_.points[to] && to > from + 1)
+                bend = (from + to) / 2;
+            if (bend == from) continue;
+            kept[bend] = 1;
+            open.emplace_back(from, bend);
+            open.emplace_back(bend, to);
         }
     }
     // A single segment gets a point in its middle, which can open.
