@@ -9,9 +9,10 @@
 namespace trivar {
 
 struct InciseOptions {
-    int rows = 4;                  // of wall triangles from the skin down to the deepest floor
-    std::vector<WallLayer> layers = {}; // from the skin down; none: walls look as the skin above them
-    bool guarded = true;           // depths and openings stay such that no wall meets another
+    int rows = 4; // of wall triangles from the skin down to the deepest floor
+    std::vector<WallLayer> layers =
+        {};              // from the skin down; none: walls look as the skin above them
+    bool guarded = true; // depths and openings stay such that no wall meets another
     double reach = 0.01; // of the skin's diagonal: strokes are looked for so far off the skin
 };
 

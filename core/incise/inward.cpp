@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/inward.h"
 
+#include <algorithm>
+#include <array>
+
 namespace trivar {
 namespace {
 
@@ -101,27 +104,59 @@ bool Inward::has_inside(const LatticePoint& p) const
     return true;
 }
 
-// The layer at depth w is turned right if det[e1 - w m1, e2 - w m2, n_k] > 0 at all three corners:
-// quadratics in w, bounded by their Bernstein coefficients.
+namespace {
+
+// The area of the layer at depth w over each corner's direction n_k: det[e1 - w m1, e2 - w m2,
+// n_k].
+class LayerAreas {
+public:
+    LayerAreas(const CutSkin& skin, const Inward& inward, std::uint32_t triangle)
+    {
+        const glm::uvec3& t = skin.triangle(triangle);
+        n_ = {inward.outward(t.x), inward.outward(t.y), inward.outward(t.z)};
+        e1_ = skin.position(t.y) - skin.position(t.x);
+        e2_ = skin.position(t.z) - skin.position(t.x);
+    }
+    double area(double w, std::size_t k) const
+    {
+        return glm::dot(glm::cross(e1_ - w * (n_[1] - n_[0]), e2_ - w * (n_[2] - n_[0])), n_[k]);
+    }
+
+private:
+    std::array<glm::dvec3, 3> n_;
+    glm::dvec3 e1_, e2_;
+};
+
+} // namespace
+
+// A layer is turned right if its areas are positive at all three corners: quadratics in w, bounded
+// by their Bernstein coefficients.
 double Inward::depth_below(std::uint32_t triangle, double wanted) const
 {
-    const glm::uvec3& t = skin_->triangle(triangle);
-    const std::array<glm::dvec3, 3> n{outward(t.x), outward(t.y), outward(t.z)};
-    const glm::dvec3 e1 = skin_->position(t.y) - skin_->position(t.x);
-    const glm::dvec3 e2 = skin_->position(t.z) - skin_->position(t.x);
+    const LayerAreas layer(*skin_, *this, triangle);
     for (int i = 0; i < most_depths; ++i, wanted *= shallower) {
         bool fits = true;
-        for (const glm::dvec3& n_k : n) {
-            const auto area = [&](double w) {
-                return glm::dot(glm::cross(e1 - w * (n[1] - n[0]), e2 - w * (n[2] - n[0])), n_k);
-            };
-            const double c0 = area(0), c2 = area(wanted);
-            const double c1 = 2 * area(wanted / 2) - (c0 + c2) / 2;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double c0 = layer.area(0, k), c2 = layer.area(wanted, k);
+            const double c1 = 2 * layer.area(wanted / 2, k) - (c0 + c2) / 2;
             fits = fits && c0 > 0 && c1 > least_layer * c0 && c2 > least_layer * c0;
         }
         if (fits) return wanted;
     }
     return 0;
+}
+
+double Inward::room_below(const LatticePoint& p, double depth) const
+{
+    double room = 1;
+    for (const std::uint32_t t : triangles_round(*skin_, p)) {
+        const LayerAreas layer(*skin_, *this, t);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double at_skin = layer.area(0, k);
+            if (at_skin > 0) room = std::min(room, layer.area(depth, k) / at_skin);
+        }
+    }
+    return std::max(0.0, room);
 }
 
 } // namespace trivar
