@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 constexpr double least_certain = 1e-14; // of the largest determinant with such edges
-constexpr double cell_of_mean = 1.5;    // of the mean diagonal of boxes
+constexpr double cell_of_mean = 0.7;    // of the mean diagonal of boxes
 constexpr std::array narrower{1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.05, 0.02, 0.0}; // shares
 constexpr std::size_t entries_per_block = 4096;
 
@@ -26,13 +26,30 @@ int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const
     return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
-// Whether the line from p to q goes through the inside of a triangle.
-bool goes_through(const glm::dvec3& p, const glm::dvec3& q, const std::array<glm::dvec3, 3>& t)
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
+// Whether the line from p to q, whose ends lie on those sides of a triangle's plane, goes through
+// its inside.
+bool goes_through(const glm::dvec3& p, const glm::dvec3& q, int side_p, int side_q,
+                  const TriangleCorners& t)
 {
-    const int s = side_of(t[0], t[1], t[2], p), e = side_of(t[0], t[1], t[2], q);
-    if (s == 0 || e == 0 || s == e) return false;
+    if (side_p * side_q >= 0) return false;
     const int u = side_of(p, q, t[0], t[1]);
     return u != 0 && u == side_of(p, q, t[1], t[2]) && u == side_of(p, q, t[2], t[0]);
+}
+
+// Whether a side of `t` goes through the inside of `other`; `common`: the corner of t that is one
+// of the other's, or -1.
+bool goes_through(const TriangleCorners& t, int common, const TriangleCorners& other)
+{
+    std::array<int, 3> side{};
+    for (std::size_t i = 0; i < 3; ++i)
+        side[i] = static_cast<int>(i) == common ? 0 : side_of(other[0], other[1], other[2], t[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = (i + 1) % 3;
+        if (goes_through(t[i], t[k], side[i], side[k], other)) return true;
+    }
+    return false;
 }
 
 class PiercingSearch {
@@ -115,16 +132,9 @@ private:
                     at_t = k;
                 }
         if (common > 1) return false;
-        const std::array<glm::dvec3, 3> a{p_[s.x], p_[s.y], p_[s.z]}, b{p_[t.x], p_[t.y], p_[t.z]};
-        const auto side = [](const std::array<glm::dvec3, 3>& of, int i,
-                             const std::array<glm::dvec3, 3>& through) {
-            return goes_through(of[static_cast<std::size_t>(i % 3)],
-                                of[static_cast<std::size_t>((i + 1) % 3)], through);
-        };
-        if (common == 1) return side(a, at_s + 1, b) || side(b, at_t + 1, a);
-        for (int i = 0; i < 3; ++i)
-            if (side(a, i, b) || side(b, i, a)) return true;
-        return false;
+        const TriangleCorners a{p_[s.x], p_[s.y], p_[s.z]}, b{p_[t.x], p_[t.y], p_[t.z]};
+        return goes_through(a, common == 1 ? at_s : -1, b) ||
+               goes_through(b, common == 1 ? at_t : -1, a);
     }
 
     const std::vector<glm::dvec3>& p_;

@@ -71,6 +71,7 @@ void incise_cuts(benchmark::State& state, const CutSkin& skin, const std::vector
     for (auto _ : state) made = incise(skin, cuts, {.guarded = guarded});
     state.counters["triangles"] = static_cast<double>(skin.triangle_count());
     state.counters["terms"] = static_cast<double>(made.terms.size());
+    state.counters["widest"] = made.outcomes[0].widest; // share of the width that the guard admits
     state.counters["walls"] = static_cast<double>(made.rest->face_count() - made.first_wall_face);
 }
 
