@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/incise/cut_shape.h"
-#include "core/incise/incise.h"
+#include "core/incise/incised.h"
 
 namespace trivar {
 

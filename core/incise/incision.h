@@ -24,7 +24,7 @@ struct Incision {
     double depth = 0.1;               // where the cut is deepest, before the body's limits
     CutProfile depth_profile{CutProfile::Shape::even, {}};
     enum class Floor { v, u } floor = Floor::v;
-    double floor_width = 0.5; // of a U floor: share of the width at the skin, 0 to 1
+    double floor_width = 0.5; // of a U floor: share of the width, where there is as much room below
 
     double width = 0.1; // of the gap in the skin where it is widest, when the cut is quite open
     CutProfile opening_profile;

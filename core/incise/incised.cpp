@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/incise.h"
+#include "core/incise/incised.h"
 
 #include <algorithm>
 #include <cassert>

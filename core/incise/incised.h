@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/incise/incision.h"
+#include "core/mesh/mesh.h"
+
+#include <span>
+#include <string>
+
+namespace trivar {
+
+// An IncisedMesh is a mesh with all that cutting adds to it. Nothing of it depends on openings: a
+// change of these is one pass over the terms.
+struct IncisedMesh {
+    // What became of an incision.
+    struct Outcome {
+        std::string refusal; // why there is no cut, a sentence; empty: there is one
+        double length = 0, depth = 0;
+        double widest = 0; // share of the width that the guard admits
+    };
+    struct Term {
+        std::uint32_t slot, incision;
+        float share;    // of the incision's length
+        glm::vec3 move; // when quite open, before the guard
+    };
+    Ref<Mesh> original,
+        rest; // rest: shut, with walls; the same as the original where nothing is cut
+    std::vector<Outcome> outcomes; // by incision
+    std::vector<Term> terms;
+    std::size_t slots = 0;
+    // The vertices of `rest` that move, and the slot of each: copies of a point move as one.
+    std::vector<std::uint32_t> moved, slot_of_moved;
+    std::uint32_t first_wall_vertex = 0, first_wall_face = 0; // in `rest`, where walls come last
+};
+
+// Where the vertices that move are at some openings, one for each incision, and the normals of the
+// walls. O(#terms + #walls), whatever the size of the mesh.
+struct OpenedVertices {
+    std::vector<glm::vec3> positions;    // by IncisedMesh::moved
+    std::vector<glm::vec3> wall_normals; // from first_wall_vertex on
+};
+OpenedVertices opened_vertices(const IncisedMesh& incised,
+                               std::span<const IncisionOpening> openings);
+
+// The whole mesh at some openings; the original itself while all are shut.
+Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings);
+
+} // namespace trivar
