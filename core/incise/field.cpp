@@ -17,7 +17,7 @@ constexpr double wrong_side = -0.2; // cosine: a front that came round the end o
 struct Passage {
     std::uint32_t node;
     double s;
-    std::vector<signed char> side; // by sector
+    std::vector<int> side; // by sector
 };
 
 // The passages of each piece, by node.
@@ -45,7 +45,7 @@ std::vector<std::vector<Passage>> passages_of(const SlitGraph& graph, std::size_
         }
         const std::size_t count = node.edges.size();
         for (const auto& [piece, w] : ways) {
-            Passage passage{n, w.s, std::vector<signed char>(count, 0)};
+            Passage passage{n, w.s, std::vector<int>(count, 0)};
             if (w.in != nowhere && w.out != nowhere) {
                 for (std::size_t i = w.out; i != w.in; i = (i + 1) % count) passage.side[i] = 1;
                 for (std::size_t i = w.in; i != w.out; i = (i + 1) % count) passage.side[i] = -1;
