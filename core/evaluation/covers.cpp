@@ -248,7 +248,9 @@ CoverParts Covers::operator()(const CoverInput& input)
         out.notices.push_back(std::move(words));
         return out;
     }
-    for (const auto& [member, parts] : input.members) {
+    for (const auto& numbered : input.members) {
+        const int member = numbered.first;
+        const std::vector<Part>& parts = numbered.second;
         if (parts.size() != input.pieces.size()) continue; // a part is too far away
         timed(input.timings, "tiles", [&] {
             CoveringPose pose = pose_of(*laid, input.pieces, parts);

@@ -359,7 +359,9 @@ StrandParts Strands::operator()(const StrandInput& input)
         return out;
     }
     bool unmatched = false;
-    for (const auto& [member, parts] : input.members) {
+    for (const auto& numbered : input.members) {
+        const int member = numbered.first;
+        const std::vector<Part>& parts = numbered.second;
         if (parts.size() != input.pieces.size()) continue; // a part is too far away
         timed(input.timings, "tiles", [&] {
             const Ref<Charts> at_rest = charts(input, places.aspect * input.tiling.look.scale);

@@ -117,8 +117,9 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
         });
         whole = joined_({whole, others}, [&] { return make_ref(joined(*whole, *others)); });
     }
-    const auto& [layout, factors] =
+    const MasksOf::MaskedLayout masked =
         timed(input.timings, "tiles", [&] { return masks_of_.masked(base, whole, masks); });
+    const Ref<TileLayout>& layout = masked.layout;
     const TileLook& look = tiling.look;
     const SlideKey key{base,         layout,       look.turn_deg,   look.scale,
                        look.slide_x, look.slide_y, look.slide_along};
@@ -128,7 +129,7 @@ TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLi
             : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
     const Ref<TileCharts> charts =
         timed(input.timings, "tiles", [&] { return painted_.charts(limit, base, slid, look); });
-    return {base, slid, layout, charts, others, factors};
+    return {base, slid, layout, charts, others, masked.factors};
 }
 
 TilingStep::OutlineKey TilingStep::outline_key(const Painted& strokes, const LaidKinds& laid,

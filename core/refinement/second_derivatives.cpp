@@ -144,7 +144,7 @@ void SecondDerivatives<corners>::add(const NetPoints<corners>& net, int degree,
 
 template <int corners> double SecondDerivatives<corners>::bound() const
 {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
     if constexpr (corners == 2) {
         return greatest_[0] / 8;
     } else {
@@ -157,17 +157,17 @@ template <int corners> double SecondDerivatives<corners>::bound() const
         switch (method_) {
         case BoundMethod::thesis_right_angled: {
             const int corner = axis_parallel_corner(uvw_);
-            return corner < 0 ? infinity : at_corner(corner) / 8;
+            return corner < 0 ? unbounded : at_corner(corner) / 8;
         }
         case BoundMethod::thesis: return at_corner(2) / 2;
         case BoundMethod::barycentric: return at_corner(2) / 8;
         case BoundMethod::best_corner:
             return std::min({at_corner(0), at_corner(1), at_corner(2)}) / 8;
         case BoundMethod::thesis_circumradius:
-            return directions_ < 2 ? infinity
+            return directions_ < 2 ? unbounded
                                    : squared / 2 * (greatest_[0] + greatest_[3] / 2 + greatest_[1]);
         case BoundMethod::circumradius:
-            return directions_ < 2 ? infinity
+            return directions_ < 2 ? unbounded
                                    : squared / 2 * (greatest_[0] + greatest_[3] + greatest_[1]);
         default: {
             const double r = least_circle_radius(uvw_);

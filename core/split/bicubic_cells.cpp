@@ -50,7 +50,7 @@ BicubicCells::Local BicubicCells::local(const glm::dvec2& uv) const
 double BicubicCells::value(const glm::dvec2& uv) const
 {
     const auto [c, x, y] = local(uv);
-    const auto row = [c, y](int i) {
+    const auto row = [c = c, y = y](int i) {
         const double* const p = c + 4 * i;
         return p[0] + y * (p[1] + y * (p[2] + y * p[3]));
     };

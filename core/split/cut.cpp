@@ -95,10 +95,10 @@ public:
                 if (above[a] != above[b]) edges_.push_back(ordered(a, b));
             }
         std::ranges::sort(edges_);
-        edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+        edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
         for (const CutEdge& e : edges_) places_.push_back(by_points(e));
         std::ranges::sort(places_);
-        places_.erase(std::ranges::unique(places_).begin(), places_.end());
+        places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     }
     const std::vector<CutEdge>& edges() const { return edges_; }
     std::size_t place_count() const { return places_.size(); }

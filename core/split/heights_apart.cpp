@@ -32,7 +32,7 @@ void move_apart(std::span<CrossedEdge> edges)
             if (std::abs(e.heights[i]) < least(e.heights[1 - i])) near.push_back(e.points[i]);
     if (near.empty()) return;
     std::ranges::sort(near);
-    near.erase(std::ranges::unique(near).begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     std::vector<EdgeEnd> ends;
     for (std::size_t k = 0; k < edges.size(); ++k)
         for (std::size_t i = 0; i < 2; ++i)

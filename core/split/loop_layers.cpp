@@ -28,7 +28,7 @@ public:
             for (std::size_t i = 0; i < loop.size(); ++i)
                 ways_.push_back({number(loop[i]), number(loop[(i + 1) % loop.size()])});
         for (std::vector<std::uint32_t>& way : ways_) // of one point
-            way.erase(std::ranges::unique(way).begin(), way.end());
+            way.erase(std::unique(way.begin(), way.end()), way.end());
     }
     // Returns whether nothing crosses any more.
     bool cut_all()

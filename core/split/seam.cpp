@@ -11,7 +11,7 @@ namespace {
 
 // Of the height of what is sewn at one place: the room that the opening must have beyond it, and by
 // how much more than it is drawn to that place
-constexpr double least_room = 0.25, more = 0.02;
+constexpr double least_room = 0.25, room_share = 0.02;
 // Loops that are nearer to each other than that are sewn at one place: of both heights, and of the
 // height of all
 constexpr double least_gap = 0.25, least_gap_of_all = 0.1;
@@ -94,7 +94,7 @@ std::vector<Seam::Knot> knots_of(const std::vector<Span>& spans, double lo, doub
         const Span& span = spans[i];
         if (span.hi <= lo || span.lo >= hi) continue;
         const double height = span.hi - span.lo;
-        const auto pad = [&](double gap) { return std::min(more * height, gap / 8); };
+        const auto pad = [&](double gap) { return std::min(room_share * height, gap / 8); };
         const double low = span.lo - pad(i > 0 ? span.lo - spans[i - 1].hi : height);
         const double high =
             span.hi + pad(i + 1 < spans.size() ? spans[i + 1].lo - span.hi : height);

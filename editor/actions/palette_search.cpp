@@ -38,10 +38,11 @@ std::vector<RankedName> found_entries(std::string_view typed,
     while (wanted.ends_with(' ')) wanted.pop_back();
     wanted.erase(0, wanted.find_first_not_of(' '));
     if (wanted.empty()) return by_letters;
-    const auto scattered = std::ranges::stable_partition(by_letters, [&](const RankedName& each) {
-        return in_small_letters(names[each.index]).find(wanted) != std::string::npos;
-    });
-    std::vector<RankedName> found(by_letters.begin(), scattered.begin());
+    const auto scattered =
+        std::stable_partition(by_letters.begin(), by_letters.end(), [&](const RankedName& each) {
+            return in_small_letters(names[each.index]).find(wanted) != std::string::npos;
+        });
+    std::vector<RankedName> found(by_letters.begin(), scattered);
     const auto add = [&](RankedName each) {
         if (std::ranges::find(found, each.index, &RankedName::index) == found.end())
             found.push_back(std::move(each));
@@ -50,7 +51,7 @@ std::vector<RankedName> found_entries(std::string_view typed,
         if (const auto at = std::ranges::find(names, name); at != names.end())
             add({static_cast<std::size_t>(at - names.begin()), {}, false});
     if (found.empty() || wanted.size() <= few)
-        for (RankedName& each : scattered) add(std::move(each));
+        for (auto each = scattered; each != by_letters.end(); ++each) add(std::move(*each));
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (has_word_that_begins(in_small_letters(entries[i].note), wanted)) add({i, {}, false});
     return found;

@@ -273,8 +273,8 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
 // would change.
 void ask_for_stroke(CommandForm& form, const Sketch& sketch)
 {
-    std::ranges::stable_partition(
-        form.fields, [](const Field& each) { return !each.name.starts_with("camera."); });
+    std::stable_partition(form.fields.begin(), form.fields.end(),
+                          [](const Field& each) { return !each.name.starts_with("camera."); });
     const auto samples = std::ranges::find(form.fields, "samples", &Field::name);
     const glm::ivec2 size(sketch.camera.size_px);
     samples->label = "Points";

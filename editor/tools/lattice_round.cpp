@@ -26,7 +26,8 @@ Box box_round(const Session& session, const std::vector<Id>& ids, Id parent)
         parent == 0 ? glm::dmat4(1) : glm::inverse(to_world(session.document(), parent));
     Box box;
     for (const auto& [id, each] : session.evaluated().objects)
-        if (std::ranges::any_of(ids, [&](Id of) { return belongs_to(session.document(), id, of); }))
+        if (std::ranges::any_of(
+                ids, [&, id = id](Id of) { return belongs_to(session.document(), id, of); }))
             for (Part& part : with_points(each->parts, each->curves)) {
                 part.to_world = world_to_parent * part.to_world;
                 box.add(bounds_in_world(part));

@@ -121,7 +121,8 @@ void SplitHandles::overlay(const Session& session, const ui::Theme& theme,
     const SplitHold lit = drag_ ? drag_->held.hold : hovered_;
     std::vector<SplitHoldPoint> points = holds_of(session, of);
     // The one in the hand above the others
-    std::ranges::stable_partition(points, [&](const auto& p) { return p.hold != lit; });
+    std::stable_partition(points.begin(), points.end(),
+                          [&](const auto& p) { return p.hold != lit; });
     const auto at = [&](const glm::dvec3& p) {
         return input.rect.lo + glm::vec2(project(session.view.camera, p).p_px);
     };
