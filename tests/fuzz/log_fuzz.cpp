@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/document_digest.h"
 #include "core/scene/log.h"
 
 #include <cstdint>
