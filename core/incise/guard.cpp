@@ -173,7 +173,7 @@ CutGuard::CutGuard(const CutShape& shape)
         movers_.push_back({terms_.back().vertex, term.incision});
     }
     std::ranges::sort(movers_);
-    movers_.erase(std::ranges::unique(movers_).begin(), movers_.end());
+    movers_.erase(std::unique(movers_.begin(), movers_.end()), movers_.end());
     KeyMap taken; // triangles of the skin round all these vertices
     const std::size_t inner = vertices.size();
     for (std::size_t i = 0; i < inner; ++i) {
@@ -203,7 +203,7 @@ std::vector<std::uint32_t> CutGuard::incisions_at(const Pair& pair) const
                  mover != movers_.end() && mover->vertex == triangles_[t][i]; ++mover)
                 out.push_back(mover->incision);
     std::ranges::sort(out);
-    out.erase(std::ranges::unique(out).begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 

@@ -19,7 +19,7 @@ void complete_faces(const CutSkin& skin, std::vector<std::uint32_t>& triangles)
         for (; t < faces.size() && faces[t] == face; ++t) triangles.push_back(t);
     }
     std::ranges::sort(triangles);
-    triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
 int corner_at(const SkinTriangle& t, std::uint32_t point)
@@ -74,7 +74,7 @@ CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, S
         if (node.point < skin.point_count())
             skin.around(node.point, [&](std::uint32_t side) { all.push_back(side / 3); });
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     complete_faces(skin, all);
     for (const std::uint32_t t : all)
         if (!patch.replaces(t)) {

@@ -56,7 +56,7 @@ private:
         for (const int border : borders_)
             if (border > 0 && border < deepest) node.levels.push_back(border);
         std::ranges::sort(node.levels);
-        node.levels.erase(std::ranges::unique(node.levels).begin(), node.levels.end());
+        node.levels.erase(std::unique(node.levels.begin(), node.levels.end()), node.levels.end());
         for (const int level : node.levels) {
             const auto joins = [&](std::size_t i) { // the sectors beside edge i
                 return depths[i] < level ||
