@@ -2,6 +2,7 @@
 #include "gpu/scene.h"
 
 #include "core/base/finite.h"
+#include "core/mesh/filling_colors.h"
 #include "gpu/to_scene.h"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
         const double radius = glm::length(at_rest.size()) / 2;
         item.rest = &mirror.mesh(rest).buffers.front();
         item.rest_middle = glm::vec4(at_rest.center(), radius > 0 ? 1 / radius : 1);
+        item.turned_about = turning_axis(at_rest);
     }
     return item;
 }
@@ -130,6 +132,7 @@ void add_tiles(Scene& scene, const Instance& instance, const Picture& picture, c
             const double radius = glm::length(instance.tiles->box.size()) / 2;
             item.rest_middle =
                 glm::vec4(instance.tiles->box.center() - origin, radius > 0 ? 1 / radius : 1);
+            item.turned_about = turning_axis(instance.tiles->box);
         }
         item.extent = static_cast<float>(tiles.size);
         item.copies = &copies;

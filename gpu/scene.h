@@ -29,6 +29,7 @@ struct SceneItem {
     bool values_by_copy;                   // the copies' values are used in place of these
     const Buffer* rest;                    // the positions that solid materials follow, or null
     glm::vec4 rest_middle;                 // of `rest`, and 1 / radius
+    int turned_about;                      // axis of `rest`; see turning_axis()
     const DeformedMesh* deformed_as_drawn; // null: it is not deformed in one phase
     // Passes that show it, and maps of shadows, draw it; of tiles these are different items, as
     // maps want also what the camera does not see.

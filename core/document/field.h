@@ -50,7 +50,8 @@ template <>
 inline constexpr std::array<std::string_view, 5> choice_names<Ends>{"stay", "hide", "run_on",
                                                                     "loop", "back_and_forth"};
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<Filling>{"none", "wood", "flesh"};
+inline constexpr std::array<std::string_view, 4> choice_names<Filling>{"none", "wood", "flesh",
+                                                                       "metal"};
 template <>
 inline constexpr std::array<std::string_view, 6> choice_names<ColorBy>{
     "material", "stretch", "error", "uv_angles", "uv_areas", "uv_checker"};

@@ -30,7 +30,7 @@ struct Texture {
 
 // A Filling is a material that fills a body, in place of textures: its pattern follows from where a
 // point is before the body is deformed. No file format stores it.
-enum class Filling { none, wood, flesh };
+enum class Filling { none, wood, flesh, metal };
 
 // glTF 2.0's metallic-roughness material. Colours are linear.
 struct Material {

@@ -237,13 +237,14 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
         add_obstacle_options(options, theme);
     else
         add_cut_options(options, theme);
-    options.push_back({"Inside", 84,
-                       [&](float field) {
-                           int inside = static_cast<int>(settings_.inside);
-                           ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh"}, field);
-                           settings_.inside = static_cast<Filling>(inside);
-                       },
-                       "What fills it, seen where it opens."});
+    options.push_back(
+        {"Inside", 84,
+         [&](float field) {
+             int inside = static_cast<int>(settings_.inside);
+             ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh", "Metal"}, field);
+             settings_.inside = static_cast<Filling>(inside);
+         },
+         "What fills it, seen where it opens."});
     ui::option_bar(theme, options, width);
 }
 

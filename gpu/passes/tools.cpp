@@ -179,6 +179,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     if (fills) {
         item.mesh->vertices.attribute(6, *item.rest, 3, sizeof(glm::vec3));
         program.set("rest_middle", item.rest_middle);
+        program.set("turned_about", item.turned_about);
     }
     if (item.copies)
         item.copies->feed(item.mesh->vertices, item.first_copy, values && item.values_by_copy);

@@ -51,8 +51,7 @@ Surface surface_here()
     bool away = !gl_FrontFacing;
     Surface s = plain_surface(normalize(at_normal), at_color);
 #ifdef SOLID
-    s.base = saturate(solid_color(at_rest, s.roughness) * s.base / 0.8);
-    s.metallic = 0.0;
+    fill(s);
 #endif
 #ifdef TEXTURES
 #if (TEXTURES & 1) != 0

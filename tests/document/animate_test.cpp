@@ -224,7 +224,7 @@ TEST(Animate, RefusesWhatCannotBe)
     refused(3, {{"placement.width", {{5, 1}, {5, 2}}}}, "are not in order");
     refused(3, {{"placement.fill", {{5, 1.5}}}}, "must lie between 0.001 and 1");
     refused(3, {{"hidden", {{5, 2}}}}, "between 0 and 1");
-    refused(3, {{"material.solid", {{5, 3}}}}, "between 0 and 2");
+    refused(3, {{"material.solid", {{5, 4}}}}, "between 0 and 3");
     refused(3, {{"placement.grid.x", {{5, 1}}}}, "between 2 and 1024");
     refused(3, {{"hidden", {{5, 1, Tween::cubic, {1, 0}}}}}, "wrong way");
     refused(3, {{"hidden", {{std::nan(""), 1}}}}, "frame");
