@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
 #include "core/evaluation/lacking.h"
+#include "core/evaluation/pattern_colors.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -132,10 +133,11 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
     check_kept(film.kept, film.moments.size());
     const Document plain = unrefined(document);
     Evaluator evaluator(assets);
+    PatternColors patterns;
     for (std::size_t i = 0; i < film.moments.size(); ++i) {
         report(progress, static_cast<double>(i) / static_cast<double>(film.moments.size()),
                "going through the frames");
-        film.evaluated.push_back(evaluator(plain, film.moments[i]));
+        film.evaluated.push_back(patterns(evaluator(plain, film.moments[i])));
         film.kept += others(film.evaluated[i], i > 0 ? &film.evaluated[i - 1] : nullptr);
         check_kept(film.kept, film.moments.size());
     }

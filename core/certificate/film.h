@@ -32,8 +32,9 @@ struct FilmStrip {
 };
 bool same_faces(const Mesh& a, const Mesh& b); // also true only for equal numbers of vertices
 
-// A Film is a scene at ascending moments, in frames, which may lie between two frames. Meshes are
-// not worked out. The whole film is in memory: 1 to 2 KB per part that differs from the moment
+// A Film is a scene at ascending moments, in frames, which may lie between two frames. Patterns
+// that fill bodies are colours of vertices (core/evaluation/pattern_colors.h). Other meshes are not
+// worked out. The whole film is in memory: 1 to 2 KB per part that differs from the moment
 // before.
 struct Film {
     std::vector<double> moments;

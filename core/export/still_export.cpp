@@ -4,6 +4,7 @@
 #include "core/base/finite.h"
 #include "core/commands/refine.h"
 #include "core/document/document_digest.h"
+#include "core/evaluation/pattern_colors.h"
 #include "core/files/repeated_nodes.h"
 
 #include <algorithm>
@@ -97,9 +98,9 @@ Document refined_to(Document document, double tolerance)
 Export export_of(const Evaluation& evaluated, const ExportedScene& scene)
 {
     Export out;
-    RigidScene written{evaluated, {}};
+    RigidScene written{PatternColors()(evaluated), {}};
     if (scene.instances) {
-        written = with_rigid_tiles(evaluated, scene.document, *scene.instances);
+        written = with_rigid_tiles(written.evaluated, scene.document, *scene.instances);
         out.tiles = std::move(written.counts);
     }
     out.model = model_of(written.evaluated, scene.document);

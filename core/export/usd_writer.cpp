@@ -9,26 +9,61 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 namespace trivar {
 namespace {
 
-std::string usd_material(const Material& m, std::size_t number)
+// A colored material shows the displayColor of meshes in place of its own colour.
+std::string usd_material(const Material& m, std::size_t number, bool colored)
 {
     const std::string path = fmt::format("/Scene/Materials/Material_{}", number);
+    const std::string color = colored ? fmt::format(".connect = <{}/Color.outputs:result>", path)
+                                      : " = " + usd_tuple(glm::vec3(m.base_color));
+    const std::string reader =
+        !colored ? ""
+                 : "            def Shader \"Color\"\n            {\n"
+                   "                uniform token info:id = \"UsdPrimvarReader_float3\"\n"
+                   "                string inputs:varname = \"displayColor\"\n"
+                   "                float3 outputs:result\n            }\n";
     return fmt::format("        def Material \"Material_{0}\"\n        {{\n"
                        "            token outputs:surface.connect = <{1}/Surface.outputs:surface>\n"
                        "            def Shader \"Surface\"\n            {{\n"
                        "                uniform token info:id = \"UsdPreviewSurface\"\n"
-                       "                color3f inputs:diffuseColor = {2}\n"
+                       "                color3f inputs:diffuseColor{2}\n"
                        "                color3f inputs:emissiveColor = {3}\n"
                        "                float inputs:metallic = {4}\n"
                        "                float inputs:roughness = {5}\n"
                        "                float inputs:opacity = {6}\n"
-                       "                token outputs:surface\n            }}\n        }}\n",
-                       number, path, usd_tuple(glm::vec3(m.base_color)), usd_tuple(m.emissive),
-                       usd_number(m.metallic), usd_number(m.roughness), usd_number(m.base_color.w));
+                       "                token outputs:surface\n            }}\n{7}        }}\n",
+                       number, path, color, usd_tuple(m.emissive), usd_number(m.metallic),
+                       usd_number(m.roughness), usd_number(m.base_color.w), reader);
 }
+
+// The colours of vertices times those of the materials of their faces; where faces of several have
+// a vertex, of the first.
+std::vector<glm::vec3> display_colors(const Mesh& mesh, const std::vector<Material>& materials)
+{
+    std::vector<glm::vec3> out(mesh.vertex_count(), glm::vec3(1));
+    std::vector<bool> done(mesh.vertex_count(), false);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const std::size_t number = mesh.face_material.empty() ? 0 : mesh.face_material[f];
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const std::uint32_t v = mesh.corners[c];
+            if (done[v]) continue;
+            done[v] = true;
+            if (number < materials.size()) out[v] = glm::vec3(materials[number].base_color);
+            if (!mesh.colors.empty()) out[v] *= glm::vec3(mesh.colors[v]);
+        }
+    }
+    return out;
+}
+
+// Materials that are written, and which of them show the colours of meshes.
+struct UsdMaterials {
+    std::map<Ref<std::vector<Material>>, std::size_t> first; // only for lookup, as the next
+    std::set<Ref<std::vector<Material>>> colored;
+};
 
 class UsdStrip {
 public:
@@ -42,7 +77,7 @@ public:
     {
     }
 
-    void write(const std::string& name, std::size_t first_material, const Progress& progress)
+    void write(const std::string& name, const UsdMaterials& materials, const Progress& progress)
     {
         const Mesh& mesh = *strip_.first().rest;
         file_.append(fmt::format("{0}def Mesh \"{1}\" (\n"
@@ -62,7 +97,8 @@ public:
         else
             write_matrices();
         write_visibility();
-        write_materials(mesh, first_material);
+        write_materials(mesh, materials.first.at(strip_.materials),
+                        materials.colored.contains(strip_.materials));
         file_.append(margin_ + "}\n");
     }
 
@@ -124,7 +160,7 @@ private:
         line("}");
     }
 
-    void write_materials(const Mesh& mesh, std::size_t first)
+    void write_materials(const Mesh& mesh, std::size_t first, bool colored)
     {
         std::map<std::uint32_t, std::vector<std::uint32_t>> faces;
         for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
@@ -134,7 +170,11 @@ private:
                                first + material);
         };
         if (faces.size() == 1) line(bound(faces.begin()->first));
-        if (!faces.empty()) {
+        if (colored) {
+            line("color3f[] primvars:displayColor = " +
+                 usd_list(display_colors(mesh, *strip_.materials)) + " (\n            " +
+                 "interpolation = \"vertex\"\n        )");
+        } else if (!faces.empty()) {
             const std::uint32_t material = faces.begin()->first;
             if (material < strip_.materials->size())
                 line("color3f[] primvars:displayColor = [" +
@@ -171,11 +211,18 @@ void write_usda(const Film& film, const InstancedFilm& shown, const std::vector<
                             "    def Scope \"Materials\"\n    {{\n",
                             shortest(frames_per_second), shortest(film.moments.front()),
                             shortest(film.moments.back())));
-    std::map<Ref<std::vector<Material>>, std::size_t> first_of; // only for lookup
-    std::size_t materials = 0;
+    UsdMaterials materials;
+    const auto note_colors = [&](const FilmStrip& strip) {
+        if (!strip.first().rest->colors.empty()) materials.colored.insert(strip.materials);
+    };
+    for (const FilmStrip& strip : shown.strips) note_colors(strip);
+    for (const UsdInstancer& each : shown.instancers) note_colors(each.mesh);
+    std::size_t count_of_materials = 0;
     const auto add_materials = [&](const Ref<std::vector<Material>>& own) {
-        if (!first_of.try_emplace(own, materials).second) return;
-        for (const Material& material : *own) file.append(usd_material(material, materials++));
+        if (!materials.first.try_emplace(own, count_of_materials).second) return;
+        for (const Material& material : *own)
+            file.append(
+                usd_material(material, count_of_materials++, materials.colored.contains(own)));
     };
     for (const FilmStrip& strip : shown.strips) add_materials(strip.materials);
     for (const UsdInstancer& each : shown.instancers) add_materials(each.mesh.materials);
@@ -186,18 +233,17 @@ void write_usda(const Film& film, const InstancedFilm& shown, const std::vector<
     for (const FilmStrip& strip : shown.strips) {
         const auto done = static_cast<double>(number);
         UsdStrip(film, strip, file)
-            .write(usd_name(strip.name, number++), first_of.at(strip.materials),
+            .write(usd_name(strip.name, number++), materials,
                    part_of(progress, done / count, (done + 1) / count));
     }
     for (const UsdInstancer& each : shown.instancers) {
         const std::string name = usd_name(each.mesh.name, number++);
         begin_instancer(file, film, each, name);
-        UsdStrip(film, each.mesh, file, "        ")
-            .write(name, first_of.at(each.mesh.materials), {});
+        UsdStrip(film, each.mesh, file, "        ").write(name, materials, {});
         file.append("    }\n");
     }
     for (const CurveStrip& strip : curves)
-        number = add_usd_curves(file, film, strip, number, first_of.at(strip.materials));
+        number = add_usd_curves(file, film, strip, number, materials.first.at(strip.materials));
     file.append("}\n");
     file.finish();
 }

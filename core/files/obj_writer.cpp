@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/color.h"
 #include "core/files/formats.h"
 
 #include <cmath>
@@ -48,18 +49,25 @@ private:
 
     void write_mesh(const Mesh& mesh)
     {
-        // One v is written per point, so that seams are closed when the file is read again.
+        // One v is written per point, so that seams are closed when the file is read again, but
+        // where a point has two colours.
         std::vector<std::uint32_t> v_of_point(mesh.vertex_count() ? point_count(mesh) : 0, none);
         std::vector<std::uint32_t> v_of(mesh.vertex_count());
         std::uint32_t v_count = 0;
-        std::vector<glm::vec3> written;
+        std::vector<std::uint32_t> written; // the vertex of each v
+        const auto same = [&](std::uint32_t i, std::uint32_t j) {
+            return mesh.positions[i] == mesh.positions[j] &&
+                   (mesh.colors.empty() || mesh.colors[i] == mesh.colors[j]);
+        };
         for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
             const glm::vec3& p = mesh.positions[i];
             std::uint32_t& known = v_of_point[mesh.point(i)];
-            if (known == none || written[known] != p) {
+            if (known == none || !same(written[known], i)) {
                 known = v_count++;
-                written.push_back(p);
-                fmt::format_to(to(), "v {} {} {}\n", p.x, p.y, p.z);
+                written.push_back(i);
+                fmt::format_to(to(), "v {} {} {}", p.x, p.y, p.z);
+                if (!mesh.colors.empty()) write_color(mesh.colors[i]);
+                fmt::format_to(to(), "\n");
             }
             v_of[i] = known;
         }
@@ -71,6 +79,13 @@ private:
         v_base_ += v_count;
         vt_base_ += mesh.uvs.empty() ? 0 : mesh.vertex_count();
         vn_base_ += mesh.normals.size();
+    }
+
+    // As most programs read it: behind the position, as it is displayed.
+    void write_color(const glm::vec4& linear)
+    {
+        const glm::vec3 c = srgb_from_linear(glm::clamp(glm::vec3(linear), 0.0f, 1.0f));
+        fmt::format_to(to(), " {} {} {}", c.x, c.y, c.z);
     }
 
     void write_faces(const Mesh& mesh, const std::vector<std::uint32_t>& v_of)
