@@ -60,13 +60,13 @@ glm::dvec3 CutDrawing::position(std::uint32_t number) const
 const CutDrawing::OnTriangle* CutDrawing::on_triangle(std::uint32_t t) const
 {
     const std::uint32_t i = triangle_number_.find(t);
-    return i == KeyMap::none ? nullptr : &triangles_[i];
+    return i == KeyNumbers::none ? nullptr : &triangles_[i];
 }
 
 const std::vector<CutDrawing::OnEdge>* CutDrawing::on_edge(std::uint32_t edge) const
 {
     const std::uint32_t i = edge_number_.find(edge);
-    return i == KeyMap::none ? nullptr : &edges_[i];
+    return i == KeyNumbers::none ? nullptr : &edges_[i];
 }
 
 CutDrawing::OnTriangle& CutDrawing::drawn_on(std::uint32_t t)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/key_map.h"
+#include "core/base/key_numbers.h"
 #include "core/incise/lattice_point.h"
 
 namespace trivar {
@@ -66,7 +66,7 @@ private:
     std::vector<Segment> segments_;
     std::uint32_t strokes_ = 0;
     std::vector<double> lengths_;
-    KeyMap number_of_key_, triangle_number_, edge_number_;
+    KeyNumbers number_of_key_, triangle_number_, edge_number_;
     std::vector<OnTriangle> triangles_;
     std::vector<std::uint32_t> drawn_triangles_;
     std::vector<std::vector<OnEdge>> edges_;

@@ -58,7 +58,7 @@ std::vector<std::vector<Passage>> passages_of(const SlitGraph& graph, std::size_
 
 // The neighbours of the patch's points along edges of its pieces.
 struct Neighbours {
-    KeyMap number;
+    KeyNumbers number;
     std::vector<std::uint32_t> begin, of;
 
     explicit Neighbours(const std::vector<SkinTriangle>& triangles)
@@ -170,7 +170,7 @@ private:
         std::size_t first = 0, last = curve.segment_count() - 1;
         while (first < last && curve.s(first + 1) < piece.begin) ++first;
         while (last > first && curve.s(last) > piece.end) --last;
-        KeyMap seen;
+        KeyNumbers seen;
         struct Open {
             std::uint32_t point;
             std::size_t segment;
@@ -191,7 +191,7 @@ private:
             seen.number(point);
             open.push_back({point, foot.segment, side});
             const std::uint32_t node = graph.node_of_point.find(point);
-            if (node != KeyMap::none) {
+            if (node != KeyNumbers::none) {
                 others.push_back({node, foot.s, foot.distance, side});
                 return;
             }
@@ -206,13 +206,13 @@ private:
         for (std::size_t i = 0; i < open.size(); ++i) {
             const Open at = open[i];
             const std::uint32_t local = neighbours.number.find(at.point);
-            if (local != KeyMap::none)
+            if (local != KeyNumbers::none)
                 for (std::uint32_t k = neighbours.begin[local]; k < neighbours.begin[local + 1];
                      ++k)
                     accept(neighbours.of[k], at.segment, at.side, false);
             if (at.point >= skin.point_count()) continue;
             skin.around(at.point, [&](std::uint32_t side) {
-                if (local != KeyMap::none && patch.replaces(side / 3)) return;
+                if (local != KeyNumbers::none && patch.replaces(side / 3)) return;
                 accept(skin.to(side), at.segment, at.side, false);
                 accept(skin.from(CutSkin::previous(side)), at.segment, at.side, false);
             });

@@ -89,7 +89,7 @@ std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triang
     const CutSkin& skin = drawing.skin();
     Triangulation plane;
     std::vector<std::uint32_t> numbers; // of the drawing, by point of the plane
-    KeyMap known;
+    KeyNumbers known;
     const auto add = [&](std::uint32_t number) {
         const std::optional<glm::ivec2> at = weights_in(skin, drawing.point(number), triangle);
         assert(at);

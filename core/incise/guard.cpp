@@ -150,7 +150,7 @@ private:
 CutGuard::CutGuard(const CutShape& shape)
 {
     const CutSkin& skin = shape.drawing.skin();
-    KeyMap local;
+    KeyNumbers local;
     std::vector<std::uint32_t> vertices;
     const auto number = [&](std::uint32_t vertex) {
         const auto [n, fresh] = local.number(vertex);
@@ -174,7 +174,7 @@ CutGuard::CutGuard(const CutShape& shape)
     }
     std::ranges::sort(movers_);
     movers_.erase(std::unique(movers_.begin(), movers_.end()), movers_.end());
-    KeyMap taken; // triangles of the skin round all these vertices
+    KeyNumbers taken; // triangles of the skin round all these vertices
     const std::size_t inner = vertices.size();
     for (std::size_t i = 0; i < inner; ++i) {
         if (vertices[i] >= skin.point_count()) continue;

@@ -8,8 +8,8 @@ namespace trivar {
 
 struct InciseOptions {
     int rows = 4; // of wall triangles from the skin down to the deepest floor
-    std::vector<WallLayer> layers =
-        {};              // from the skin down; none: walls look as the skin above them
+    // From the skin down; none: walls look as the skin above them.
+    std::vector<WallLayer> layers = {};
     bool guarded = true; // depths and openings stay such that no wall meets another
     double reach = 0.01; // of the skin's diagonal: strokes are looked for so far off the skin
 };
@@ -17,8 +17,8 @@ struct InciseOptions {
 // Cuts a skin. An incision that cannot be cut is left out, and its outcome says why. Closed stays
 // closed and 2-manifold, with the Euler number that it had; seams stay and none is made; vertices
 // of the mesh keep their numbers and bits. Costs what the region of the cuts costs, and one copy of
-// the arrays. The same bits for any number of threads.
-//   Base: the room's page docs/incise.md tells the steps.
+// the arrays. The same bits for any number of threads. Generalizes the one slit in one patch of
+// [Schein, thesis, 6.8]; docs/incise.md tells the steps.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
 

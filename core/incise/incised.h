@@ -15,17 +15,17 @@ namespace trivar {
 struct IncisedMesh {
     // What became of an incision.
     struct Outcome {
-        std::string refusal; // why there is no cut, a sentence; empty: there is one
-        double length = 0, depth = 0;
-        double widest = 0; // share of the width that the guard admits
+        std::string refusal;          // why there is no cut, a sentence; empty: there is one
+        double length = 0, depth = 0; // units of the mesh; the depth after all limits
+        double widest = 0;            // share of the width that the guard admits
     };
     struct Term {
         std::uint32_t slot, incision;
         float share;    // of the incision's length
-        glm::vec3 move; // when quite open, before the guard
+        glm::vec3 move; // units of the mesh, when quite open, before the guard
     };
-    Ref<Mesh> original,
-        rest; // rest: shut, with walls; the same as the original where nothing is cut
+    Ref<Mesh> original;
+    Ref<Mesh> rest; // shut, with walls; the same as the original where nothing is cut
     std::vector<Outcome> outcomes; // by incision
     std::vector<Term> terms;
     std::size_t slots = 0;

@@ -2,8 +2,7 @@
 #include "core/incise/incised_mesh.h"
 
 #include "core/incise/birth.h"
-#include "core/split/array_copies.h"
-#include "core/split/mesh_region.h"
+#include "core/mesh/mesh_region.h"
 
 #include <algorithm>
 #include <numeric>
@@ -80,32 +79,7 @@ private:
         const std::size_t triangles = shape_.patch.triangles.size() + shape_.walls.walls.size();
         const std::size_t more = room_per_triangle * triangles;
         Mesh out;
-        ArrayCopies copies;
-        copies.add([&] { take_other_faces(out, mesh_, faces, triangles, 3 * triangles); });
-        const auto copy = [&](const auto& from, auto& to) {
-            copies.add([&from, &to, more] { copy_with_room(from, from.empty() ? 0 : more, to); });
-        };
-        copy(mesh_.positions, out.positions);
-        copies.add([&] {
-            if (!mesh_.points.empty()) return copy_with_room(mesh_.points, more, out.points);
-            out.points.reserve(mesh_.vertex_count() + more);
-            out.points.resize(mesh_.vertex_count());
-            std::iota(out.points.begin(), out.points.end(), 0u);
-        });
-        copy(mesh_.normals, out.normals);
-        copy(mesh_.tangents, out.tangents);
-        copy(mesh_.colors, out.colors);
-        copy(mesh_.influences, out.influences);
-        out.uvs.resize(mesh_.uvs.size());
-        for (std::size_t set = 0; set < mesh_.uvs.size(); ++set) copy(mesh_.uvs[set], out.uvs[set]);
-        out.morph_targets.resize(mesh_.morph_targets.size());
-        for (std::size_t i = 0; i < mesh_.morph_targets.size(); ++i) {
-            copy(mesh_.morph_targets[i].positions, out.morph_targets[i].positions);
-            copy(mesh_.morph_targets[i].normals, out.morph_targets[i].normals);
-            copy(mesh_.morph_targets[i].tangents, out.morph_targets[i].tangents);
-        }
-        copies.run();
-        out.group_names = mesh_.group_names;
+        copy_others(out, mesh_, faces, more, triangles);
         return out;
     }
 
@@ -153,19 +127,19 @@ private:
             std::uint32_t v = 0;
             for (int i = 0; i < 3; ++i)
                 if (skin_.triangle(t.parent)[i] == p.index) v = skin_.vertices(t.parent)[i];
-            if (shape_.patch.sectors[piece][k] == KeyMap::none) return v;
-            if (const std::uint32_t number = known(v); number != KeyMap::none) return number;
+            if (shape_.patch.sectors[piece][k] == KeyNumbers::none) return v;
+            if (const std::uint32_t number = known(v); number != KeyNumbers::none) return number;
             if (!taken_.number(v).second) return keep(v, born(vertex, glm::uvec3(v), {1, 0, 0}));
             new_points_.emplace_back(v, vertex);
             return keep(v, v);
         }
         if (p.on == On::edge) {
             const std::uint32_t side = side_seen_from(p, t.parent);
-            if (const std::uint32_t number = known(side); number != KeyMap::none) return number;
+            if (const std::uint32_t number = known(side); number != KeyNumbers::none) return number;
             const glm::uvec2 ends = ends_of(side);
             return keep(side, born(vertex, {ends.x, ends.y, ends.y}, blend.weights));
         }
-        if (const std::uint32_t number = known(0); number != KeyMap::none) return number;
+        if (const std::uint32_t number = known(0); number != KeyNumbers::none) return number;
         return keep(0, born(vertex, skin_.vertices(p.index), blend.weights));
     }
 
@@ -275,15 +249,15 @@ private:
 
     void take_terms(IncisedMesh& out) const
     {
-        KeyMap slots; // by vertex of the cut
+        KeyNumbers slots; // by vertex of the cut
         for (const CutTerm& term : shape_.terms)
             out.terms.push_back(
                 {slots.number(term.vertex).first, term.incision, term.share, term.move});
         out.slots = slots.size();
-        KeyMap listed;
+        KeyNumbers listed;
         const auto list = [&](std::uint32_t vertex, std::uint32_t cut_vertex) {
             const std::uint32_t slot = slots.find(cut_vertex);
-            if (slot == KeyMap::none || !listed.number(vertex).second) return;
+            if (slot == KeyNumbers::none || !listed.number(vertex).second) return;
             out.moved.push_back(vertex);
             out.slot_of_moved.push_back(slot);
         };
@@ -306,8 +280,8 @@ private:
     std::vector<BirthVertex> births_;
     std::vector<std::uint32_t> vertex_of_birth_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_points_; // of vertices of the mesh
-    KeyMap taken_; // vertices of the mesh at nodes that some vertex of the cut has kept
-    KeyMap skin_number_, wall_number_;
+    KeyNumbers taken_; // vertices of the mesh at nodes that some vertex of the cut has kept
+    KeyNumbers skin_number_, wall_number_;
 };
 
 } // namespace

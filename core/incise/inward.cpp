@@ -50,7 +50,7 @@ Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : 
             skin.around(points[i], [&](std::uint32_t side) {
                 for (int k = 0; k < 3; ++k) {
                     const std::uint32_t n = number_.find(skin.triangle(side / 3)[k]);
-                    if (n != KeyMap::none) sum += now[n];
+                    if (n != KeyNumbers::none) sum += now[n];
                 }
             });
             next[i] = unit_or_none(sum);

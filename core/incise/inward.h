@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/key_map.h"
+#include "core/base/key_numbers.h"
 #include "core/incise/lattice_point.h"
 
 namespace trivar {
@@ -34,7 +34,7 @@ private:
     void turn_to_faces(std::uint32_t point, Direction& d) const;
 
     const CutSkin* skin_;
-    KeyMap number_;
+    KeyNumbers number_;
     std::vector<Direction> directions_;
 };
 

@@ -31,7 +31,7 @@ int corner_at(const SkinTriangle& t, std::uint32_t point)
 void go_round(CutPatch& patch, SlitGraph& graph, std::uint32_t n)
 {
     SlitNode& node = graph.nodes[n];
-    KeyMap edge_to; // by the point at the other end
+    KeyNumbers edge_to; // by the point at the other end
     for (const std::uint32_t e : node.edges) {
         const SlitEdge& edge = graph.edges[e];
         edge_to.insert(edge.a == node.point ? edge.b : edge.a, e);
@@ -43,9 +43,9 @@ void go_round(CutPatch& patch, SlitGraph& graph, std::uint32_t n)
     std::uint32_t to = start;
     do {
         const std::uint32_t edge = edge_to.find(to);
-        if (edge != KeyMap::none) node.edges.push_back(edge);
+        if (edge != KeyNumbers::none) node.edges.push_back(edge);
         const std::uint32_t t = patch.triangle_of_side.find(pair_key(node.point, to));
-        assert(t != KeyMap::none);
+        assert(t != KeyNumbers::none);
         const int k = corner_at(patch.triangles[t], node.point);
         patch.sectors[t][static_cast<std::size_t>(k)] =
             static_cast<std::uint32_t>(node.edges.size() - 1);
@@ -90,7 +90,8 @@ CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, S
             assert(fresh);
             static_cast<void>(fresh);
         }
-    patch.sectors.assign(patch.triangles.size(), {KeyMap::none, KeyMap::none, KeyMap::none});
+    patch.sectors.assign(patch.triangles.size(),
+                         {KeyNumbers::none, KeyNumbers::none, KeyNumbers::none});
     for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) go_round(patch, graph, n);
     return patch;
 }

@@ -61,7 +61,7 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
     for (const CutRun& run : runs)
         deepest = std::max(deepest, scale * incisions[run.incision].depth);
     const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, inward);
-    KeyMap known;
+    KeyNumbers known;
     std::vector<double> below;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         CutRun& run = runs[k];

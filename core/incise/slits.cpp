@@ -19,7 +19,7 @@ int& depth_of(std::vector<SlitEdge>& edges, const EdgeEnd& end)
 
 // Ends of edges by point; points are numbered in the order in which they come.
 struct EdgeEnds {
-    KeyMap number;
+    KeyNumbers number;
     std::vector<std::uint32_t> points;
     std::vector<std::vector<EdgeEnd>> ends;
 
@@ -42,7 +42,7 @@ std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vecto
                                std::span<const Incision> incisions, double step)
 {
     std::vector<SlitEdge> edges;
-    KeyMap number;
+    KeyNumbers number;
     std::uint32_t first_piece = 0;
     for (std::uint32_t k = 0; k < runs.size(); ++k) {
         std::uint32_t last_piece = first_piece;

@@ -46,7 +46,7 @@ struct SlitNode {
 struct SlitGraph {
     std::vector<SlitEdge> edges;
     std::vector<SlitNode> nodes;
-    KeyMap node_of_point;
+    KeyNumbers node_of_point;
 };
 
 // The slit edges of runs with depths, and their nodes, whose edges are in no order yet. No floor

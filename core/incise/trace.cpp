@@ -192,7 +192,7 @@ private:
         };
         std::priority_queue<Open> open;
         std::vector<Reached> reached;
-        KeyMap number_of;
+        KeyNumbers number_of;
         const glm::dvec3 goal = at(to), start = at(chain_.points.back());
         const auto reach = [&](std::uint32_t point, std::uint32_t before, double far) {
             const auto [number, fresh] = number_of.number(point);
@@ -204,13 +204,13 @@ private:
                 return;
             open.push({far + glm::distance(goal, skin_.position(point)), number});
         };
-        KeyMap ends;
+        KeyNumbers ends;
         for (const std::uint32_t t : triangles_round(skin_, to))
             for (int i = 0; i < 3; ++i) ends.number(skin_.triangle(t)[i]);
         for (const std::uint32_t t : triangles_round(skin_, chain_.points.back()))
             for (int i = 0; i < 3; ++i)
-                reach(skin_.triangle(t)[i], KeyMap::none, glm::distance(start, corner(t, i)));
-        std::uint32_t end = KeyMap::none;
+                reach(skin_.triangle(t)[i], KeyNumbers::none, glm::distance(start, corner(t, i)));
+        std::uint32_t end = KeyNumbers::none;
         for (std::size_t tries = 0; !open.empty() && tries < most_tries; ++tries) {
             const std::uint32_t number = open.top().number;
             open.pop();
@@ -228,9 +228,9 @@ private:
                           far + glm::distance(skin_.position(point), skin_.position(other)));
             });
         }
-        if (end == KeyMap::none) return false;
+        if (end == KeyNumbers::none) return false;
         std::vector<LatticePoint> way;
-        for (std::uint32_t i = end; i != KeyMap::none; i = reached[i].before)
+        for (std::uint32_t i = end; i != KeyNumbers::none; i = reached[i].before)
             way.push_back({On::point, reached[i].point, 0, 0});
         std::ranges::reverse(way);
         way.push_back(to);

@@ -82,7 +82,7 @@ private:
         for (std::size_t t = 0; t < patch_.triangles.size(); ++t) {
             std::array<std::uint32_t, 3> corners = patch_.triangles[t].points;
             for (std::size_t k = 0; k < 3; ++k) {
-                if (patch_.sectors[t][k] == KeyMap::none) continue;
+                if (patch_.sectors[t][k] == KeyNumbers::none) continue;
                 const SlitNode& node = graph_.nodes[graph_.node_of_point.find(corners[k])];
                 corners[k] = node.corner(0, patch_.sectors[t][k]);
             }

@@ -9,7 +9,7 @@ namespace trivar {
 struct CutPatch {
     std::vector<SkinTriangle> triangles;
     std::vector<std::uint32_t> replaced; // triangles of the skin, ascending; of whole faces
-    KeyMap triangle_of_side;             // a piece by its directed edge
+    KeyNumbers triangle_of_side;         // a piece by its directed edge
     // By piece and corner: the sector of the node there, or none.
     std::vector<std::array<std::uint32_t, 3>> sectors;
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/closed_body.h"
 
+#include "core/base/joined_sets.h"
 #include "core/mesh/adjacency.h"
-
-#include <numeric>
 
 namespace trivar {
 namespace {
@@ -11,15 +10,11 @@ namespace {
 // Returns for each point a point that represents its piece.
 std::vector<std::uint32_t> pieces(const Adjacency& adjacency)
 {
-    std::vector<std::uint32_t> parent(adjacency.point_count());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t p) {
-        while (parent[p] != p) p = parent[p] = parent[parent[p]];
-        return p;
-    };
-    for (const glm::uvec2& edge : adjacency.edges()) parent[root(edge.x)] = root(edge.y);
-    for (std::uint32_t p = 0; p < parent.size(); ++p) parent[p] = root(p);
-    return parent;
+    JoinedSets sets(adjacency.point_count());
+    for (const glm::uvec2& edge : adjacency.edges()) sets.join(edge.x, edge.y);
+    std::vector<std::uint32_t> out(adjacency.point_count());
+    for (std::uint32_t p = 0; p < out.size(); ++p) out[p] = sets.root(p);
+    return out;
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplify/fans.h"
 
+#include "core/base/joined_sets.h"
 #include "core/mesh/adjacency.h"
 #include "core/simplify/alike.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace trivar {
 namespace {
@@ -67,18 +67,13 @@ private:
     // Makes the nodes: corners at the same end of a shared edge are in one fan.
     void take_nodes()
     {
-        std::vector<std::uint32_t> parent(3 * out_.triangles.size());
-        std::iota(parent.begin(), parent.end(), 0u);
-        const auto root = [&](std::uint32_t c) {
-            while (parent[c] != c) c = parent[c] = parent[parent[c]];
-            return c;
-        };
+        JoinedSets corners(3 * out_.triangles.size());
         for (std::uint32_t e = 0; e < edges_.edge_count(); ++e)
             if (const auto [one, other] = both_in(e); other != Fans::none) {
-                parent[root(one)] = root(edges_.next(other));
-                parent[root(edges_.next(one))] = root(other);
+                corners.join(one, edges_.next(other));
+                corners.join(edges_.next(one), other);
             }
-        std::vector<std::uint32_t> node_of(parent.size(), Fans::none); // by root
+        std::vector<std::uint32_t> node_of(3 * out_.triangles.size(), Fans::none); // by root
         for (std::size_t p = 0; p < edges_.point_count(); ++p) {
             const std::size_t first = out_.vertex.size();
             bool all_in = true;
@@ -87,7 +82,7 @@ private:
                     all_in = false;
                     continue;
                 }
-                std::uint32_t& node = node_of[root(c)];
+                std::uint32_t& node = node_of[corners.root(c)];
                 if (node == Fans::none) {
                     node = static_cast<std::uint32_t>(out_.vertex.size());
                     out_.vertex.push_back(vertex(c));

@@ -2,10 +2,9 @@
 #include "core/split/cut.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_region.h"
 #include "core/refinement/born_vertices.h"
-#include "core/split/array_copies.h"
 #include "core/split/heights_apart.h"
-#include "core/split/mesh_region.h"
 
 #include <algorithm>
 #include <cassert>
@@ -123,43 +122,6 @@ private:
     std::vector<CutEdge> edges_, places_; // places: edges between points
 };
 
-// Makes `out` a copy of the mesh but for its faces in `left_out`, with room for `more` vertices
-// and faces, and a point for every vertex.
-void copy_others(const Mesh& mesh, const std::vector<std::uint32_t>& left_out, std::size_t more,
-                 Mesh& out)
-{
-    ArrayCopies copies;
-    const auto copied = [&](const auto& from, auto& to) {
-        copies.add([&from, &to, more] { copy_with_room(from, from.empty() ? 0 : more, to); });
-    };
-    copies.add([&] { take_other_faces(out, mesh, left_out, 2 * more, 6 * more); });
-    copied(mesh.positions, out.positions);
-    copies.add([&] {
-        if (!mesh.points.empty()) {
-            copy_with_room(mesh.points, more, out.points);
-            return;
-        }
-        out.points.reserve(mesh.vertex_count() + more);
-        out.points.resize(mesh.vertex_count());
-        std::iota(out.points.begin(), out.points.end(), 0u);
-    });
-    copied(mesh.normals, out.normals);
-    copied(mesh.tangents, out.tangents);
-    copied(mesh.colors, out.colors);
-    copied(mesh.influences, out.influences);
-    out.uvs.resize(mesh.uvs.size());
-    for (std::size_t set = 0; set < mesh.uvs.size(); ++set) copied(mesh.uvs[set], out.uvs[set]);
-    out.morph_targets.resize(mesh.morph_targets.size());
-    for (std::size_t i = 0; i < mesh.morph_targets.size(); ++i) {
-        copied(mesh.morph_targets[i].positions, out.morph_targets[i].positions);
-        copied(mesh.morph_targets[i].normals, out.morph_targets[i].normals);
-        copied(mesh.morph_targets[i].tangents, out.morph_targets[i].tangents);
-    }
-    copies.run();
-    out.group_names = mesh.group_names;
-    out.creases = mesh.creases;
-}
-
 // The faces that a triangle across the cut becomes: one on the side of its single corner, two on
 // the other side.
 class FaceMaker {
@@ -244,7 +206,8 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
     const Crossings crossings(mesh, out.above, across);
 
     // Copies on both halves, and the rims of both caps
-    copy_others(mesh, faces, 5 * crossings.edges().size() + 64, out.mesh);
+    const std::size_t more = 5 * crossings.edges().size() + 64;
+    copy_others(out.mesh, mesh, faces, more, 2 * more);
     out.first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
     out.first_point =
         static_cast<std::uint32_t>(mesh.points.empty() ? mesh.vertex_count() : point_count(mesh));

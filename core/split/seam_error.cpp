@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/opening_bounds.h"
+#include "core/split/side_bound.h"
 #include "core/split/split_error.h"
 
 #include <algorithm>
@@ -64,16 +65,12 @@ void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 
     const double least = std::ranges::min(heights), most = std::ranges::max(heights);
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
-        const double r = each.reach[side];
-        const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
-        if (nearest >= r) continue;
-        const double farthest = (side == 0 ? -least : most) + bend;
-        const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
+        const std::optional<SideBound> in_reach = side_bound(each, side, least, most, bend);
+        if (!in_reach) continue;
+        const auto& [r, nearest, farthest, kernel, slope, curve] = *in_reach;
         const JetBound wall = bounds.walls[side].over(from, to);
-        const double slope = kernel.first / r, curve = kernel.second / (r * r);
         // It fades like the square of what is between these
-        const double far = 1 - nearest / r, near = std::max(0.0, 1 - farthest / r);
+        const double far = 1 - nearest, near = std::max(0.0, 1 - farthest);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
             const double a = std::abs(heights[(i + 1) % 3] - heights[i]) + phi_ee;

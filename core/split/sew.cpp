@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/sew.h"
 
-#include <numeric>
+#include "core/base/joined_sets.h"
+
+#include <algorithm>
 
 namespace trivar {
 namespace {
-
-// Sets of numbers that belong together.
-class Together {
-public:
-    explicit Together(std::size_t count) : root_(count)
-    {
-        std::iota(root_.begin(), root_.end(), std::size_t{0});
-    }
-    std::size_t root(std::size_t i)
-    {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) { root_[root(a)] = root(b); }
-
-private:
-    std::vector<std::size_t> root_;
-};
 
 // Leaves out faces from `first` on.
 void leave_out(Mesh& mesh, std::size_t first, const std::vector<char>& left_out)
@@ -56,19 +40,20 @@ bool stays(const CapTriangle& t, const std::vector<Half>& halves)
 void hide_what_is_inside(const std::vector<CapTriangle>& triangles, std::size_t places,
                          std::vector<Half>& halves)
 {
-    Together groups(halves.size());
+    JoinedSets groups(halves.size());
     for (const CapTriangle& t : triangles) {
-        std::size_t last = halves.size(); // of its corners that are apart
+        std::optional<std::uint32_t> last; // of its corners that are apart
         for (const std::size_t c : t) {
             if (halves[c] != Half::apart) continue;
-            if (last != halves.size()) groups.join(c, last);
-            last = c;
+            const auto corner = static_cast<std::uint32_t>(c);
+            if (last) groups.join(corner, *last);
+            last = corner;
         }
     }
     std::vector<char> at_rim(halves.size(), 0);
-    for (std::size_t i = 0; i < places; ++i)
+    for (std::uint32_t i = 0; i < places; ++i)
         if (halves[i] == Half::apart) at_rim[groups.root(i)] = 1;
-    for (std::size_t i = 0; i < halves.size(); ++i)
+    for (std::uint32_t i = 0; i < halves.size(); ++i)
         if (halves[i] == Half::apart && !at_rim[groups.root(i)]) halves[i] = Half::hidden;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/split.h"
 
+#include "core/base/array_copies.h"
 #include "core/base/parallel.h"
-#include "core/split/array_copies.h"
+#include "core/mesh/mesh_region.h"
 #include "core/split/cap.h"
 #include "core/split/finer.h"
-#include "core/split/mesh_region.h"
 #include "core/split/sew.h"
 #include "core/split/split_reach.h"
 

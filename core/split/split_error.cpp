@@ -2,6 +2,7 @@
 #include "core/split/split_error.h"
 
 #include "core/split/opening_bounds.h"
+#include "core/split/side_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,14 +74,10 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        if (side == 0 ? least - bend >= 0 : most + bend <= 0) continue;
-        const double r = each.reach[side];
-        const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend);
-        if (nearest >= r) continue;
-        const double farthest = (side == 0 ? -least : most) + bend;
-        const KernelBound kernel = kernel_bound(each.kernel, nearest / r, farthest / r);
+        const std::optional<SideBound> in_reach = side_bound(each, side, least, most, bend);
+        if (!in_reach) continue;
+        const auto& [reach, nearest, farthest, kernel, slope, curve] = *in_reach;
         const JetBound w = bounds.walls[side].over(lo2, hi2);
-        const double slope = kernel.first / r, curve = kernel.second / (r * r);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
             const double a = std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];

@@ -3,6 +3,7 @@
 
 #include "core/evaluation/attaching.h"
 #include "editor/tools/arrow_head.h"
+#include "editor/tools/handle_drag.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -116,20 +117,8 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
         moved_ = false;
         return true;
     }
-    drag_->camera.size_px = session.view.camera.size_px;
-    moved_ = moved_ || glm::distance(input.mouse, drag_->from_px) > click_slip_px;
-    const bool snap = ImGui::GetIO().KeyCtrl;
-    if (input.released || !input.down) {
-        const HoldDrag done = *drag_;
-        drag_.reset();
-        if (moved_ && session.propose(dragged(done, input.mouse, snap)))
-            session.commit_if_placed(done.object);
-        else
-            session.cancel();
-    } else if (moved_ && session.up_to_date()) {
-        // One proposal at a time: the next waits until the last one can be seen.
-        session.propose_quietly(dragged(*drag_, input.mouse, snap));
-    }
+    follow(drag_, moved_, session, input,
+           [&](const HoldDrag& done) { session.commit_if_placed(done.object); });
     return true;
 }
 
@@ -185,11 +174,7 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
 
 std::vector<Hint> PlacementHandles::hints() const
 {
-    if (drag_)
-        return {{{"left"}, "Let go when done"},
-                {{"Ctrl"}, "Round steps"},
-                {{"Esc", "/", "right"}, "Cancel"}};
-    return {{{"left"}, drag_words(hovered_.kind)}, {{"Ctrl"}, "Round steps"}};
+    return handle_hints(drag_.has_value(), drag_words(hovered_.kind));
 }
 
 std::optional<ui::Option> PlacementHandles::option(const Session& session, const ui::Theme& theme)

@@ -63,7 +63,7 @@ TEST(CutDrawings, PiecesFillTheirTriangleAndHaveAllSegmentsAsEdges)
     const CutSkin skin = tetrahedron();
     const CutDrawing drawing = drawing_of(skin, {rising, level});
     double area = 0;
-    KeyMap edges;
+    KeyNumbers edges;
     for (const SkinTriangle& piece : filled(drawing, 0)) {
         const auto p = [&](std::size_t i) { return drawing.position(piece.points[i]); };
         const glm::dvec3 twice = glm::cross(p(1) - p(0), p(2) - p(0));
@@ -110,7 +110,7 @@ TEST(LatticePoints, AreTheSameFromEveryTriangleRoundThem)
 
 TEST(KeyMaps, KeepTheFirstNumberOfAKey)
 {
-    KeyMap map;
+    KeyNumbers map;
     for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_TRUE(map.number(std::uint64_t{i} << 32).second);
     for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(map.find(std::uint64_t{i} << 32), i);
     EXPECT_EQ(map.insert(0, 5), std::pair(0u, false));

@@ -24,9 +24,10 @@ MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uin
 // again. O(size), arrays in parallel.
 Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, Mesh memory = {});
 
-// Makes the faces of `out` those of a mesh but for some (ascending), in their order, with room for
-// more faces and corners. What memory `out` has is used again. Arrays in parallel.
-void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
-                      std::size_t more_faces, std::size_t more_corners);
+// Makes `out` a copy of a mesh but for some of its faces (ascending), in their order: with room for
+// more vertices and for so many more triangles, with a point for every vertex, and without creases.
+// What memory `out` has is used again. Arrays in parallel.
+void copy_others(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                 std::size_t more_vertices, std::size_t more_triangles);
 
 } // namespace trivar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/split/mesh_region.h"
+#include "core/mesh/mesh_region.h"
 
-#include "core/split/array_copies.h"
+#include "core/base/array_copies.h"
 
 #include <algorithm>
 #include <bit>
@@ -72,6 +72,70 @@ void append_values(std::vector<std::uint32_t>& out, const std::vector<std::uint3
     out.resize(faces, 0);
     if (more.empty()) return;
     out.insert(out.end(), more.begin(), more.end());
+}
+
+// A point for every vertex, with room for more.
+void copy_points(const Mesh& mesh, std::size_t more, std::vector<std::uint32_t>& out)
+{
+    if (!mesh.points.empty()) return copy_with_room(mesh.points, more, out);
+    out.clear();
+    out.reserve(mesh.vertex_count() + more);
+    out.resize(mesh.vertex_count());
+    std::iota(out.begin(), out.end(), 0u);
+}
+
+// Makes the faces of `out` those of a mesh but for some (ascending), in their order, with room for
+// more faces and corners.
+void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                      std::size_t more_faces, std::size_t more_corners)
+{
+    const auto emptied = [](std::vector<std::uint32_t>& array, std::size_t room) {
+        array.clear();
+        if (array.capacity() < room) {
+            array = {};
+            array.reserve(room);
+        }
+    };
+    // Calls with the faces from `begin` to before `end` that stay
+    const auto for_runs = [&](const auto& body) {
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k <= left_out.size(); ++k) {
+            const std::size_t end = k < left_out.size() ? left_out[k] : mesh.face_count();
+            if (begin < end) body(begin, end);
+            begin = end + 1;
+        }
+    };
+    ArrayCopies copies;
+    copies.add([&] {
+        emptied(out.corners, mesh.corners.size() + more_corners);
+        for_runs([&](std::size_t begin, std::size_t end) {
+            out.corners.insert(out.corners.end(), mesh.corners.begin() + mesh.face_begin[begin],
+                               mesh.corners.begin() + mesh.face_begin[end]);
+        });
+    });
+    copies.add([&] {
+        emptied(out.face_begin, mesh.face_begin.size() + more_faces);
+        out.face_begin.push_back(0);
+        for_runs([&](std::size_t begin, std::size_t end) {
+            const std::uint32_t shift = out.face_begin.back() - mesh.face_begin[begin];
+            const std::size_t at = out.face_begin.size();
+            out.face_begin.resize(at + end - begin);
+            for (std::size_t f = begin; f < end; ++f)
+                out.face_begin[at + f - begin] = mesh.face_begin[f + 1] + shift;
+        });
+    });
+    for (const auto member : {&Mesh::face_material, &Mesh::face_group})
+        copies.add([&, member] {
+            const std::vector<std::uint32_t>& from = mesh.*member;
+            std::vector<std::uint32_t>& to = out.*member;
+            emptied(to, from.empty() ? 0 : from.size() + more_faces);
+            if (from.empty()) return;
+            for_runs([&](std::size_t begin, std::size_t end) {
+                to.insert(to.end(), from.begin() + static_cast<long>(begin),
+                          from.begin() + static_cast<long>(end));
+            });
+        });
+    copies.run();
 }
 
 } // namespace
@@ -165,14 +229,7 @@ Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, 
     copies.add([&] {
         const std::size_t more = changed.vertex_count() - kept;
         const auto first = static_cast<std::uint32_t>(region.whole_points);
-        if (whole.points.empty()) {
-            out.points.clear();
-            out.points.reserve(vertices + more);
-            out.points.resize(vertices);
-            std::iota(out.points.begin(), out.points.end(), 0u);
-        } else {
-            copy_with_room(whole.points, more, out.points);
-        }
+        copy_points(whole, more, out.points);
         const auto known = static_cast<std::uint32_t>(region.points.size());
         for (std::size_t v = kept; v < changed.vertex_count(); ++v) {
             const std::uint32_t p = changed.points[v];
@@ -188,56 +245,32 @@ Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, 
     return out;
 }
 
-void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
-                      std::size_t more_faces, std::size_t more_corners)
+void copy_others(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                 std::size_t more_vertices, std::size_t more_triangles)
 {
-    const auto emptied = [](std::vector<std::uint32_t>& array, std::size_t room) {
-        array.clear();
-        if (array.capacity() < room) {
-            array = {};
-            array.reserve(room);
-        }
-    };
-    // Calls with the faces from `begin` to before `end` that stay
-    const auto for_runs = [&](const auto& body) {
-        std::size_t begin = 0;
-        for (std::size_t k = 0; k <= left_out.size(); ++k) {
-            const std::size_t end = k < left_out.size() ? left_out[k] : mesh.face_count();
-            if (begin < end) body(begin, end);
-            begin = end + 1;
-        }
-    };
     ArrayCopies copies;
-    copies.add([&] {
-        emptied(out.corners, mesh.corners.size() + more_corners);
-        for_runs([&](std::size_t begin, std::size_t end) {
-            out.corners.insert(out.corners.end(), mesh.corners.begin() + mesh.face_begin[begin],
-                               mesh.corners.begin() + mesh.face_begin[end]);
+    const auto copied = [&](const auto& from, auto& to) {
+        copies.add([&from, &to, more_vertices] {
+            copy_with_room(from, from.empty() ? 0 : more_vertices, to);
         });
-    });
-    copies.add([&] {
-        emptied(out.face_begin, mesh.face_begin.size() + more_faces);
-        out.face_begin.push_back(0);
-        for_runs([&](std::size_t begin, std::size_t end) {
-            const std::uint32_t shift = out.face_begin.back() - mesh.face_begin[begin];
-            const std::size_t at = out.face_begin.size();
-            out.face_begin.resize(at + end - begin);
-            for (std::size_t f = begin; f < end; ++f)
-                out.face_begin[at + f - begin] = mesh.face_begin[f + 1] + shift;
-        });
-    });
-    for (const auto member : {&Mesh::face_material, &Mesh::face_group})
-        copies.add([&, member] {
-            const std::vector<std::uint32_t>& from = mesh.*member;
-            std::vector<std::uint32_t>& to = out.*member;
-            emptied(to, from.empty() ? 0 : from.size() + more_faces);
-            if (from.empty()) return;
-            for_runs([&](std::size_t begin, std::size_t end) {
-                to.insert(to.end(), from.begin() + static_cast<long>(begin),
-                          from.begin() + static_cast<long>(end));
-            });
-        });
+    };
+    copies.add([&] { take_other_faces(out, mesh, left_out, more_triangles, 3 * more_triangles); });
+    copies.add([&] { copy_points(mesh, more_vertices, out.points); });
+    copied(mesh.positions, out.positions);
+    copied(mesh.normals, out.normals);
+    copied(mesh.tangents, out.tangents);
+    copied(mesh.colors, out.colors);
+    copied(mesh.influences, out.influences);
+    out.uvs.resize(mesh.uvs.size());
+    for (std::size_t set = 0; set < mesh.uvs.size(); ++set) copied(mesh.uvs[set], out.uvs[set]);
+    out.morph_targets.resize(mesh.morph_targets.size());
+    for (std::size_t i = 0; i < mesh.morph_targets.size(); ++i)
+        for (const auto member : {&Mesh::MorphTarget::positions, &Mesh::MorphTarget::normals,
+                                  &Mesh::MorphTarget::tangents})
+            copied(mesh.morph_targets[i].*member, out.morph_targets[i].*member);
     copies.run();
+    out.group_names = mesh.group_names;
+    out.creases = mesh.creases;
 }
 
 } // namespace trivar

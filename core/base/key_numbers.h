@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace trivar {
 
-// A KeyMap finds numbers by keys. It is for regions of a mesh that are small beside the mesh: what
-// it costs depends on the number of keys alone, and nobody can go through it in its own order.
-class KeyMap {
+// KeyNumbers finds numbers by keys: a hash table of one array, O(1) a key. It is for regions of a
+// mesh that are small beside the mesh; what it costs depends on the number of keys alone.
+class KeyNumbers {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF; // no number
+
+    KeyNumbers() = default;
+    // With room for so many keys.
+    explicit KeyNumbers(std::size_t about) : slots_(std::bit_ceil(2 * about + 16)) {}
 
     std::uint32_t find(std::uint64_t key) const
     {
@@ -41,6 +46,12 @@ public:
         return insert(key, static_cast<std::uint32_t>(count_));
     }
     std::size_t size() const { return count_; }
+    // Calls use(key, number) for every key, in no order that counts.
+    void for_each(auto&& use) const
+    {
+        for (const Slot& slot : slots_)
+            if (slot.number != none) use(slot.key, slot.number);
+    }
 
 private:
     struct Slot {
@@ -49,7 +60,7 @@ private:
     };
     std::size_t place(std::uint64_t key) const // [Knuth, multiplicative hashing]
     {
-        return ((key * 0x9E3779B97F4A7C15u) >> 20) & (slots_.size() - 1);
+        return (key * 0x9E3779B97F4A7C15u >> 32) & (slots_.size() - 1);
     }
     void grow()
     {
