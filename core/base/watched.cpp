@@ -50,8 +50,9 @@ void run_watched(std::function<void(const Progress&)> work, const Progress& prog
         state->ended.notify_all();
     }).detach();
     std::unique_lock lock(state->mutex);
-    while (!state->done) {
-        state->ended.wait_for(lock, between_looks);
+    for (bool done = false; !done;) { // the last look is after the end, so that all is reported
+        state->ended.wait_for(lock, between_looks, [&] { return state->done; });
+        done = state->done;
         const double fraction = state->fraction;
         const std::string stage = state->stage;
         lock.unlock();
