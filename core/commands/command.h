@@ -8,6 +8,7 @@
 #include "core/commands/group.h"
 #include "core/commands/heights.h"
 #include "core/commands/import.h"
+#include "core/commands/incise.h"
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
 #include "core/commands/mask_tiles.h"
@@ -53,7 +54,8 @@ using AnyCommand =
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
                  MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap,
-                 Split, ClearSplit, CutThrough, RemoveCut, ClearCuts>;
+                 Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision,
+                 LayerIncisions, RemoveIncision, ClearIncisions>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -5,6 +5,7 @@
 #include "core/commands/cut.h"
 #include "core/commands/heights.h"
 #include "core/commands/import.h"
+#include "core/commands/incise.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
 #include "core/commands/place.h"
@@ -68,6 +69,7 @@ struct CopiedObject {
     std::optional<Refining> refining;
     std::optional<Simplifying> simplifying;
     std::optional<Unwrapping> unwrapping = {};
+    std::optional<Incising> incising = {};
     std::optional<CopiedTiling> tiling = {};
     std::optional<Cutting> cutting = {};
     std::optional<CopiedSplitting> splitting = {};
@@ -129,6 +131,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("refining", c.refining, "how finely its triangles are split");
         field("simplifying", c.simplifying, "how its triangles are reduced");
         field("unwrapping", c.unwrapping, "how its texture coordinates are made");
+        field("incising", c.incising, "where its skin is cut open");
         field("tiling", c.tiling, "how copies of it are painted on another object");
         field("cutting", c.cutting, "where it is cut in pieces");
         field("splitting", c.splitting, "what parts it, and how its halves are closed");

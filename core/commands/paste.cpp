@@ -95,6 +95,7 @@ Object object_of(const CopiedObject& copy, const CopiedIds& made)
     check_transform(copy.transform);
     if (copy.refining) check(*copy.refining);
     if (copy.cutting) check(*copy.cutting);
+    if (copy.incising) check(*copy.incising);
     if (copy.name.empty()) throw Rejected("field \"name\" is empty");
     const auto parent = made.find(copy.parent);
     if (copy.parent != 0 && parent == made.end())

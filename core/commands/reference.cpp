@@ -229,6 +229,14 @@ std::string commands_markdown()
     text += "## obstacle\n\nWhat parts an object.\n\n" + field_table(fields_of(ObstacleUse{}));
     text += "## plain cut\n\nA plane or a stroke that cuts an object in two.\n\n" +
             field_table(fields_of(PlainCut{}));
+    text += "## incisions\n\nWhere the skin of a copied object is cut open.\n\n" +
+            field_table(fields_of(Incising{}));
+    text += "## incision layer\n\nWhat the walls of incisions show down to a depth.\n\n" +
+            field_table(fields_of(IncisionLayer{}));
+    text += "## surface point\n\nA point of the stroke of an incision.\n\n" +
+            field_table(fields_of(SurfacePoint{}));
+    text += "## profile\n\nHow a number goes along an incision.\n\n" +
+            field_table(fields_of(CutProfile{}));
     text += "## tile mask\n\nWhere a layer has more tiles, larger or higher ones.\n\n" +
             field_table(fields_of(TileMask{}));
     text +=

@@ -3,6 +3,7 @@
 
 #include "core/animation/track.h"
 #include "core/base/ref.h"
+#include "core/document/incising.h"
 #include "core/document/source.h"
 #include "core/placement/attachment.h"
 #include "core/placement/placement.h"
@@ -30,13 +31,6 @@ struct Transform {
     glm::dvec3 scale{1};
     glm::dmat4 matrix() const;
     bool operator==(const Transform&) const = default;
-};
-
-struct Surfacing { // one material over the whole object, in place of the object's own
-    glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
-    float metallic = 0, roughness = 0.6f;
-    Filling filling = Filling::none;
-    bool operator==(const Surfacing&) const = default;
 };
 
 // A RoundWay is the way of a volume round a cylinder, a sphere, a torus or a Moebius band, or round
@@ -139,6 +133,7 @@ struct Object {
     std::optional<Refining> refining = {}; // only for an object on a stroke
     std::optional<Simplifying> simplifying = {};
     std::optional<Unwrapping> unwrapping = {};
+    std::optional<Incising> incising = {};
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
     std::optional<Cutting> cutting = {};
     std::optional<Splitting> splitting = {};

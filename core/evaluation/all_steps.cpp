@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/cutting.h"
+#include "core/evaluation/incising.h"
 #include "core/evaluation/lacking.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/laying.h"
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     std::vector<std::unique_ptr<Step>> steps;
     steps.push_back(std::make_unique<SimplifyingStep>());
     steps.push_back(std::make_unique<UnwrappingStep>());
+    steps.push_back(std::make_unique<IncisingStep>());
     const auto carriages = std::make_shared<Carriages>();
     steps.push_back(std::make_unique<Laying>(carriages));
     steps.push_back(std::make_unique<Moving>());

@@ -6,6 +6,7 @@
 #include "core/base/recent.h"
 #include "core/document/bases.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/inside_material.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/shapes.h"
 
@@ -51,19 +52,16 @@ std::vector<Id> order_of(const Document& document)
     return order;
 }
 
-// Repeats one plain material for each material that the shape has.
-Ref<std::vector<Material>> surfaced(const std::vector<Material>& own, const Surfacing& surfacing)
+// Repeats one plain material for each material that the shape has, but for those of `layers`.
+Ref<std::vector<Material>> surfaced(std::vector<Material> own, const Surfacing& surfacing,
+                                    std::size_t layers)
 {
-    std::vector<Material> plain(own.size());
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        plain[i].base_color = surfacing.base_color;
-        plain[i].metallic = surfacing.metallic;
-        plain[i].roughness = surfacing.roughness;
-        plain[i].filling = surfacing.filling;
-        plain[i].double_sided = own[i].double_sided;
-        if (surfacing.base_color.a < 1) plain[i].alpha = Material::Alpha::blend;
+    for (std::size_t i = 0; i + layers < own.size(); ++i) {
+        const bool double_sided = own[i].double_sided;
+        own[i] = material_of(surfacing);
+        own[i].double_sided = double_sided;
     }
-    return make_ref(std::move(plain));
+    return make_ref(std::move(own));
 }
 
 void add_control_points(Box& box, const Lattice& volume)
@@ -91,7 +89,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
     result.id = id;
     for (const Clip& clip : stage->shape->model->clips) result.clips.push_back(clip.name);
     const Ref<std::vector<Material>>& own = stage->shape->materials;
-    result.materials = object.surfacing ? surfaced(*own, *object.surfacing) : own;
+    result.materials = object.surfacing ? surfaced(*own, *object.surfacing, stage->layers) : own;
     if (stage->mixed_materials) {
         std::vector<Material> all = *result.materials;
         all.insert(all.end(), stage->mixed_materials->begin(), stage->mixed_materials->end());

@@ -20,6 +20,17 @@ InsideMaterial inside_material(const Stage& stage, Filling filling)
     return out;
 }
 
+Material material_of(const Surfacing& surfacing)
+{
+    Material plain;
+    plain.base_color = surfacing.base_color;
+    plain.metallic = surfacing.metallic;
+    plain.roughness = surfacing.roughness;
+    plain.filling = surfacing.filling;
+    if (surfacing.base_color.a < 1) plain.alpha = Material::Alpha::blend;
+    return plain;
+}
+
 bool is_filled(const Stage& stage, Filling inside, const std::optional<Surfacing>& surfacing)
 {
     return inside != Filling::none || (surfacing && surfacing->filling != Filling::none) ||

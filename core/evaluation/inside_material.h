@@ -14,6 +14,9 @@ struct InsideMaterial {
 // A pattern as one more material of a stage; none: the first one that it has.
 InsideMaterial inside_material(const Stage& stage, Filling filling);
 
+// The material that a surfacing stands for.
+Material material_of(const Surfacing& surfacing);
+
 // Whether a pattern fills some of what the stage shows, so that it follows where points were.
 bool is_filled(const Stage& stage, Filling inside, const std::optional<Surfacing>& surfacing);
 

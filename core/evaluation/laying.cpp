@@ -152,7 +152,9 @@ Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
     // The edits of a lattice shape its box
     if (!key.stroke.lattice) key.shaping = input.object.shaping;
     return laid_(key, [&] {
-        const Landing fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
+        Stroke of_whole = key.stroke; // incisions that open do not change how it lies
+        if (of_whole.before->uncut) of_whole.before = of_whole.before->uncut;
+        const Landing fallen = fallen_(of_whole, [&] { return fall(of_whole, input); });
         Stage stage = *key.stroke.before;
         stage.lies_on = fallen.scene;
         stage.supports = make_ref(key.stroke.supports);

@@ -16,6 +16,8 @@
 
 namespace trivar {
 
+struct Stage;
+
 // Each struct holds what one step tells of an object beside what the object shows.
 
 // of an object that lies on a stroke, or of a lattice: then of its box, as it would stand without
@@ -72,6 +74,17 @@ struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
 };
 
+struct IncisingEffects {
+    struct OfIncision {
+        std::string refusal;          // why there is none, a sentence; empty: there is one
+        double length = 0, depth = 0; // metres on the model
+        double widest = 1;            // share of its width to which its walls let it open
+    };
+    std::vector<OfIncision> incisions = {}; // by number
+    Ref<Stage> uncut;                       // before it was incised; null: nothing is open
+    std::size_t layers = 0; // how many of the shape's materials, the last ones, only walls show
+};
+
 struct UnwrappingEffects {
     Ref<UnwrapFacts> unwrapped; // null: its texture coordinates are those of its file
 };
@@ -92,6 +105,7 @@ struct SplittingEffects {
 // that, so that a stage never changes once another step has seen it.
 struct Stage : SimplifyingEffects,
                UnwrappingEffects,
+               IncisingEffects,
                LayingEffects,
                LatticeEffects,
                CarriageEffects,

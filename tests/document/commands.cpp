@@ -98,6 +98,19 @@ TileStroke a_tile_stroke()
     return stroke;
 }
 
+NamedIncision an_incision()
+{
+    NamedIncision out;
+    for (int i = 0; i < 9; ++i) {
+        const double angle = 0.1 * i - 0.4;
+        const glm::dvec3 n{std::cos(angle), 0, std::sin(angle)};
+        out.cut.stroke.push_back({0.4 * n, n});
+    }
+    out.cut.depth = 0.06;
+    out.cut.width = 0.05;
+    return out;
+}
+
 Document fitting_document()
 {
     const Document document = after(after(small_document(), import_of("snail.obj")), AddText{});
@@ -106,7 +119,9 @@ Document fitting_document()
     const Document painted = after(after(bent, AddCylinder{.shape = {.radius = 0.1}}),
                                    PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()});
     const Document heights = after(painted, AddHeights{.shape = {.image = "hills.png"}});
-    return after(heights, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.1}}}});
+    const Document cut =
+        after(heights, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.1}}}});
+    return after(cut, Incise{.object = 5, .incision = an_incision()});
 }
 
 std::vector<Command> fitting_commands()
@@ -195,7 +210,15 @@ std::vector<Command> fitting_commands()
             ClearSplit{.objects = {1}},
             CutThrough{.objects = {1}, .cutting = {.cuts = {{.point = {0, 0, 0.2}, .gap = 0.1}}}},
             RemoveCut{.object = 5, .number = 1},
-            ClearCuts{.objects = {1}}};
+            ClearCuts{.objects = {1}},
+            Incise{.object = 2, .incision = an_incision()},
+            EditIncision{.object = 5,
+                         .number = 1,
+                         .incision = {.cut = {.stroke = {}, .depth = 0.06, .opening_profile = {}},
+                                      .opening = {.share = 0.5}}},
+            LayerIncisions{.objects = {5}, .incising = {.cuts = {}, .layers = {{.name = "Fat"}}}},
+            RemoveIncision{.object = 5, .number = 1},
+            ClearIncisions{.objects = {5}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -16,6 +16,7 @@ Document fitting_document();
 
 // A short stroke over the ball of small_document().
 TileStroke a_tile_stroke();
+NamedIncision an_incision(); // over the ball
 
 // For every verb one command that fitting_document() accepts.
 std::vector<Command> fitting_commands();

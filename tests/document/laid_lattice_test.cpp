@@ -38,14 +38,14 @@ Document laid()
     return after(box_in_lattice(), along_a_stroke(lattice_id));
 }
 
-Evaluation evaluated(const Document& document)
+Evaluation shown_scene(const Document& document)
 {
     return Evaluator(std::make_shared<const AssetStore>(""))(document);
 }
 
 std::vector<glm::vec3> world_points(const Document& document, Id id = box_id)
 {
-    const Part part = evaluated(document).objects.at(id)->parts.at(0);
+    const Part part = shown_scene(document).objects.at(id)->parts.at(0);
     std::vector<glm::vec3> out;
     for (const glm::vec3& p : part.mesh()->positions)
         out.emplace_back(part.to_world * glm::dvec4(p, 1));
@@ -76,13 +76,13 @@ TEST(LaidLattices, LayWhatFillsThemAsItWouldLieAlone)
     EXPECT_LT(
         most_apart(world_points(after(document, along_a_stroke(box_id))), world_points(laid())),
         1e-5);
-    EXPECT_EQ(evaluated(laid()).objects.at(lattice_id)->rejected, "");
+    EXPECT_EQ(shown_scene(laid()).objects.at(lattice_id)->rejected, "");
 }
 
 TEST(LaidLattices, BendTheirContentsByTheBoxFirstAndThenByTheStroke)
 {
     const Document document = after(laid(), lift_roof(-0.3));
-    const Evaluation all = evaluated(document);
+    const Evaluation all = shown_scene(document);
     const EvaluatedObject& round = *all.objects.at(lattice_id);
     ASSERT_TRUE(round.lattice_stroke);
     const Part part = all.objects.at(box_id)->parts.at(0);
@@ -103,7 +103,7 @@ TEST(LaidLattices, LetTheirContentsRiseAboveTheVolumeOfTheStroke)
 {
     const std::vector<glm::vec3> before = world_points(laid());
     const double height =
-        evaluated(laid()).objects.at(lattice_id)->lattice_stroke->placement->report.height_world;
+        shown_scene(laid()).objects.at(lattice_id)->lattice_stroke->placement->report.height_world;
     for (const double by : {0.25, 1.0}) {
         const std::vector<glm::vec3> now = world_points(after(laid(), lift_roof(by)));
         EXPECT_NEAR(most_apart(now, before), by * height, 0.02 * by * height);
@@ -114,7 +114,7 @@ TEST(LaidLattices, LetTheirContentsBeRefinedWithACertificate)
 {
     Document document = after(laid(), WarpVolume{lattice_id, {.twist_deg = 60}});
     document = after(document, Refine{{box_id}, {.tolerance = 5e-3}});
-    const Ref<EvaluatedObject> refined = evaluated(document).objects.at(box_id);
+    const Ref<EvaluatedObject> refined = shown_scene(document).objects.at(box_id);
     ASSERT_TRUE(refined->refined);
     EXPECT_LE(refined->refined->bound, 5e-3);
     EXPECT_LE(testing::drawn_off(refined->parts.at(0)), refined->refined->bound);
@@ -134,7 +134,7 @@ TEST(LaidLattices, GoWithWhatTheyAreAttachedTo)
 {
     Document document = laid();
     document = after(document,
-                     Attach{lattice_id, attachment_of(*evaluated(document).objects.at(lattice_id),
+                     Attach{lattice_id, attachment_of(*shown_scene(document).objects.at(lattice_id),
                                                       testing::small_sketch(), false)});
     const std::vector<glm::vec3> before = world_points(document);
     const Transform there{.translation = {1, 2, 3}, .rotation_deg = {10, 20, 30}};
@@ -194,13 +194,13 @@ TEST(LaidLattices, RefuseRingsAndWhatTheyCannot)
 TEST(LaidLattices, StandWhereTheyAreWhereTheStrokeFindsNothing)
 {
     const Document document = after(laid(), SetTransform{ground_id, {.translation = {0, 0, -500}}});
-    const Ref<EvaluatedObject> round = evaluated(document).objects.at(lattice_id);
+    const Ref<EvaluatedObject> round = shown_scene(document).objects.at(lattice_id);
     if (!round->rejected.empty()) {
         EXPECT_FALSE(round->lattice_stroke);
         EXPECT_LT(most_apart(world_points(document), world_points(box_in_lattice())), 1e-6);
     }
     const Document gone = after(laid(), Delete{{ground_id}});
-    EXPECT_THAT(evaluated(gone).objects.at(lattice_id)->rejected, HasSubstr("is gone"));
+    EXPECT_THAT(shown_scene(gone).objects.at(lattice_id)->rejected, HasSubstr("is gone"));
     EXPECT_LT(most_apart(world_points(gone), world_points(box_in_lattice())), 1e-6);
 }
 

@@ -102,6 +102,11 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Cut through Table",
         "Remove cut 1 of snail",
         "Make Table whole",
+        "Incise Ball",
+        "Width and opening of incision 1 of snail",
+        "Layers in the incisions of snail",
+        "Remove incision 1 of snail",
+        "Remove all incisions of snail",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -4,6 +4,7 @@
 #include "core/document/fields/attachment_fields.h"
 #include "core/document/fields/cutting_fields.h"
 #include "core/document/fields/import_fields.h"
+#include "core/document/fields/incising_fields.h"
 #include "core/document/fields/lattice_fields.h"
 #include "core/document/fields/placement_fields.h"
 #include "core/document/fields/playing_fields.h"
@@ -75,6 +76,8 @@ template <> struct FieldsOf<Object> {
               any_value.counts(Counting::marked).without_keys());
         field("unwrapping", o.unwrapping, "how its texture coordinates are made",
               any_value.counts(Counting::marked).without_keys());
+        field("incising", o.incising, "where its skin is cut open",
+              any_value.counts(Counting::marked));
         field("tiles", o.tiles, "how copies of it are painted on another object",
               any_value.counts(Counting::marked));
         field("cutting", o.cutting, "where it is cut in pieces",

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/incising.h"
+
+#include "core/base/rejected.h"
+#include "core/evaluation/inside_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace trivar {
+namespace {
+
+constexpr double reach_of_strokes = 0.01; // of the diagonal of the skin
+constexpr double hardly_narrowed = 0.995; // share of the width
+constexpr const char* over_two = "it goes over two meshes; draw one on each";
+constexpr const char* off_the_mesh = "it begins where the surface is not";
+
+// The way of strokes from the model to one of its meshes.
+struct ToMesh {
+    explicit ToMesh(const glm::dmat4& to_model)
+        : points(glm::inverse(to_model)),
+          normals(glm::transpose(glm::dmat3(to_model))),
+          metres(std::cbrt(std::abs(glm::determinant(glm::dmat3(to_model)))))
+    {
+    }
+    SurfacePoint operator()(const SurfacePoint& on_model) const
+    {
+        SurfacePoint out{glm::dvec3(points * glm::dvec4(on_model.p, 1)),
+                         normals * on_model.normal};
+        const double length = glm::length(out.normal);
+        out.normal = length > 0 ? out.normal / length : on_model.normal;
+        return out;
+    }
+    Incision operator()(Incision on_model) const
+    {
+        for (SurfacePoint& each : on_model.stroke) each = (*this)(each);
+        on_model.depth /= metres;
+        on_model.width /= metres;
+        on_model.reach /= metres;
+        return on_model;
+    }
+
+    glm::dmat4 points;
+    glm::dmat3 normals;
+    double metres; // on the model, of a unit of the mesh
+};
+
+// What of an object's incisions the topology depends on, and how walls are numbered.
+Incising without_openings(Incising incising)
+{
+    for (NamedIncision& each : incising.cuts) {
+        each.name.clear();
+        each.opening = {};
+    }
+    for (IncisionLayer& layer : incising.layers) layer = {.depth = layer.depth};
+    return incising;
+}
+
+InciseOptions options_for(const Incising& incising, std::size_t first_material, double metres)
+{
+    InciseOptions out;
+    out.rows = incising.rows;
+    out.reach = reach_of_strokes;
+    for (const IncisionLayer& layer : incising.layers)
+        out.layers.push_back({layer.depth / metres,
+                              static_cast<std::uint32_t>(first_material + out.layers.size())});
+    return out;
+}
+
+std::string told_as(const Incising& incising, std::size_t i)
+{
+    const std::string& name = incising.cuts[i].name;
+    return name.empty() ? fmt::format("incision {}", i + 1) : fmt::format("\"{}\"", name);
+}
+
+void tell_of_incisions(Stage& stage, const Incising& incising)
+{
+    for (std::size_t i = 0; i < incising.cuts.size(); ++i) {
+        if (incising.cuts[i].hidden) continue;
+        const IncisingEffects::OfIncision& of = stage.incisions[i];
+        if (!of.refusal.empty())
+            stage.notices.push_back(
+                fmt::format("{} is left out: {}", told_as(incising, i), of.refusal));
+        else if (of.widest < hardly_narrowed)
+            stage.notices.push_back(
+                fmt::format("{} opens to {:.0f} % of its width, because its walls would meet "
+                            "beyond; reduce its width or its depth",
+                            told_as(incising, i), 100 * of.widest));
+    }
+}
+
+} // namespace
+
+Ref<CutSkin> IncisingStep::skin_of(const Ref<Mesh>& mesh, const StepInput& input)
+{
+    return skins_(mesh, [&] {
+        const Ref<RayMesh> rays = input.ray_meshes(mesh, input.timings);
+        return timed(input.timings, "incise",
+                     [&] { return std::make_shared<const CutSkin>(rays); });
+    });
+}
+
+IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising& incising,
+                                             const StepInput& input)
+{
+    const std::size_t meshes = shape.meshes.size();
+    skins_.keep(meshes + 2);
+    std::vector<ToMesh> ways;
+    std::vector<Ref<CutSkin>> skins;
+    for (const Shape::NodeMesh& hung : shape.meshes) {
+        ways.emplace_back(hung.to_model);
+        skins.push_back(skin_of(hung.rest, input));
+    }
+    const auto place_on = [&](std::size_t m, const SurfacePoint& at) {
+        const SurfacePoint there = ways[m](at);
+        const double reach = reach_of_strokes * skins[m]->diagonal();
+        return skins[m]->locate(std::span(&there, 1), reach).front();
+    };
+    const auto distance = [&](std::size_t m, const SurfacePoint& at) {
+        const std::optional<SkinPlace> place = place_on(m, at);
+        if (!place) return std::numeric_limits<double>::infinity();
+        const glm::uvec3& t = skins[m]->triangle(place->triangle);
+        glm::dvec3 p(0);
+        for (int i = 0; i < 3; ++i) p += place->weights[i] * skins[m]->position(t[i]);
+        return glm::length(glm::dvec3(shape.meshes[m].to_model * glm::dvec4(p, 1)) - at.p);
+    };
+
+    Wounds out;
+    out.told.resize(incising.cuts.size());
+    std::vector<std::vector<std::size_t>> of_mesh(meshes);
+    for (std::size_t i = 0; i < incising.cuts.size(); ++i) {
+        if (incising.cuts[i].hidden) continue;
+        const std::vector<SurfacePoint>& stroke = incising.cuts[i].cut.stroke;
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t m = 0; m < meshes && meshes > 1; ++m)
+            if (const double d = distance(m, stroke.front()); d < least) {
+                least = d;
+                nearest = m;
+            }
+        if (meshes > 1 && !(least < std::numeric_limits<double>::infinity()))
+            out.told[i].refusal = off_the_mesh;
+        if (meshes > 1 && out.told[i].refusal.empty())
+            for (const SurfacePoint& each : stroke) {
+                if (place_on(nearest, each)) continue;
+                for (std::size_t m = 0; m < meshes; ++m)
+                    if (place_on(m, each)) out.told[i].refusal = over_two;
+                break;
+            }
+        if (out.told[i].refusal.empty()) of_mesh[nearest].push_back(i);
+    }
+    for (std::size_t m = 0; m < meshes; ++m) {
+        if (of_mesh[m].empty()) continue;
+        std::vector<Incision> cuts;
+        for (const std::size_t i : of_mesh[m]) cuts.push_back(ways[m](incising.cuts[i].cut));
+        const InciseOptions options =
+            options_for(incising, shape.materials->size(), ways[m].metres);
+        try {
+            const Ref<IncisedMesh> incised = timed(
+                input.timings, "incise", [&] { return make_ref(incise(*skins[m], cuts, options)); });
+            for (std::size_t k = 0; k < cuts.size(); ++k) {
+                const IncisedMesh::Outcome& outcome = incised->outcomes[k];
+                out.told[of_mesh[m][k]] = {outcome.refusal, outcome.length * ways[m].metres,
+                                           outcome.depth * ways[m].metres, outcome.widest};
+            }
+            if (incised->rest != incised->original)
+                out.all.push_back({m, incised, of_mesh[m]});
+        } catch (const Rejected& error) {
+            for (const std::size_t i : of_mesh[m]) out.told[i].refusal = error.what();
+        }
+    }
+    return out;
+}
+
+Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    const std::optional<Incising>& incising = input.object.incising;
+    if (!incising || before->shape->meshes.empty()) return before;
+    return known_({before, *incising}, [&] {
+        const Shape& whole = *before->shape;
+        const Incising cut = without_openings(*incising);
+        const Ref<Wounds> wounds = wounds_({before->shape, cut}, [&] {
+            return make_ref(wounds_in(whole, cut, input));
+        });
+        Stage out = *before;
+        out.incisions = wounds->told;
+        tell_of_incisions(out, *incising);
+        Shape shape = whole;
+        open_.keep(3 * (wounds->all.size() + 1));
+        for (const Wound& wound : wounds->all) {
+            std::vector<IncisionOpening> openings;
+            for (const std::size_t i : wound.incisions)
+                openings.push_back(incising->cuts[i].opening);
+            const OpenMesh& open = open_({wound.incised, openings}, [&] {
+                return timed(input.timings, "incise", [&] {
+                    const Ref<Mesh> mesh = opened(*wound.incised, openings);
+                    return OpenMesh{mesh, std::make_shared<const Extent>(mesh)};
+                });
+            });
+            if (open.mesh == wound.incised->original) continue;
+            Shape::NodeMesh& hung = shape.meshes[wound.mesh];
+            hung.rest = open.mesh;
+            hung.extent = open.extent;
+            if (hung.posed) hung.posed = posed_later(open.mesh, hung.posed->pose);
+            if (const std::optional<Box> box =
+                    open.extent->posed(hung.posed ? &hung.posed->pose : nullptr))
+                hung.bounds = *box;
+            out.uncut = before;
+        }
+        if (!out.uncut) return make_ref(std::move(out)); // the shape is the same value
+        if (!incising->layers.empty()) {
+            std::vector<Material> materials = *whole.materials;
+            for (const IncisionLayer& layer : incising->layers) {
+                materials.push_back(material_of(layer.look));
+                materials.back().name = layer.name;
+            }
+            out.layers = incising->layers.size();
+            shape.materials = make_ref(std::move(materials));
+        }
+        out.shape = make_ref(std::move(shape));
+        return make_ref(std::move(out));
+    });
+}
+
+} // namespace trivar

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/recent.h"
+#include "core/evaluation/step.h"
+#include "core/incise/incise.h"
+
+namespace trivar {
+
+// IncisingStep cuts the skin of a shape at rest open, before anything poses, lays or bends it. What
+// is cut depends on strokes, depths and widths; an opening that changes moves vertices only. A
+// stroke belongs to the mesh that is nearest to its first point. Where all incisions are shut, the
+// meshes are those that were there before. Stage: incise.
+class IncisingStep : public Step {
+public:
+    Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
+
+    // A mesh of the shape that is cut, and which incisions of the object do so.
+    struct Wound {
+        std::size_t mesh;
+        Ref<IncisedMesh> incised;
+        std::vector<std::size_t> incisions; // by those of `incised`
+    };
+    struct Wounds {
+        std::vector<Wound> all; // by mesh
+        std::vector<IncisingEffects::OfIncision> told;
+    };
+    struct OpenMesh {
+        Ref<Mesh> mesh;
+        Ref<Extent> extent;
+    };
+
+private:
+    Wounds wounds_in(const Shape& shape, const Incising& incising, const StepInput& input);
+    Ref<CutSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
+
+    Recent<Ref<Mesh>, Ref<CutSkin>> skins_;
+    Recent<std::pair<Ref<Shape>, Incising>, Ref<Wounds>> wounds_; // all open, of no look
+    Recent<std::pair<Ref<IncisedMesh>, std::vector<IncisionOpening>>, OpenMesh> open_;
+    Recent<std::pair<Ref<Stage>, Incising>, Ref<Stage>> known_;
+};
+
+} // namespace trivar

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/document/document_digest.h"
+#include "core/document/parameters.h"
+#include "core/files/read_model.h"
+#include "core/files/write_model.h"
+#include "core/mesh/closed_body.h"
+#include "core/mesh/primitives.h"
+#include "tests/document/commands.h"
+#include "tests/support/fixtures.h"
+#include "tests/support/rigged.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::new_evaluator;
+using testing::TemporaryFolder;
+using ::testing::ThrowsMessage;
+
+// Over a ball of radius 1, straight between directions.
+NamedIncision over_ball(const glm::dvec3& from, const glm::dvec3& to)
+{
+    constexpr int samples = 16;
+    NamedIncision out;
+    for (int i = 0; i <= samples; ++i) {
+        const glm::dvec3 n = glm::normalize(from + (to - from) * (i / double(samples)));
+        out.cut.stroke.push_back({n, n});
+    }
+    out.cut.depth = 0.15;
+    out.cut.width = 0.12;
+    return out;
+}
+
+NamedIncision across_the_front(double opening = 1)
+{
+    NamedIncision out = over_ball({1, -0.5, 0.1}, {1, 0.5, 0});
+    out.opening.share = opening;
+    return out;
+}
+
+Document ball_to_incise()
+{
+    return after(Document{}, AddSphere{.shape = {.radius = 1, .segments = 48, .rings = 24}});
+}
+
+Document incised_ball(double opening = 1)
+{
+    return after(ball_to_incise(), Incise{1, across_the_front(opening)});
+}
+
+Ref<EvaluatedObject> ball_in(const Document& document, double frame = 1)
+{
+    return new_evaluator()(document, frame).objects.at(1);
+}
+
+std::string effects_of(const Document& document, double frame = 1)
+{
+    return digest(new_evaluator()(document, frame));
+}
+
+TEST(Incising, OpensABallThatStaysClosed)
+{
+    const Ref<EvaluatedObject> whole = ball_in(ball_to_incise()), ball = ball_in(incised_ball());
+    EXPECT_THAT(ball->notices, IsEmpty());
+    ASSERT_EQ(ball->incisions.size(), 1u);
+    EXPECT_NEAR(ball->incisions[0].depth, 0.15, 1e-6);
+    EXPECT_NEAR(ball->incisions[0].length, 0.88, 0.05);
+    ASSERT_EQ(ball->parts.size(), 1u);
+    EXPECT_TRUE(is_closed_body(*ball->parts[0].mesh()));
+    EXPECT_GT(ball->parts[0].mesh()->face_count(), whole->parts[0].mesh()->face_count());
+}
+
+TEST(Incising, IsUndoneToTheBit)
+{
+    const Document before = ball_to_incise();
+    const Document cut = after(incised_ball(), Incise{1, over_ball({1, 0, -0.5}, {1, 0, 0.5})});
+    EXPECT_NE(digest(cut), digest(before));
+    const Document one = after(cut, RemoveIncision{1, 2});
+    EXPECT_EQ(digest(one), digest(incised_ball()));
+    EXPECT_EQ(digest(after(one, RemoveIncision{1, 1})), digest(before));
+    EXPECT_EQ(digest(after(cut, ClearIncisions{{1}})), digest(before));
+}
+
+TEST(Incising, LeavesTheBitsOfWhatIsShut)
+{
+    const std::string whole = effects_of(ball_to_incise());
+    EXPECT_EQ(effects_of(incised_ball(0)), whole);
+    NamedIncision hidden = across_the_front();
+    hidden.hidden = true;
+    EXPECT_EQ(effects_of(after(ball_to_incise(), Incise{1, hidden})), whole);
+    EXPECT_NE(effects_of(incised_ball()), whole);
+}
+
+TEST(Incising, OpensByKeysWithOneTopology)
+{
+    const Document document = after(
+        incised_ball(), Animate{{{1, {{"incising.cuts.0.opening", {{1, 0, Tween::linear}, {11, 1}}},
+                                      {"incising.cuts.0.to", {{1, 0, Tween::linear}, {6, 1}}}}}}});
+    Evaluator evaluator = new_evaluator();
+    const auto mesh_at = [&](double frame) {
+        return evaluator(document, frame).objects.at(1)->parts.at(0).mesh();
+    };
+    const Ref<Mesh> shut = mesh_at(1), half = mesh_at(6), open = mesh_at(11);
+    EXPECT_EQ(shut, evaluator(ball_to_incise(), 1).objects.at(1)->parts.at(0).mesh());
+    EXPECT_EQ(half->corners, open->corners);
+    EXPECT_NE(half->positions, open->positions);
+    EXPECT_TRUE(is_closed_body(*mesh_at(3)));
+    EXPECT_EQ(*open, *ball_in(incised_ball())->parts.at(0).mesh());
+}
+
+TEST(Incising, KeepsKeysWithTheIncisionsThatStay)
+{
+    Document document = after(incised_ball(), Incise{1, over_ball({1, 0, -0.5}, {1, 0, 0.5})});
+    document = after(document, Animate{{{1, {{"incising.cuts.1.width", {{1, 0.1}}}}}}});
+    document = after(document, RemoveIncision{1, 1});
+    const Tracks& tracks = object(document, 1).tracks;
+    ASSERT_EQ(tracks.size(), 1u);
+    EXPECT_EQ(tracks.begin()->parameter, "incising.cuts.0.width");
+    EXPECT_TRUE(object(after(document, ClearIncisions{{1}}), 1).tracks.empty());
+}
+
+TEST(Incising, ChangesOneOfSeveralAndKeepsItsStroke)
+{
+    NamedIncision deeper = across_the_front(0.5);
+    deeper.cut.stroke.clear();
+    deeper.cut.depth = 0.25;
+    const Document document = after(incised_ball(), EditIncision{1, 1, deeper});
+    const NamedIncision& changed = object(document, 1).incising->cuts.at(0);
+    EXPECT_EQ(changed.cut.stroke, across_the_front().cut.stroke);
+    EXPECT_EQ(changed.cut.depth, 0.25);
+    EXPECT_NEAR(ball_in(document)->incisions.at(0).depth, 0.25, 1e-6);
+    EXPECT_EQ(step_title(EditIncision{1, 1, deeper}, incised_ball(), document).words,
+              "Depth and opening of incision 1 of Sphere");
+}
+
+TEST(Incising, ShowsItsLayersUnderOneMaterial)
+{
+    Document document = after(
+        incised_ball(),
+        LayerIncisions{{1},
+                       {.cuts = {},
+                        .layers = {{"skin", 0.03, {.base_color = {0.9, 0.6, 0.5, 1}}},
+                                   {"flesh", 0, {.base_color = {0.5, 0.1, 0.1, 1}}}}}});
+    const auto used = [&](std::size_t faces_from) {
+        const Ref<EvaluatedObject> ball = ball_in(document);
+        const std::vector<std::uint32_t>& all = ball->parts.at(0).mesh()->face_material;
+        std::vector<std::uint32_t> out(all.begin() + static_cast<long>(faces_from), all.end());
+        std::ranges::sort(out);
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    };
+    EXPECT_THAT(used(0), ElementsAre(0u, 1u, 2u));
+    document = after(document, SetMaterial{{1}, {.base_color = {0, 1, 0, 1}}});
+    const std::vector<Material>& shown = *ball_in(document)->materials;
+    ASSERT_EQ(shown.size(), 3u);
+    EXPECT_EQ(shown[0].base_color, glm::vec4(0, 1, 0, 1));
+    EXPECT_EQ(shown[1].name, "skin");
+    EXPECT_EQ(shown[2].base_color, glm::vec4(0.5, 0.1, 0.1, 1));
+}
+
+TEST(Incising, RidesWithTheObjectAndUnderALattice)
+{
+    Transform turned;
+    turned.translation = {3, 0, 0};
+    turned.rotation_deg = {0, 90, 20};
+    const Document moved = after(incised_ball(), SetTransform{.object = 1, .transform = turned});
+    const Ref<EvaluatedObject> ball = ball_in(moved);
+    EXPECT_EQ(*ball->parts.at(0).mesh(), *ball_in(incised_ball())->parts.at(0).mesh());
+    EXPECT_EQ(ball->parts.at(0).to_world, turned.matrix());
+
+    Document bent = after(incised_ball(), AddLattice{.objects = {1}});
+    bent = after(bent, WarpVolume{.object = 2, .warp = {.twist_deg = 60}});
+    const Ref<EvaluatedObject> twisted = ball_in(bent);
+    ASSERT_TRUE(twisted->parts.at(0).bent);
+    EXPECT_EQ(twisted->parts.at(0).mesh()->corners,
+              ball_in(incised_ball())->parts.at(0).mesh()->corners);
+    EXPECT_TRUE(is_closed_body(*twisted->parts.at(0).mesh()));
+}
+
+TEST(Incising, OpensOnAStrokeWithoutLayingAgain)
+{
+    Document document = after(Document{}, AddBox{.shape = {.size = {4, 4, 0.5}}});
+    document = after(document, AddSphere{.shape = {.radius = 1, .segments = 48, .rings = 24}});
+    document = after(document, Place{2, testing::small_sketch(), {}, {1}});
+    Evaluator evaluator = new_evaluator();
+    const auto placement = [&](double opening) {
+        NamedIncision cut = over_ball({0.3, -0.4, 1}, {0.2, 0.4, 1});
+        cut.opening.share = opening;
+        const Evaluation all = evaluator(after(document, Incise{2, cut}), 1);
+        EXPECT_TRUE(is_closed_body(*all.objects.at(2)->parts.at(0).mesh()));
+        return all.objects.at(2)->placement;
+    };
+    const Ref<Placement> whole = evaluator(document, 1).objects.at(2)->placement;
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(placement(1), whole);
+    EXPECT_EQ(placement(0.4), whole);
+}
+
+// A long ball in place of the bar, whose faces share no points.
+Model rigged_ball()
+{
+    Model model = testing::rigged_model();
+    Mesh ball = sphere_mesh(0.5, 48, 24);
+    Mesh::MorphTarget thicker;
+    for (glm::vec3& p : ball.positions) {
+        p.x = 2 + 3 * p.x;
+        const float tip = glm::clamp((p.x - 1) / 2, 0.0f, 1.0f);
+        ball.influences.push_back({{0, 1, 0, 0}, {1 - tip, tip, 0, 0}});
+        thicker.positions.push_back(0.3f * glm::vec3(0, p.y, p.z));
+    }
+    thicker.normals.resize(ball.positions.size());
+    ball.tangents.assign(ball.positions.size(), {1, 0, 0, 1});
+    ball.uvs.clear();
+    ball.morph_targets = {std::move(thicker)};
+    model.meshes = {make_ref(std::move(ball))};
+    return model;
+}
+
+TEST(Incising, BendsWithASkinAndAMorph)
+{
+    const TemporaryFolder folder;
+    testing::write_file(folder.file("bar.gltf"), testing::gltf_text(rigged_ball()));
+    ImportModel import;
+    import.file.path = "bar.gltf";
+    import.file.up = UpAxis::z;
+    Evaluator evaluator(std::make_shared<const AssetStore>(folder.path().string()));
+    Document document = after(Document{}, import);
+    const Ref<EvaluatedObject> whole = evaluator(document, 1).objects.at(1);
+    const Shape::NodeMesh& bar = whole->shape->meshes.at(0);
+    Box box = bounding_box(*bar.rest, bar.to_model);
+    NamedIncision cut;
+    const glm::dvec3 middle = box.center(), size = box.size();
+    for (int i = 0; i <= 8; ++i)
+        cut.cut.stroke.push_back({{middle.x + 0.3 * size.x * (i / 8.0 - 0.5),
+                                   middle.y + 0.1 * size.y * (i / 8.0 - 0.5), box.hi.z},
+                                  {0, 0, 1}});
+    cut.cut.depth = 0.3 * size.z;
+    cut.cut.width = 0.1 * size.y;
+    document = after(document, Incise{1, cut});
+    for (const char* clip : {"bend", "swell"}) {
+        const Document moving = after(document, PlayClip{{1}, {.clip = clip}});
+        const Ref<EvaluatedObject> first = evaluator(moving, 1).objects.at(1),
+                                   later = evaluator(moving, 13).objects.at(1);
+        EXPECT_THAT(first->incisions.at(0).refusal, IsEmpty());
+        EXPECT_EQ(first->parts.at(0).mesh()->corners, later->parts.at(0).mesh()->corners);
+        EXPECT_NE(first->parts.at(0).mesh()->positions, later->parts.at(0).mesh()->positions);
+        EXPECT_GT(first->parts.at(0).mesh()->face_count(), bar.rest->face_count());
+        EXPECT_TRUE(is_closed_body(*later->parts.at(0).mesh())) << clip;
+    }
+}
+
+TEST(Incising, LetsTilesStayOnWhatIsCut)
+{
+    Document document =
+        after(ball_to_incise(), AddBox{.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}}});
+    TileStroke fill;
+    fill.brush = TileBrush::fill;
+    fill.size = 0.2;
+    fill.samples = {{{{0, -1, 0}, {0, -1, 0}}}};
+    document = after(document, PaintTiles{2, 1, fill});
+    const auto painted = [&](const Document& of) {
+        return new_evaluator()(of, 1).objects.at(2)->painted;
+    };
+    EXPECT_GT(painted(after(document, Incise{1, across_the_front()})), painted(document) * 3 / 4);
+    EXPECT_EQ(effects_of(after(document, Incise{1, across_the_front(0)})), effects_of(document));
+}
+
+// Two balls of radius 1, each a mesh, the second one smaller and beside the first.
+std::string two_balls(const TemporaryFolder& folder)
+{
+    Model model;
+    model.meshes = {make_ref(sphere_mesh(1, 48, 24)), make_ref(sphere_mesh(1, 48, 24))};
+    model.nodes.resize(2);
+    model.nodes[0].mesh = 0;
+    model.nodes[1].mesh = 1;
+    model.nodes[1].to_parent = glm::dmat4(0.5);
+    model.nodes[1].to_parent[3] = {1.5, 0, 0, 1};
+    write_model(model, folder.file("balls.glb"));
+    return "balls.glb";
+}
+
+TEST(Incising, CutsTheMeshUnderTheFirstPoint)
+{
+    const TemporaryFolder folder;
+    ImportModel import;
+    import.file.path = two_balls(folder);
+    Evaluator evaluator(std::make_shared<const AssetStore>(folder.path().string()));
+    const Document document = after(Document{}, import);
+    const Ref<EvaluatedObject> whole = evaluator(document, 1).objects.at(1);
+    ASSERT_EQ(whole->shape->meshes.size(), 2u);
+    const glm::dmat4 to_model = whole->shape->meshes[1].to_model;
+    NamedIncision second = across_the_front();
+    for (SurfacePoint& each : second.cut.stroke)
+        each.p = glm::dvec3(to_model * glm::dvec4(each.p, 1));
+    second.cut.depth = 0.05;
+    second.cut.width = 0.05;
+    const Ref<EvaluatedObject> cut = evaluator(after(document, Incise{1, second}), 1).objects.at(1);
+    EXPECT_EQ(cut->shape->meshes[0].rest, whole->shape->meshes[0].rest);
+    EXPECT_NE(cut->shape->meshes[1].rest, whole->shape->meshes[1].rest);
+    EXPECT_NEAR(cut->incisions.at(0).depth, 0.05, 1e-6); // metres on the model
+    NamedIncision both = second;
+    both.cut.stroke.insert(both.cut.stroke.end(), {{0, -1, 0}, {0, -1, 0}});
+    const Ref<EvaluatedObject> over = evaluator(after(document, Incise{1, both}), 1).objects.at(1);
+    EXPECT_EQ(over->shape, whole->shape);
+    EXPECT_THAT(over->notices, ElementsAre(HasSubstr("incision 1 is left out: it goes over two")));
+}
+
+TEST(Incising, SaysWhatItCannotCut)
+{
+    NamedIncision away = across_the_front();
+    away.name = "Scar";
+    for (SurfacePoint& each : away.cut.stroke) each.p *= 1.5;
+    const Document document = after(incised_ball(), Incise{1, away});
+    const Ref<EvaluatedObject> ball = ball_in(document);
+    EXPECT_THAT(ball->notices, ElementsAre(HasSubstr("\"Scar\" is left out: ")));
+    EXPECT_EQ(*ball->parts[0].mesh(), *ball_in(incised_ball())->parts[0].mesh());
+}
+
+TEST(Incising, RefusesBadInputInASentence)
+{
+    const auto refused = [](auto change) {
+        NamedIncision cut = across_the_front();
+        change(cut);
+        return [cut] { after(ball_to_incise(), Incise{1, cut}); };
+    };
+    const auto says = [](const char* words) {
+        return ThrowsMessage<Rejected>(HasSubstr(words));
+    };
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke.resize(1); }), says("one point"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke.clear(); }), says("no points"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke[2].p.y = std::nan(""); }), says("stroke[2].p"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke[3].normal *= 2; }), says("must have the length 1"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke.resize(100'000, c.cut.stroke[0]); }),
+                says("at most 10000 are taken"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.width = 0; }), says("\"width\" is 0"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.depth = 0; }), says("\"depth\" is 0"));
+    EXPECT_THAT(refused([](auto& c) { c.opening.share = 1.5; }), says("\"opening\" is 1.5"));
+    EXPECT_THAT(refused([](auto& c) {
+                    c.cut.depth_profile = {CutProfile::Shape::custom, {{0.5, 1}, {0.2, 1}}};
+                }),
+                says("go back"));
+    const Document ball = ball_to_incise();
+    EXPECT_THAT([&] { after(ball, EditIncision{1, 1, across_the_front()}); },
+                says("has no incisions"));
+    EXPECT_THAT([&] { after(incised_ball(), RemoveIncision{1, 2}); }, says("none of number 2"));
+    EXPECT_THAT([&] { after(after(ball, Group{.objects = {1}}), Incise{2, across_the_front()}); },
+                says("has no surface of its own"));
+}
+
+TEST(Incising, CrossesCutsToTheSameBitsForAnyNumberOfThreads)
+{
+    Document document = incised_ball();
+    for (int k = 0; k < 4; ++k)
+        document = after(document, Incise{1, over_ball({1, 0.2 * k - 0.3, -0.5},
+                                                       {1, 0.3 - 0.2 * k, 0.5})});
+    std::string expected;
+    for (const int threads : {1, 2}) {
+        const ThreadLimit limit(threads);
+        const Ref<EvaluatedObject> ball = ball_in(document);
+        EXPECT_TRUE(is_closed_body(*ball->parts.at(0).mesh()));
+        const std::string found = effects_of(document);
+        if (threads == 1) expected = found;
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST(Incising, IsExportedClosedWithItsWalls)
+{
+    const TemporaryFolder folder;
+    const Document document = incised_ball();
+    const Model model = model_of(new_evaluator()(document, 1), document);
+    for (const char* name : {"ball.glb", "ball.obj"}) {
+        write_model(model, folder.file(name));
+        const Model read = read_model(folder.file(name));
+        ASSERT_EQ(read.meshes.size(), 1u) << name;
+        EXPECT_TRUE(is_closed_body(*read.meshes[0])) << name;
+        EXPECT_GT(read.meshes[0]->face_count(),
+                  ball_in(ball_to_incise())->parts[0].mesh()->face_count());
+    }
+}
+
+TEST(Incising, IsCopiedWithTheObject)
+{
+    const Document document = incised_ball();
+    const Document twice = after(document, copied(document, {1}, ""));
+    EXPECT_EQ(object(twice, 2).incising, object(document, 1).incising);
+    const Command command = Incise{1, across_the_front(0.3)};
+    EXPECT_EQ(command_from_json_line(to_json_line(command)), command);
+}
+
+} // namespace
+} // namespace trivar
