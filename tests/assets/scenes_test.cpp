@@ -65,7 +65,7 @@ TEST_P(EveryScene, ChangesSomethingAndSaysWhereItsPictureIsTakenFrom)
     EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
         return entry.second->stroke || entry.second->tiles || entry.second->splitting ||
-               entry.second->cutting ||
+               entry.second->cutting || entry.second->incising ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);
     }));
 }

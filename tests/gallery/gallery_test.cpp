@@ -65,7 +65,7 @@ Scene shown(const std::string& name)
 {
     constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
     constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47, sliced_apart = 48;
-    constexpr int round_the_head = 49, in_the_camel = 46, in_rings = 60;
+    constexpr int round_the_head = 49, in_the_camel = 46, in_rings = 60, quite_open = 48;
     const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
                                             {"wreath", grown},
                                             {"thorn_to_flower", half_open},
@@ -78,7 +78,8 @@ Scene shown(const std::string& name)
                                             {"part_profile", round_the_head},
                                             {"bunny_cylinder", in_the_camel},
                                             {"sliced", sliced_apart},
-                                            {"pineapple", in_rings}};
+                                            {"pineapple", in_rings},
+                                            {"crossing_cuts", quite_open}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);
@@ -276,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(Others, Motion,
                                            "face_thorns", "teapot_statues", "robot_bars",
                                            "bulldozer_tree", "sphere_cylinder",
                                            "sphere_cylinder_stitched", "part_profile",
-                                           "bunny_cylinder"),
+                                           "bunny_cylinder", "crossing_cuts"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
