@@ -98,7 +98,6 @@ struct FieldOfPiece {
     const CutCurve& curve;
     const CutPiece& piece;
     const Incision& incision;
-    std::span<const double> room; // by vertex that was made
 
     // At a node that the piece does not pass.
     struct AtNode {
@@ -156,9 +155,7 @@ private:
         if (side == 0) return;
         const double floor = depth_at(run, s);
         const double below = floor > 0 ? share_at_depth(incision, depth / floor) : depth == 0;
-        const std::size_t first_made = drawing.point_count();
-        const double there = vertex < first_made ? 1 : room[vertex - first_made];
-        const double amount = 0.5 * incision.width * opening(s) * faded * below * there;
+        const double amount = 0.5 * incision.width * opening(s) * faded * below;
         if (!(amount > 0)) return;
         terms.push_back({vertex, run.incision, static_cast<float>(s / run.length),
                          glm::vec3(side * amount * curve.left(s))});
@@ -262,10 +259,6 @@ std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
         curves.emplace_back(run, drawing, inward, incisions[run.incision].width);
     const std::vector<std::vector<Passage>> passages = passages_of(graph, pieces.size());
     const Neighbours neighbours(patch.triangles);
-    std::vector<double> room;
-    for (const CutVertex& vertex : walls.made)
-        room.push_back(
-            inward.room_below(drawing.point(graph.nodes[vertex.node].point), vertex.depth * step));
     std::vector<std::vector<CutTerm>> terms(pieces.size());
     parallel_blocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
         const CutRun& run = runs[pieces[p].run];
@@ -277,8 +270,7 @@ std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
                            run,
                            curves[pieces[p].run],
                            pieces[p],
-                           incisions[run.incision],
-                           room};
+                           incisions[run.incision]};
         field(walls, step);
         terms[p] = std::move(field.terms);
     });

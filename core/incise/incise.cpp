@@ -13,7 +13,6 @@
 namespace trivar {
 namespace {
 
-constexpr double widest_of_thickness = 0.25; // of the body below a cut
 constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.5;
 constexpr int most_attempts = 12, most_open_attempts = 4;
 constexpr const char* no_room = "the body has no room for its depth there";
@@ -68,20 +67,6 @@ CutDrawing drawn(const CutSkin& skin, std::span<const Incision> all, const Incis
     return drawing;
 }
 
-// Incisions no wider than the body lets them be.
-std::vector<Incision> limited(std::span<const Incision> all, const std::vector<CutRun>& runs,
-                              const CutDrawing& drawing, const Inward& inward)
-{
-    std::vector<Incision> out(all.begin(), all.end());
-    const auto thickness = thickness_below(runs, drawing, inward);
-    for (std::size_t k = 0; k < runs.size(); ++k)
-        for (const double each : thickness[k]) {
-            double& width = out[runs[k].incision].width;
-            width = std::min(width, widest_of_thickness * each);
-        }
-    return out;
-}
-
 } // namespace
 
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
@@ -103,11 +88,10 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
             for (const std::uint32_t t : triangles_round(skin, drawing.point(at.point)))
                 region.push_back(t);
     const Inward inward(skin, region);
-    const std::vector<Incision> incisions = limited(all, runs, drawing, inward);
     const std::vector<CutPiece> pieces = pieces_of(runs, drawing);
 
     double deepest = 0;
-    for (const CutRun& run : runs) deepest = std::max(deepest, incisions[run.incision].depth);
+    for (const CutRun& run : runs) deepest = std::max(deepest, all[run.incision].depth);
     const double step = deepest / depth_steps;
     std::vector<int> borders;
     for (std::size_t i = 0; i + 1 < options.layers.size(); ++i)
@@ -118,8 +102,8 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
     double scale = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         CutShape shape{drawing, inward, step, runs, pieces, {}, {}, {}, {}};
-        set_depths(shape.runs, drawing, inward, incisions, scale);
-        shape.graph = slits_of(shape.runs, pieces, incisions, drawing, inward, step,
+        set_depths(shape.runs, drawing, inward, all, scale);
+        shape.graph = slits_of(shape.runs, pieces, all, drawing, inward, step,
                                depth_steps / std::max(1, options.rows) / 2);
         if (shape.graph.edges.empty()) {
             for (const CutRun& run : runs) out.outcomes[run.incision].refusal = no_room;
@@ -128,7 +112,7 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
         shape.patch = patch_of(drawing, pieces_of_skin, shape.graph);
         shape.walls = walls_of(drawing, shape.patch, shape.graph, options.rows, borders);
         shape.terms = field_of(drawing, shape.patch, shape.graph, shape.walls, shape.runs, pieces,
-                               incisions, inward, step);
+                               all, inward, step);
         std::vector<double> shares(all.size(), 1.0);
         if (options.guarded) {
             shares = admissible_shares(shape, all.size());
@@ -156,7 +140,7 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
                 has_walls[shape.runs[pieces[pass.piece].run].incision] = 1;
         for (const CutRun& run : shape.runs)
             if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
-        make_rest(out, shape, incisions, borders, options.layers);
+        make_rest(out, shape, all, borders, options.layers);
         return out;
     }
     return out;

@@ -146,17 +146,4 @@ double Inward::depth_below(std::uint32_t triangle, double wanted) const
     return 0;
 }
 
-double Inward::room_below(const LatticePoint& p, double depth) const
-{
-    double room = 1;
-    for (const std::uint32_t t : triangles_round(*skin_, p)) {
-        const LayerAreas layer(*skin_, *this, t);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double at_skin = layer.area(0, k);
-            if (at_skin > 0) room = std::min(room, layer.area(depth, k) / at_skin);
-        }
-    }
-    return std::max(0.0, room);
-}
-
 } // namespace trivar

@@ -22,9 +22,6 @@ public:
     // The greatest depth, at most `wanted`, down to which layers below a triangle stay right way
     // up.
     double depth_below(std::uint32_t triangle, double wanted) const;
-    // The area of the layer at a depth round a point, as a share of that at the skin, at most 1: by
-    // so much there is less room for a gap where walls draw together.
-    double room_below(const LatticePoint& p, double depth) const;
 
 private:
     struct Direction {

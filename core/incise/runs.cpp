@@ -12,26 +12,7 @@ constexpr double turned_round = -0.3;       // cosine of the turn of a piece
 constexpr std::size_t most_pieces = 64;     // of a run
 constexpr double least_overlap = 1e-9;      // of the length
 
-} // namespace
-
-std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions)
-{
-    std::vector<std::vector<CutDrawing::Segment>> segments(drawing.stroke_count());
-    for (const CutDrawing::Segment& g : drawing.segments())
-        if (g.a != g.b) segments[g.stroke].push_back(g);
-    std::vector<CutRun> out;
-    for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
-        std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
-        CutRun run{incisions[k], drawing.length(k), {}};
-        for (const CutDrawing::Segment& g : segments[k]) {
-            if (run.at.empty()) run.at.push_back({g.a, g.s_a});
-            run.at.push_back({g.b, g.s_b});
-        }
-        out.push_back(std::move(run));
-    }
-    return out;
-}
-
+// The least thickness of the body below the points of each run, along `inward`.
 std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
                                                  const CutDrawing& drawing, const Inward& inward)
 {
@@ -50,6 +31,26 @@ std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs
         const auto end = next + static_cast<std::ptrdiff_t>(run.at.size());
         out.emplace_back(next, end);
         next = end;
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions)
+{
+    std::vector<std::vector<CutDrawing::Segment>> segments(drawing.stroke_count());
+    for (const CutDrawing::Segment& g : drawing.segments())
+        if (g.a != g.b) segments[g.stroke].push_back(g);
+    std::vector<CutRun> out;
+    for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
+        std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
+        CutRun run{incisions[k], drawing.length(k), {}};
+        for (const CutDrawing::Segment& g : segments[k]) {
+            if (run.at.empty()) run.at.push_back({g.a, g.s_a});
+            run.at.push_back({g.b, g.s_b});
+        }
+        out.push_back(std::move(run));
     }
     return out;
 }

@@ -26,10 +26,6 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
                 std::span<const Incision> incisions, double scale);
 double depth_at(const CutRun& run, double s);
 
-// The least thickness of the body below the points of each run, along `inward`.
-std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
-                                                 const CutDrawing& drawing, const Inward& inward);
-
 // A CutPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
 // overlap: the weight of each rises from `begin` to `full_from` and falls from `full_to` to `end`,
 // and the weights add up to 1.
