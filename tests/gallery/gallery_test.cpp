@@ -66,6 +66,7 @@ Scene shown(const std::string& name)
     constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
     constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47, sliced_apart = 48;
     constexpr int round_the_head = 49, in_the_camel = 46, in_rings = 60, quite_open = 48;
+    constexpr int held_open = 24;
     const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
                                             {"wreath", grown},
                                             {"thorn_to_flower", half_open},
@@ -79,7 +80,9 @@ Scene shown(const std::string& name)
                                             {"bunny_cylinder", in_the_camel},
                                             {"sliced", sliced_apart},
                                             {"pineapple", in_rings},
-                                            {"crossing_cuts", quite_open}};
+                                            {"crossing_cuts", quite_open},
+                                            {"face_incisions", quite_open},
+                                            {"forearm_layers", held_open}};
     const auto found = frames.find(name);
     if (found == frames.end()) return replayed(name);
     const Document document = document_of(name);
@@ -277,7 +280,8 @@ INSTANTIATE_TEST_SUITE_P(Others, Motion,
                                            "face_thorns", "teapot_statues", "robot_bars",
                                            "bulldozer_tree", "sphere_cylinder",
                                            "sphere_cylinder_stitched", "part_profile",
-                                           "bunny_cylinder", "crossing_cuts"),
+                                           "bunny_cylinder", "crossing_cuts", "face_incisions",
+                                           "forearm_layers"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });

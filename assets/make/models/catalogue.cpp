@@ -14,6 +14,7 @@ std::vector<Entry> catalogue()
             {"reptile", reptile},
             {"robot", robot},
             {"head", head},
+            {"forearm", forearm},
             {"mask", mask},
             {"car", car},
             {"car_blue", car_blue},

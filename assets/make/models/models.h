@@ -26,6 +26,7 @@ Model ant();
 Model reptile();
 Model robot();
 Model head();
+Model forearm();
 Model mask();
 Model car();
 Model car_blue();
