@@ -39,6 +39,7 @@ struct ToMesh {
         on_model.depth /= metres;
         on_model.width /= metres;
         on_model.reach /= metres;
+        on_model.bevel /= metres;
         return on_model;
     }
 
@@ -83,6 +84,12 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
         if (!of.refusal.empty())
             stage.notices.push_back(
                 fmt::format("{} is left out: {}", told_as(incising, i), of.refusal));
+        else if (!of.shortfall.empty())
+            stage.notices.push_back(fmt::format("{} {}: {}", told_as(incising, i),
+                                                incising.cuts[i].cut.floor == Incision::Floor::through
+                                                    ? "does not go through"
+                                                    : "keeps its piece",
+                                                of.shortfall));
         else if (of.widest < hardly_narrowed)
             stage.notices.push_back(
                 fmt::format("{} opens to {:.0f} % of its width, because its walls would meet "
@@ -163,7 +170,8 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
             for (std::size_t k = 0; k < cuts.size(); ++k) {
                 const IncisedMesh::Outcome& outcome = incised->outcomes[k];
                 out.told[of_mesh[m][k]] = {outcome.refusal, outcome.length * ways[m].metres,
-                                           outcome.depth * ways[m].metres, outcome.widest};
+                                           outcome.depth * ways[m].metres, outcome.widest,
+                                           outcome.shortfall};
             }
             if (incised->rest != incised->original)
                 out.all.push_back({m, incised, of_mesh[m]});

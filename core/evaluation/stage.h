@@ -79,6 +79,7 @@ struct IncisingEffects {
         std::string refusal;          // why there is none, a sentence; empty: there is one
         double length = 0, depth = 0; // metres on the model
         double widest = 1;            // share of its width to which its walls let it open
+        std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
     };
     std::vector<OfIncision> incisions = {}; // by number
     Ref<Stage> uncut;                       // before it was incised; null: nothing is open

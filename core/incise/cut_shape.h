@@ -5,10 +5,22 @@
 
 namespace trivar {
 
+// A LeftOut is what of a shape belongs to pieces that are left out: nothing, or a mark for each
+// triangle of the patch and of the walls, and triangles of the skin beside the patch.
+struct LeftOut {
+    std::vector<char> patch, walls;
+    std::vector<std::uint32_t> skin; // ascending
+
+    bool none() const { return patch.empty(); }
+    bool patch_piece(std::size_t t) const { return !none() && patch[t]; }
+    bool wall(std::size_t w) const { return !none() && walls[w]; }
+};
+
 // A CutShape is everything that is known of cuts in a skin: what the passes of incise() found.
 struct CutShape {
     const CutDrawing& drawing;
     const Inward& inward;
+    const CutColumns& columns;
     double step; // depth of one of depth_steps
     std::vector<CutRun> runs;
     std::vector<CutPiece> pieces;
@@ -16,6 +28,7 @@ struct CutShape {
     CutPatch patch;
     CutWalls walls;
     std::vector<CutTerm> terms;
+    LeftOut left_out = {};
 
     // Numbers of vertices: those of the drawing's points, then those that cutting made.
     std::size_t vertex_count() const { return drawing.point_count() + walls.made.size(); }
@@ -41,7 +54,7 @@ inline glm::dvec3 CutShape::rest_position(std::uint32_t vertex) const
     const std::uint32_t base = base_point(vertex);
     const double below = depth(vertex);
     const glm::dvec3 p = drawing.position(base);
-    return below > 0 ? p - below * inward.outward(drawing.point(base)) : p;
+    return below > 0 ? p - below * columns.outward(base) : p;
 }
 
 } // namespace trivar

@@ -141,8 +141,7 @@ std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoi
             for (const std::optional<Hit>& hit : {hits[2 * k], hits[2 * k + 1]}) {
                 if (!hit) continue;
                 const double away = glm::distance(hit->p_world, points[lost[k]].p);
-                const auto number = static_cast<std::uint32_t>(hit->triangle);
-                const std::uint32_t t = own_number_.empty() ? number : own_number_[number];
+                const std::uint32_t t = own_triangle(*hit);
                 if (!(away < nearest) || t == none) continue;
                 nearest = away;
                 const glm::uvec3& p = triangles_[t];
@@ -156,15 +155,42 @@ std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoi
     return out;
 }
 
-std::vector<double> CutSkin::thickness(std::span<const Ray> rays) const
+std::vector<std::optional<Hit>> CutSkin::hits_below(std::span<const Ray> rays) const
 {
     std::vector<Ray> below(rays.begin(), rays.end());
     const double skipped = least_thickness * usual_edge_;
     for (Ray& ray : below) ray.origin += skipped * ray.direction;
-    const std::vector<std::optional<Hit>> hits = scene_.hits(below);
+    std::vector<std::optional<Hit>> hits = scene_.hits(below);
+    for (std::optional<Hit>& hit : hits)
+        if (hit) hit->distance += skipped;
+    return hits;
+}
+
+std::vector<double> CutSkin::thickness(std::span<const Ray> rays) const
+{
     std::vector<double> out;
-    for (const std::optional<Hit>& hit : hits)
-        out.push_back(hit ? skipped + hit->distance : infinite);
+    for (const std::optional<Hit>& hit : hits_below(rays))
+        out.push_back(hit ? hit->distance : infinite);
+    return out;
+}
+
+std::uint32_t CutSkin::own_triangle(const Hit& hit) const
+{
+    const auto number = static_cast<std::uint32_t>(hit.triangle);
+    return own_number_.empty() ? number : own_number_[number];
+}
+
+std::vector<std::optional<CutSkin::Opposite>> CutSkin::opposite(std::span<const Ray> rays) const
+{
+    std::vector<std::optional<Opposite>> out;
+    for (const std::optional<Hit>& hit : hits_below(rays)) {
+        const std::uint32_t t = hit && hit->back_face ? own_triangle(*hit) : none;
+        out.emplace_back();
+        if (t == none) continue;
+        const glm::uvec3& p = triangles_[t];
+        const std::array corners{positions_[p.x], positions_[p.y], positions_[p.z]};
+        out.back() = {place_in(corners, t, hit->p_world), hit->distance};
+    }
     return out;
 }
 

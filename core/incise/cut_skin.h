@@ -78,9 +78,17 @@ public:
                                                  double reach) const;
     // How thick the body is below points, along unit directions into it; infinite where it is open.
     std::vector<double> thickness(std::span<const Ray> rays) const;
+    // Where such rays leave the body again.
+    struct Opposite {
+        SkinPlace place;
+        double distance;
+    };
+    std::vector<std::optional<Opposite>> opposite(std::span<const Ray> rays) const;
 
 private:
     void judge_points();
+    std::vector<std::optional<Hit>> hits_below(std::span<const Ray> rays) const;
+    std::uint32_t own_triangle(const Hit& hit) const; // or none
     Ref<Mesh> mesh_;
     RayScene scene_;
     std::vector<std::uint32_t> own_number_; // of a triangle of the rays; empty: the same

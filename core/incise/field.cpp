@@ -5,6 +5,7 @@
 #include "core/incise/cut_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace trivar {
@@ -88,6 +89,13 @@ double share_at_depth(const Incision& incision, double depth)
     return std::max(0.0, at_floor * (2 - depth));
 }
 
+// How much of a bevel there is at a share of its depth.
+double share_of_bevel(const Incision& incision, double depth)
+{
+    const double round = 1 - std::sqrt(std::max(0.0, 1 - (1 - depth) * (1 - depth)));
+    return (1 - incision.roundness) * (1 - depth) + incision.roundness * round;
+}
+
 struct FieldOfPiece {
     const CutDrawing& drawing;
     const CutPatch& patch;
@@ -139,7 +147,8 @@ struct FieldOfPiece {
 private:
     double reach() const
     {
-        return incision.reach > 0 ? incision.reach : widths_of_reach * incision.width;
+        return incision.reach > 0 ? incision.reach
+                                  : widths_of_reach * (incision.width + 2 * incision.bevel);
     }
     double fade(double distance) const
     {
@@ -148,16 +157,26 @@ private:
     }
     double opening(double s) const
     {
-        return value_at(incision.opening_profile, s / run.length) * piece.weight(s);
+        return run.value(incision.opening_profile, s) * piece.weight(s);
+    }
+    // By how much the rim is set back beyond the width.
+    double bevel(double s) const
+    {
+        return incision.bevel > 0 && run.kind != CutRun::Kind::far_side ? bevel_at(run, incision, s)
+                                                                        : 0;
     }
     void add(std::uint32_t vertex, int side, double s, double faded, double depth)
     {
         if (side == 0) return;
         const double floor = depth_at(run, s);
-        const double below = floor > 0 ? share_at_depth(incision, depth / floor) : depth == 0;
-        const double amount = 0.5 * incision.width * opening(s) * faded * below;
+        const double below = !run.has_floor() ? 1
+                             : floor > 0      ? share_at_depth(incision, depth / floor)
+                                              : depth == 0;
+        double amount = 0.5 * incision.width * opening(s) * faded * below;
+        if (const double set_back = bevel(s); depth < set_back)
+            amount += set_back * opening(s) * faded * share_of_bevel(incision, depth / set_back);
         if (!(amount > 0)) return;
-        terms.push_back({vertex, run.incision, static_cast<float>(s / run.length),
+        terms.push_back({vertex, run.incision, static_cast<float>(run.share(s)),
                          glm::vec3(side * amount * curve.left(s))});
     }
 
@@ -192,10 +211,10 @@ private:
                 others.push_back({node, foot.s, foot.distance, side});
                 return;
             }
-            const double amount =
-                0.5 * incision.width * opening(foot.s) * fade(foot.distance) * side;
+            const double amount = (0.5 * incision.width + bevel(foot.s)) * opening(foot.s) *
+                                  fade(foot.distance) * side;
             if (amount != 0)
-                terms.push_back({point, run.incision, static_cast<float>(foot.s / run.length),
+                terms.push_back({point, run.incision, static_cast<float>(run.share(foot.s)),
                                  glm::vec3(amount * left)});
         };
         for (const Passage& passage : passages) seen.number(graph.nodes[passage.node].point);

@@ -160,12 +160,19 @@ CutGuard::CutGuard(const CutShape& shape)
         }
         return n;
     };
-    for (const auto& t : shape.walls.skin)
-        triangles_.emplace_back(number(t[0]), number(t[1]), number(t[2]));
+    for (std::size_t i = 0; i < shape.walls.skin.size(); ++i) {
+        const auto& t = shape.walls.skin[i];
+        if (!shape.left_out.patch_piece(i))
+            triangles_.emplace_back(number(t[0]), number(t[1]), number(t[2]));
+    }
     first_wall_ = triangles_.size();
-    for (const WallTriangle& t : shape.walls.walls)
+    for (std::uint32_t i = 0; i < shape.walls.walls.size(); ++i) {
+        const WallTriangle& t = shape.walls.walls[i];
+        if (shape.left_out.wall(i)) continue;
         triangles_.emplace_back(number(t.corners[0].vertex), number(t.corners[1].vertex),
                                 number(t.corners[2].vertex));
+        walls_.push_back(i);
+    }
     end_of_walls_ = triangles_.size();
     for (const CutTerm& term : shape.terms) {
         terms_.push_back(term);
@@ -180,6 +187,7 @@ CutGuard::CutGuard(const CutShape& shape)
         if (vertices[i] >= skin.point_count()) continue;
         skin.around(vertices[i], [&](std::uint32_t side) {
             if (shape.patch.replaces(side / 3) || !taken.number(side / 3).second) return;
+            if (std::ranges::binary_search(shape.left_out.skin, side / 3)) return;
             const glm::uvec3& t = skin.triangle(side / 3);
             triangles_.emplace_back(number(t.x), number(t.y), number(t.z));
         });
@@ -202,6 +210,26 @@ std::vector<std::uint32_t> CutGuard::incisions_at(const Pair& pair) const
             for (auto mover = std::ranges::lower_bound(movers_, Mover{triangles_[t][i], 0});
                  mover != movers_.end() && mover->vertex == triangles_[t][i]; ++mover)
                 out.push_back(mover->incision);
+    std::ranges::sort(out);
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+std::vector<std::uint32_t> piercing_on_their_way(const CutShape& shape)
+{
+    const CutGuard guard(shape);
+    std::vector<std::uint32_t> out;
+    std::uint32_t most = 0;
+    for (const CutRun& run : shape.runs) most = std::max(most, run.incision);
+    for (const CutGuard::Pair& pair : guard.piercings(std::vector<double>(most + 1, 0.0)))
+        for (const std::uint32_t t : {pair.a, pair.b}) {
+            if (!guard.is_wall(t)) continue;
+            const WallTriangle& wall = shape.walls.walls[guard.wall_number(t)];
+            for (const SlitEdge::Pass& pass : shape.graph.edges[wall.corners[0].edge].passes) {
+                const CutRun& run = shape.runs[shape.pieces[pass.piece].run];
+                if (!run.has_floor()) out.push_back(run.incision);
+            }
+        }
     std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;

@@ -22,6 +22,11 @@ public:
     {
         return triangle >= first_wall_ && triangle < end_of_walls_;
     }
+    // Of CutShape::walls.
+    std::uint32_t wall_number(std::uint32_t triangle) const
+    {
+        return walls_[triangle - first_wall_];
+    }
     // The incisions that move a corner of one of both.
     std::vector<std::uint32_t> incisions_at(const Pair& pair) const;
 
@@ -33,9 +38,13 @@ private:
     std::vector<glm::dvec3> rest_;
     std::vector<glm::uvec3> triangles_; // local vertices; skin first
     std::size_t first_wall_ = 0, end_of_walls_ = 0;
+    std::vector<std::uint32_t> walls_;
     std::vector<CutTerm> terms_; // by local vertex
     std::vector<Mover> movers_;  // ascending
 };
+
+// The incisions through the body whose walls pierce others while all is shut, ascending.
+std::vector<std::uint32_t> piercing_on_their_way(const CutShape& shape);
 
 // The shares of their widths that incisions can open: 1 where nothing pierces then, otherwise
 // narrower for those that move what does. An empty result: walls pierce although all is shut.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/incise.h"
 
-#include "core/base/finite.h"
-#include "core/base/rejected.h"
+#include "core/incise/cut_layout.h"
 #include "core/incise/guard.h"
 #include "core/incise/incised_mesh.h"
-#include "core/incise/trace.h"
+#include "core/incise/left_out.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,93 +15,53 @@ namespace {
 constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.5;
 constexpr int most_attempts = 12, most_open_attempts = 4;
 constexpr const char* no_room = "the body has no room for its depth there";
-constexpr double hardly_open = 0.02; // share of the width
+constexpr const char* no_way = "its walls would meet others on their way through";
+constexpr const char* no_piece = "it cuts out no piece, as it is no loop through the body";
+constexpr const char* one_piece =
+    "its loop cuts out no piece, as both sides hang together elsewhere";
+constexpr double deepest_through = 1000; // of the deepest floor, down to which a cut goes through
+constexpr double hardly_open = 0.02;     // share of the width
 
-const char* unfit(const Incision& incision)
+// Of all floors; without one, of the cuts through the body.
+double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> incisions)
 {
-    if (incision.stroke.size() < 2) return "it has fewer than two points";
-    for (const SurfacePoint& each : incision.stroke)
-        if (!finite(each.p) || !finite(each.normal)) return "a point of it is not finite";
-    if (!(incision.depth > 0 && incision.depth < infinite)) return "it has no depth";
-    if (!(incision.width >= 0 && incision.width < infinite)) return "its width is negative";
-    return nullptr;
-}
-
-// Where a stroke meets the skin; empty, with a sentence, where it leaves it.
-std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, double reach,
-                                 std::string& refusal)
-{
-    std::vector<SkinPlace> out;
-    for (const std::optional<SkinPlace>& place : skin.locate(incision.stroke, reach)) {
-        if (!place) {
-            refusal = "it leaves the surface";
-            return {};
-        }
-        out.push_back(*place);
+    double deepest = 0, last_rows = 0;
+    for (const CutRun& run : runs) {
+        if (run.has_floor()) deepest = std::max(deepest, incisions[run.incision].depth);
+        if (run.kind != CutRun::Kind::through) continue;
+        for (const CutRun::At& at : run.at) last_rows = std::max(last_rows, at.depth);
     }
-    return out;
+    return std::max(deepest > 0 ? deepest : last_rows, last_rows / deepest_through);
 }
 
-// The drawing of all strokes that can be drawn. Which incision each is of goes to `incisions`.
-CutDrawing drawn(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options,
-                 std::vector<IncisedMesh::Outcome>& outcomes, std::vector<std::uint32_t>& incisions)
-{
-    CutDrawing drawing(skin);
-    for (std::uint32_t k = 0; k < all.size(); ++k) {
-        std::string& refusal = outcomes[k].refusal;
-        if (const char* const why = unfit(all[k])) {
-            refusal = why;
-            continue;
-        }
-        const std::vector<SkinPlace> places =
-            places_of(skin, all[k], options.reach * skin.diagonal(), refusal);
-        if (!refusal.empty()) continue;
-        Traced traced = trace(drawing, places);
-        refusal = std::move(traced.refusal);
-        if (!refusal.empty()) continue;
-        drawing.add(traced.chain);
-        incisions.push_back(k);
-    }
-    drawing.arrange();
-    return drawing;
-}
-
-} // namespace
-
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
+// The cuts of a layout, or none where one more of them cannot go through the body.
+std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision> all,
+                               const InciseOptions& options,
+                               std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls)
 {
     IncisedMesh out;
-    out.original = out.rest = skin.mesh();
-    out.outcomes.resize(all.size());
-    std::vector<std::uint32_t> incision_of_stroke;
-    const CutDrawing drawing = drawn(skin, all, options, out.outcomes, incision_of_stroke);
-    if (drawing.stroke_count() == 0) return out;
-
-    const std::vector<CutRun> runs = runs_of(drawing, incision_of_stroke);
+    const CutDrawing& drawing = layout.drawing;
+    out.original = out.rest = drawing.skin().mesh();
+    out.outcomes = std::move(outcomes);
+    const std::vector<CutRun>& runs = layout.runs;
     std::vector<SkinTriangle> pieces_of_skin;
-    std::vector<std::uint32_t> region = drawing.touched();
-    for (const std::uint32_t t : region)
+    for (const std::uint32_t t : drawing.touched())
         for (const SkinTriangle& piece : filled(drawing, t)) pieces_of_skin.push_back(piece);
-    for (const CutRun& run : runs)
-        for (const CutRun::At& at : run.at)
-            for (const std::uint32_t t : triangles_round(skin, drawing.point(at.point)))
-                region.push_back(t);
-    const Inward inward(skin, region);
+    const Inward& inward = *layout.inward;
     const std::vector<CutPiece> pieces = pieces_of(runs, drawing);
 
-    double deepest = 0;
-    for (const CutRun& run : runs) deepest = std::max(deepest, all[run.incision].depth);
+    const double deepest = deepest_of(runs, all);
     const double step = deepest / depth_steps;
     std::vector<int> borders;
     for (std::size_t i = 0; i + 1 < options.layers.size(); ++i)
-        borders.push_back(static_cast<int>(
-            std::lround(std::min(1.0, options.layers[i].depth / deepest) * depth_steps)));
+        borders.push_back(static_cast<int>(std::lround(
+            std::min(deepest_through, options.layers[i].depth / deepest) * depth_steps)));
     std::ranges::sort(borders);
 
     double scale = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-        CutShape shape{drawing, inward, step, runs, pieces, {}, {}, {}, {}};
-        set_depths(shape.runs, drawing, inward, all, scale);
+        CutShape shape{drawing, inward, *layout.columns, step, runs, pieces, {}, {}, {}, {}};
+        set_depths(shape.runs, drawing, inward, *layout.columns, all, scale);
         shape.graph = slits_of(shape.runs, pieces, all, drawing, inward, step,
                                depth_steps / std::max(1, options.rows) / 2);
         if (shape.graph.edges.empty()) {
@@ -110,12 +69,20 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
             return out;
         }
         shape.patch = patch_of(drawing, pieces_of_skin, shape.graph);
-        shape.walls = walls_of(drawing, shape.patch, shape.graph, options.rows, borders);
+        shape.walls = walls_of(drawing, shape.patch, shape.graph, options.rows, borders, shape.runs,
+                               layout.throughs);
         shape.terms = field_of(drawing, shape.patch, shape.graph, shape.walls, shape.runs, pieces,
                                all, inward, step);
+        LeftOutPieces left_out = left_out_pieces(shape, all);
+        shape.left_out = std::move(left_out.pieces);
         std::vector<double> shares(all.size(), 1.0);
         if (options.guarded) {
             shares = admissible_shares(shape, all.size());
+            if (shares.empty() && !layout.throughs.empty()) {
+                const std::vector<std::uint32_t> in_the_way = piercing_on_their_way(shape);
+                for (const std::uint32_t k : in_the_way) shortfalls[k] = no_way;
+                if (!in_the_way.empty()) return std::nullopt;
+            }
             const bool last = attempt + 1 == most_attempts;
             if (shares.empty() && !last) {
                 scale *= shallower_at_rest;
@@ -130,10 +97,19 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
         }
         for (const CutRun& run : shape.runs) {
             IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
+            outcome.widest = shares[run.incision];
+            if (run.kind == CutRun::Kind::far_side) {
+                for (const CutRun::At& at : run.at)
+                    outcome.depth = std::max(outcome.depth, at.depth);
+                continue;
+            }
             outcome.length = run.length;
             for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
-            outcome.widest = shares[run.incision];
         }
+        for (const LeftOutPieces::Kept& kept : left_out.kept)
+            out.outcomes[kept.incision].shortfall = kept.loop ? one_piece : no_piece;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (!shortfalls[k].empty()) out.outcomes[k].shortfall = shortfalls[k];
         std::vector<char> has_walls(all.size(), 0);
         for (const SlitEdge& edge : shape.graph.edges)
             for (const SlitEdge::Pass& pass : edge.passes)
@@ -144,6 +120,24 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
         return out;
     }
     return out;
+}
+
+} // namespace
+
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
+{
+    Shortfalls shortfalls(all.size());
+    for (;;) { // ends as every turn without a result adds a shortfall
+        IncisedMesh none;
+        none.original = none.rest = skin.mesh();
+        none.outcomes.resize(all.size());
+        const std::unique_ptr<CutLayout> layout =
+            laid_out(skin, all, options, none.outcomes, shortfalls);
+        if (!layout) continue;
+        if (layout->runs.empty()) return none;
+        if (std::optional<IncisedMesh> made = cut(*layout, all, options, none.outcomes, shortfalls))
+            return *std::move(made);
+    }
 }
 
 } // namespace trivar

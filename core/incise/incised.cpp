@@ -45,7 +45,7 @@ OpenedVertices opened_vertices(const IncisedMesh& incised,
 
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings)
 {
-    bool open = false;
+    bool open = incised.has_hole;
     for (std::size_t k = 0; k < openings.size(); ++k)
         open = open || openings[k].share * incised.outcomes[k].widest != 0;
     if (!open || incised.rest == incised.original) return incised.original;

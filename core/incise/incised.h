@@ -16,6 +16,8 @@ struct IncisedMesh {
     // What became of an incision.
     struct Outcome {
         std::string refusal;          // why there is no cut, a sentence; empty: there is one
+        std::string shortfall;        // why it has a floor where it was to go through, or keeps its
+                                      // piece, a sentence; empty: it is as it was to be
         double length = 0, depth = 0; // units of the mesh; the depth after all limits
         double widest = 0;            // share of the width that the guard admits
     };
@@ -29,6 +31,7 @@ struct IncisedMesh {
     std::vector<Outcome> outcomes; // by incision
     std::vector<Term> terms;
     std::size_t slots = 0;
+    bool has_hole = false; // a piece is left out, however shut all cuts are
     // The vertices of `rest` that move, and the slot of each: copies of a point move as one.
     std::vector<std::uint32_t> moved, slot_of_moved;
     std::uint32_t first_wall_vertex = 0, first_wall_face = 0; // in `rest`, where walls come last
@@ -43,7 +46,7 @@ struct OpenedVertices {
 OpenedVertices opened_vertices(const IncisedMesh& incised,
                                std::span<const IncisionOpening> openings);
 
-// The whole mesh at some openings; the original itself while all are shut.
+// The whole mesh at some openings; the original itself while all are shut and no piece is left out.
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings);
 
 } // namespace trivar

@@ -29,7 +29,9 @@ public:
         Mesh rest = copied();
         if (!layers.empty() && rest.face_material.empty())
             rest.face_material.assign(rest.face_count(), 0);
+        out.has_hole = !shape_.left_out.none();
         for (std::uint32_t t = 0; t < shape_.patch.triangles.size(); ++t) {
+            if (shape_.left_out.patch_piece(t)) continue;
             const std::uint32_t face = skin_.face_of(shape_.patch.triangles[t].parent);
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t k = 0; k < 3; ++k) corners[k] = skin_vertex(t, k);
@@ -37,7 +39,9 @@ public:
         }
         out.first_wall_face = static_cast<std::uint32_t>(rest.face_count());
         out.first_wall_vertex = first_new_ + static_cast<std::uint32_t>(births_.size());
-        for (const WallTriangle& wall : shape_.walls.walls) {
+        for (std::size_t w = 0; w < shape_.walls.walls.size(); ++w) {
+            if (shape_.left_out.wall(w)) continue;
+            const WallTriangle& wall = shape_.walls.walls[w];
             const std::uint32_t face = face_above(wall);
             const auto layer = static_cast<std::size_t>(
                 std::ranges::upper_bound(borders, wall.floor ? wall.level - 1 : wall.level) -
@@ -76,6 +80,9 @@ private:
         for (const std::uint32_t t : shape_.patch.replaced)
             if (faces.empty() || faces.back() != skin_.face_of(t))
                 faces.push_back(skin_.face_of(t));
+        for (const std::uint32_t t : shape_.left_out.skin) faces.push_back(skin_.face_of(t));
+        std::ranges::sort(faces);
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
         const std::size_t triangles = shape_.patch.triangles.size() + shape_.walls.walls.size();
         const std::size_t more = room_per_triangle * triangles;
         Mesh out;
@@ -179,7 +186,10 @@ private:
             const Incision& incision = incisions_[shape_.runs[of.first].incision];
             if (right) down += incision.floor_width * incision.width;
         }
-        birth.uv = glm::vec2(of.second, down);
+        const CutRun& run = shape_.runs[of.first];
+        const bool far = run.kind == CutRun::Kind::far_side;
+        if (far) down = depth_at(run, of.second);
+        birth.uv = glm::vec2(far ? run.share(of.second) * run.near_length : of.second, down);
         return number;
     }
 

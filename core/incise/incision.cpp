@@ -40,6 +40,12 @@ double value_at(const CutProfile& profile, double x)
     return ends * std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
 
+double value_round(const CutProfile& profile, double x)
+{
+    if (profile.shape != CutProfile::Shape::custom) return 1;
+    return std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
+}
+
 double share_at(const IncisionOpening& opening, double x)
 {
     const double behind = opening.from > 0 ? smooth_step((x - opening.from) / blade_taper) : 1;

@@ -17,18 +17,30 @@ struct CutProfile {
     bool operator==(const CutProfile&) const = default;
 };
 double value_at(const CutProfile& profile, double x);
+// The same along a loop, which has no ends.
+double value_round(const CutProfile& profile, double x);
 
-// An Incision is one cut in a skin, as a document stores it. Lengths are in units of the mesh.
+// An Incision is one cut in a skin, as a document stores it. Lengths are in units of the mesh. A
+// stroke that ends at the point where it began is a loop.
 struct Incision {
     std::vector<SurfacePoint> stroke; // on the skin at rest, two at least
     double depth = 0.1;               // where the cut is deepest, before the body's limits
     CutProfile depth_profile{CutProfile::Shape::even, {}};
-    enum class Floor { v, u } floor = Floor::v;
+    // v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on the
+    // other side, which opens too; where there is no way through it is cut to its depth, as v.
+    enum class Floor { v, u, through } floor = Floor::v;
     double floor_width = 0.5; // of a U floor: share of the width, where there is as much room below
 
     double width = 0.1; // of the gap in the skin where it is widest, when the cut is quite open
     CutProfile opening_profile;
     double reach = 0; // how far beside the cut the skin gives way; 0: three widths
+
+    // What becomes of the piece that a loop through the body cuts out: the smaller part.
+    enum class Piece { kept, left_out } piece = Piece::kept;
+    double lean_deg = 0; // of the walls: on their way down they go to the left of the stroke
+    // By so much the open rim is set back beyond the width, down to such a depth.
+    double bevel = 0;
+    double roundness = 0; // of the bevel: 0 flat, 1 a quarter of a circle
     bool operator==(const Incision&) const = default;
 };
 

@@ -11,20 +11,50 @@ constexpr double steepest = 1.5;            // of a floor, along the cut
 constexpr double turned_round = -0.3;       // cosine of the turn of a piece
 constexpr std::size_t most_pieces = 64;     // of a run
 constexpr double least_overlap = 1e-9;      // of the length
+constexpr double bevel_of_depth = 0.5;      // of the depth, at most
+constexpr double gone_round = 0.1;          // of the length: so far a loop goes on
+constexpr double least_left = 0.15;         // of the way between two columns, at the floor
+
+void go_on_round(CutRun& run)
+{
+    for (std::size_t i = 1; i < run.last && run.at[i - 1].s < gone_round * run.length; ++i)
+        run.at.push_back({run.at[i].point, run.length + run.at[i].s});
+}
+
+// Floors no steeper along the run than is good for the strips of walls.
+void flatten(CutRun& run)
+{
+    const auto limit = [&](std::size_t from, std::size_t to) {
+        const double most = run.at[from].depth + steepest * std::abs(run.at[to].s - run.at[from].s);
+        run.at[to].depth = std::min(run.at[to].depth, most);
+    };
+    const std::size_t last = run.last;
+    for (int round = 0; round < (run.closed() ? 2 : 1); ++round) {
+        for (std::size_t i = 1; i <= last; ++i) limit(i - 1, i);
+        if (run.closed()) run.at.front().depth = run.at[last].depth;
+        for (std::size_t i = last; i-- > 0;) limit(i + 1, i);
+        if (run.closed()) run.at[last].depth = run.at.front().depth;
+    }
+    for (std::size_t i = last + 1; i < run.at.size(); ++i) run.at[i].depth = run.at[i - last].depth;
+}
 
 // The least thickness of the body below the points of each run, along `inward`.
 std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
-                                                 const CutDrawing& drawing, const Inward& inward)
+                                                 const CutDrawing& drawing,
+                                                 const CutColumns& columns)
 {
     std::vector<Ray> rays;
+    std::vector<double> slants; // of the way down to the depth
     for (const CutRun& run : runs)
         for (const CutRun::At& at : run.at) {
-            const glm::dvec3 n = inward.outward(drawing.point(at.point));
+            const glm::dvec3 n = columns.outward(at.point);
             const double length = glm::length(n);
+            slants.push_back(std::max(1.0, length));
             rays.push_back(
                 {drawing.position(at.point), length > 0 ? -n / length : glm::dvec3(0, 0, -1)});
         }
-    const std::vector<double> all = drawing.skin().thickness(rays);
+    std::vector<double> all = drawing.skin().thickness(rays);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] /= slants[i];
     std::vector<std::vector<double>> out;
     auto next = all.begin();
     for (const CutRun& run : runs) {
@@ -50,27 +80,29 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint
             if (run.at.empty()) run.at.push_back({g.a, g.s_a});
             run.at.push_back({g.b, g.s_b});
         }
+        run.last = run.at.size() - 1;
+        if (run.closed()) go_on_round(run);
         out.push_back(std::move(run));
     }
     return out;
 }
 
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                std::span<const Incision> incisions, double scale)
+                const CutColumns& columns, std::span<const Incision> incisions, double scale)
 {
     double deepest = 0;
     for (const CutRun& run : runs)
-        deepest = std::max(deepest, scale * incisions[run.incision].depth);
-    const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, inward);
+        if (run.has_floor()) deepest = std::max(deepest, scale * incisions[run.incision].depth);
+    const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, columns);
     KeyNumbers known;
     std::vector<double> below;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         CutRun& run = runs[k];
+        if (!run.has_floor()) continue;
         const Incision& incision = incisions[run.incision];
-        for (std::size_t i = 0; i < run.at.size(); ++i) {
+        for (std::size_t i = 0; i <= run.last; ++i) {
             CutRun::At& at = run.at[i];
-            at.depth = std::min(scale * incision.depth *
-                                    value_at(incision.depth_profile, at.s / run.length),
+            at.depth = std::min(scale * incision.depth * run.value(incision.depth_profile, at.s),
                                 share_of_thickness * thickness[k][i]);
             for (const std::uint32_t t : triangles_round(drawing.skin(), drawing.point(at.point))) {
                 const auto [number, fresh] = known.number(t);
@@ -78,23 +110,31 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
                 at.depth = std::min(at.depth, below[number]);
             }
         }
-        run.at.front().depth = run.at.back().depth = 0;
-        for (std::size_t i = 1; i < run.at.size(); ++i)
-            run.at[i].depth = std::min(
-                run.at[i].depth, run.at[i - 1].depth + steepest * (run.at[i].s - run.at[i - 1].s));
-        for (std::size_t i = run.at.size() - 1; i-- > 0;)
-            run.at[i].depth = std::min(
-                run.at[i].depth, run.at[i + 1].depth + steepest * (run.at[i + 1].s - run.at[i].s));
+        for (std::size_t i = 1; i <= run.last; ++i) {
+            CutRun::At &a = run.at[i - 1], &b = run.at[i];
+            const double most =
+                columns.sound_depth(a.point, b.point, std::max(a.depth, b.depth), least_left);
+            a.depth = std::min(a.depth, most);
+            b.depth = std::min(b.depth, most);
+        }
+        if (!run.closed()) run.at.front().depth = run.at.back().depth = 0;
+        flatten(run);
     }
 }
 
 double depth_at(const CutRun& run, double s)
 {
-    if (s <= run.at.front().s || s >= run.at.back().s) return 0;
+    if (s <= run.at.front().s) return run.at.front().depth;
+    if (s >= run.at.back().s) return run.at.back().depth;
     const auto next = std::ranges::upper_bound(run.at, s, {}, &CutRun::At::s);
     const CutRun::At &a = *(next - 1), &b = *next;
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0;
     return (1 - share) * a.depth + share * b.depth;
+}
+
+double bevel_at(const CutRun& run, const Incision& incision, double s)
+{
+    return std::min(incision.bevel, bevel_of_depth * depth_at(run, s));
 }
 
 double CutPiece::weight(double s) const
@@ -111,7 +151,8 @@ std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawin
     for (std::uint32_t k = 0; k < runs.size(); ++k) {
         const std::vector<CutRun::At>& at = runs[k].at;
         std::size_t made = 0;
-        double begin = 0, full_from = 0;
+        const double whole = runs[k].length; // a loop goes on beyond it: there pieces overlap
+        double begin = 0, full_from = at.back().s - whole;
         std::size_t first = 0; // of the piece
         std::vector<std::pair<std::uint32_t, double>> seen{{at[0].point, at[0].s}};
         const auto along = [&](std::size_t i) { // from point i to the next
@@ -127,7 +168,8 @@ std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawin
                 from = std::max(before->second, full_from);
             else if (glm::dot(along(i), along(first)) < turned_round)
                 from = std::max(full_from, 0.5 * (begin + s));
-            if (from < 0 || !(s - from > least_overlap * runs[k].length) || made >= most_pieces) {
+            if (from < 0 || !(s - from > least_overlap * whole) || made >= most_pieces ||
+                s > whole) {
                 seen.emplace_back(at[i + 1].point, s);
                 ++i;
                 continue;
@@ -142,7 +184,7 @@ std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawin
             i = first = back;
             seen = {{at[i].point, at[i].s}};
         }
-        out.push_back({k, begin, runs[k].length, full_from, runs[k].length});
+        out.push_back({k, begin, at.back().s, full_from, whole});
     }
     return out;
 }

@@ -1,30 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_drawing.h"
-#include "core/incise/incision.h"
-#include "core/incise/inward.h"
+#include "core/incise/columns.h"
 
 namespace trivar {
 
-// A CutRun is a stroke after the drawing was arranged: its points in their order.
+// A CutRun is a stroke after the drawing was arranged: its points in their order. That of a loop
+// goes on round for a part, beyond its length, so that its pieces overlap there too.
 struct CutRun {
     struct At {
         std::uint32_t point;
         double s;         // length from the beginning
-        double depth = 0; // of the floor there
+        double depth = 0; // of the floor there; of a cut through the body: of its last row
     };
+    enum class Kind { to_floor, through, far_side };
     std::uint32_t incision = 0; // of which it is
     double length = 0;
     std::vector<At> at;
+    std::size_t last = 0; // number of the point at `length`
+    Kind kind = Kind::to_floor;
+    double near_length = 0; // of the far side: of the run on the near side
+
+    bool closed() const { return last > 0 && at.front().point == at[last].point; }
+    bool has_floor() const { return kind == Kind::to_floor; }
+    double share(double s) const // of the length
+    {
+        return (closed() && s > length ? s - length : s) / length;
+    }
+    double value(const CutProfile& profile, double s) const
+    {
+        return closed() ? value_round(profile, share(s)) : value_at(profile, s / length);
+    }
 };
 std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions);
 
 // Gives the runs their depth at each point: that of the profile, within what the skin's curvature
 // and the body's thickness let be, without steep steps. All depths come times `scale`.
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                std::span<const Incision> incisions, double scale);
+                const CutColumns& columns, std::span<const Incision> incisions, double scale);
 double depth_at(const CutRun& run, double s);
+// How far the rim is set back there, and down to which depth.
+double bevel_at(const CutRun& run, const Incision& incision, double s);
 
 // A CutPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
 // overlap: the weight of each rises from `begin` to `full_from` and falls from `full_to` to `end`,

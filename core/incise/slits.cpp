@@ -38,6 +38,26 @@ struct EdgeEnds {
     }
 };
 
+// Of several runs over an edge, the one through the body decides, else the deepest.
+void set_floor(SlitEdge& edge, CutRun::Kind kind, int depth_a, int depth_b, bool flat)
+{
+    if (kind == CutRun::Kind::far_side) {
+        edge.far_side = true;
+        return;
+    }
+    if (edge.through) return;
+    if (kind == CutRun::Kind::through) {
+        edge.through = true;
+        edge.flat_floor = false;
+        edge.depth_a = depth_a;
+        edge.depth_b = depth_b;
+        return;
+    }
+    edge.depth_a = std::max(edge.depth_a, depth_a);
+    edge.depth_b = std::max(edge.depth_b, depth_b);
+    edge.flat_floor = edge.flat_floor || flat;
+}
+
 std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
                                std::span<const Incision> incisions, double step)
 {
@@ -62,10 +82,14 @@ std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vecto
             const auto steps = [&](double depth) {
                 return static_cast<int>(std::lround(depth / step));
             };
-            edge.depth_a = std::max(edge.depth_a, steps(a.depth));
-            edge.depth_b = std::max(edge.depth_b, steps(b.depth));
-            edge.flat_floor =
-                edge.flat_floor || incisions[runs[k].incision].floor == Incision::Floor::u;
+            const Incision& incision = incisions[runs[k].incision];
+            set_floor(edge, runs[k].kind, steps(a.depth), steps(b.depth),
+                      incision.floor == Incision::Floor::u);
+            if (runs[k].kind != CutRun::Kind::far_side && incision.bevel > 0) {
+                edge.bevel_a = std::max(edge.bevel_a, steps(bevel_at(runs[k], incision, a.s)));
+                edge.bevel_b = std::max(edge.bevel_b, steps(bevel_at(runs[k], incision, b.s)));
+                edge.rounded = edge.rounded || incision.roundness > 0;
+            }
             for (std::uint32_t p = first_piece; p < last_piece; ++p) {
                 if (!(at[i + 1].s > pieces[p].begin && at[i].s < pieces[p].end)) continue;
                 if (std::ranges::count(edge.passes, p, &SlitEdge::Pass::piece) > 0) continue;
@@ -82,6 +106,7 @@ void unite_floors(std::vector<SlitEdge>& edges, int alike)
 {
     EdgeEnds all(edges);
     for (std::vector<EdgeEnd>& ends : all.ends) {
+        std::erase_if(ends, [&](const EdgeEnd& end) { return !edges[end.edge].has_floor(); });
         std::ranges::stable_sort(ends, std::greater(),
                                  [&](const EdgeEnd& end) { return depth_of(edges, end); });
         for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -90,6 +115,20 @@ void unite_floors(std::vector<SlitEdge>& edges, int alike)
             if (depth > 0 && deeper - depth < alike) depth = deeper;
         }
     }
+}
+
+// Floors end at walls through the body, above their last rows.
+void keep_floors_above_last_rows(std::vector<SlitEdge>& edges)
+{
+    EdgeEnds all(edges);
+    for (const std::vector<EdgeEnd>& ends : all.ends)
+        for (const EdgeEnd& through : ends) {
+            if (!edges[through.edge].through) continue;
+            const int most = depth_of(edges, through) - 1;
+            for (const EdgeEnd& end : ends)
+                if (edges[end.edge].has_floor())
+                    depth_of(edges, end) = std::min(depth_of(edges, end), most);
+        }
 }
 
 // A wall that ended alone in its depth would hang free: both its sides would be one column.
@@ -107,6 +146,7 @@ bool lower_free_floors(std::vector<SlitEdge>& edges, const CutDrawing& drawing,
         }
         if (!inward.has_inside(drawing.point(all.points[n]))) next = 0;
         for (const EdgeEnd& end : all.ends[n]) {
+            if (!edges[end.edge].has_floor()) continue;
             int& depth = depth_of(edges, end);
             changed = changed || depth > next;
             depth = std::min(depth, next);
@@ -136,9 +176,11 @@ SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>&
     SlitGraph graph;
     graph.edges = edges_of(runs, pieces, incisions, step);
     unite_floors(graph.edges, alike);
+    keep_floors_above_last_rows(graph.edges);
     do
-        std::erase_if(graph.edges,
-                      [](const SlitEdge& e) { return e.depth_a == 0 && e.depth_b == 0; });
+        std::erase_if(graph.edges, [](const SlitEdge& e) {
+            return e.depth_a == 0 && e.depth_b == 0 && !e.far_side;
+        });
     while (lower_free_floors(graph.edges, drawing, inward));
     EdgeEnds all(graph.edges);
     for (std::size_t n = 0; n < all.points.size(); ++n) {

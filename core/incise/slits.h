@@ -20,7 +20,13 @@ struct SlitEdge {
     std::uint32_t a, b;
     std::vector<Pass> passes; // at most one of each piece
     bool flat_floor = false;  // U
+    bool through = false;     // its walls go on from their last rows to the far side
+    bool far_side = false;    // an edge of the far side of a cut: without rows
     int depth_a = 0, depth_b = 0;
+    int bevel_a = 0, bevel_b = 0; // depths of the bevel, 0: none
+    bool rounded = false;         // the bevel
+
+    bool has_floor() const { return !through && !far_side; }
 
     bool starts_at(std::uint32_t point) const { return a == point; }
     int depth_at(std::uint32_t point) const { return a == point ? depth_a : depth_b; }
@@ -50,8 +56,9 @@ struct SlitGraph {
 };
 
 // The slit edges of runs with depths, and their nodes, whose edges are in no order yet. No floor
-// hangs free: the deepest floor of a node belongs to two edges at least. Edges without depth are
-// left out. `step` is the depth of one step; floors nearer than `alike` steps become one.
+// hangs free: the deepest floor of a node belongs to two edges at least, or lies above the last row
+// of a cut through the body. Edges without depth are left out. `step` is the depth of one step;
+// floors nearer than `alike` steps become one.
 SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
                    std::span<const Incision> incisions, const CutDrawing& drawing,
                    const Inward& inward, double step, int alike);

@@ -46,7 +46,7 @@ public:
         }
         for (const LatticePoint& p : chain_.points)
             if (const char* const why = unsound(p)) return refused(why);
-        drop_hooks();
+        if (!(chain_.points.front() == chain_.points.back())) drop_hooks();
         drop_points_on_chords();
         if (chain_.points.size() == 2 && !halve())
             return refused("it is shorter than a step of the surface");

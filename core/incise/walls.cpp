@@ -2,24 +2,32 @@
 #include "core/incise/walls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace trivar {
 namespace {
 
+// Rows of a rounded bevel, as shares of its depth; a flat one ends at the last.
+constexpr std::array bevel_levels{0.07, 0.25, 0.55, 1.0};
+
 class WallBuilder {
 public:
     WallBuilder(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph,
                 std::span<const int> borders)
-        : first_made_(static_cast<std::uint32_t>(drawing.point_count())),
+        : edge_number_(graph.edges.size()),
+          first_made_(static_cast<std::uint32_t>(drawing.point_count())),
           patch_(patch),
           graph_(graph),
           borders_(borders)
     {
     }
 
-    CutWalls operator()(int rows)
+    CutWalls operator()(int rows, const std::vector<CutRun>& runs,
+                        const std::vector<ThroughCut>& throughs)
     {
+        for (std::uint32_t e = 0; e < graph_.edges.size(); ++e)
+            edge_number_.insert(pair_key(graph_.edges[e].a, graph_.edges[e].b), e);
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_column(n, rows);
         cut_skin();
         for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
@@ -28,6 +36,9 @@ public:
             if (graph_.edges[e].flat_floor) make_floor(e);
         }
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) close_ends_of_floors(n);
+        for (const ThroughCut& cut : throughs)
+            for (const bool left : {true, false})
+                join_to_far_side(runs[cut.near], runs[cut.far], cut.zip, left);
         return std::move(out_);
     }
 
@@ -44,24 +55,14 @@ private:
         SlitNode& node = graph_.nodes[n];
         const std::size_t count = node.edges.size();
         std::vector<int> depths;
-        int deepest = 0;
-        for (const std::uint32_t e : node.edges) {
+        for (const std::uint32_t e : node.edges)
             depths.push_back(graph_.edges[e].depth_at(node.point));
-            deepest = std::max(deepest, depths.back());
-        }
-        node.levels = depths;
-        node.levels.push_back(0);
-        const int row = std::max(1, depth_steps / std::max(1, rows));
-        for (int level = row; level < deepest; level += row) node.levels.push_back(level);
-        for (const int border : borders_)
-            if (border > 0 && border < deepest) node.levels.push_back(border);
-        std::ranges::sort(node.levels);
-        node.levels.erase(std::unique(node.levels.begin(), node.levels.end()), node.levels.end());
+        set_levels(node, depths, rows);
         for (const int level : node.levels) {
             const auto joins = [&](std::size_t i) { // the sectors beside edge i
+                const SlitEdge& edge = graph_.edges[node.edges[i]];
                 return depths[i] < level ||
-                       (depths[i] == level &&
-                        (level == 0 || !graph_.edges[node.edges[i]].flat_floor));
+                       (depths[i] == level && edge.has_floor() && (level == 0 || !edge.flat_floor));
             };
             std::size_t start = 0;
             while (start < count && joins(start)) ++start;
@@ -75,6 +76,32 @@ private:
                 node.corners[row_begin + i] = vertex;
             }
         }
+    }
+
+    void set_levels(SlitNode& node, const std::vector<int>& depths, int rows) const
+    {
+        node.levels = depths;
+        node.levels.push_back(0);
+        int deepest = 0, deepest_floor = 0;
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            const SlitEdge& edge = graph_.edges[node.edges[i]];
+            deepest = std::max(deepest, depths[i]);
+            if (edge.has_floor()) deepest_floor = std::max(deepest_floor, depths[i]);
+            for (int k = 1; edge.through && k < rows - 1; ++k)
+                node.levels.push_back(static_cast<int>(std::int64_t{depths[i]} * k / (rows - 1)));
+            for (const double share : bevel_levels) {
+                if (share < 1 && !edge.rounded) continue;
+                const int bevel = edge.starts_at(node.point) ? edge.bevel_a : edge.bevel_b;
+                const int level = static_cast<int>(share * bevel);
+                if (level > 0 && level < depths[i]) node.levels.push_back(level);
+            }
+        }
+        const int row = std::max(1, depth_steps / std::max(1, rows));
+        for (int level = row; level < deepest_floor; level += row) node.levels.push_back(level);
+        for (const int border : borders_)
+            if (border > 0 && border < deepest) node.levels.push_back(border);
+        std::ranges::sort(node.levels);
+        node.levels.erase(std::unique(node.levels.begin(), node.levels.end()), node.levels.end());
     }
 
     void cut_skin()
@@ -192,6 +219,40 @@ private:
         }
     }
 
+    // A point of a run as the side of a wall sees it: along the edge to the next point, or of the
+    // last point the one before.
+    WallCorner corner_of(const CutRun& run, std::size_t i, bool left) const
+    {
+        const std::size_t k = std::min(i, run.last - 1);
+        const std::uint32_t from = run.at[k].point, to = run.at[k + 1].point;
+        const std::uint32_t e = edge_number_.find(pair_key(std::min(from, to), std::max(from, to)));
+        const std::uint32_t n = graph_.node_of_point.find(run.at[i].point);
+        const SlitNode& node = graph_.nodes[n];
+        const std::size_t way = node.edge_number(e), other = before(node, way);
+        const std::size_t sector = (k == i) == left ? way : other;
+        return corner(n, node.level_number(graph_.edges[e].depth_at(node.point)), sector, e);
+    }
+
+    // The last row of a wall through the body: between its last levels and the far side, where what
+    // is left of the cut lies right.
+    void join_to_far_side(const CutRun& near, const CutRun& far,
+                          const std::vector<ThroughCut::Step>& zip, bool left)
+    {
+        for (std::size_t k = 0; k + 1 < zip.size(); ++k) {
+            const auto [i, j] = zip[k];
+            const bool along_near = zip[k + 1].near > i;
+            const WallCorner p = corner_of(near, i, left), q = corner_of(far, j, !left);
+            const int level = graph_.edges[p.edge].depth_at(near.at[i].point);
+            const WallCorner next =
+                along_near ? corner_of(near, i + 1, left) : corner_of(far, j + 1, !left);
+            if (left)
+                add(p, q, next, level, false);
+            else
+                add(p, next, q, level, false);
+        }
+    }
+
+    KeyNumbers edge_number_; // by its two points
     std::uint32_t first_made_;
     const CutPatch& patch_;
     SlitGraph& graph_;
@@ -202,9 +263,10 @@ private:
 } // namespace
 
 CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
-                  std::span<const int> borders)
+                  std::span<const int> borders, const std::vector<CutRun>& runs,
+                  const std::vector<ThroughCut>& throughs)
 {
-    return WallBuilder(drawing, patch, graph, borders)(rows);
+    return WallBuilder(drawing, patch, graph, borders)(rows, runs, throughs);
 }
 
 } // namespace trivar

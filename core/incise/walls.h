@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/incise/slits.h"
+#include "core/incise/through.h"
 
 namespace trivar {
 
@@ -47,6 +48,7 @@ CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, S
 
 // `rows` levels below a node at least; `borders`: depths between layers, ascending, in steps.
 CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
-                  std::span<const int> borders);
+                  std::span<const int> borders, const std::vector<CutRun>& runs,
+                  const std::vector<ThroughCut>& throughs);
 
 } // namespace trivar

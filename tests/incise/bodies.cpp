@@ -50,6 +50,23 @@ Mesh icosphere(int halvings)
     return mesh;
 }
 
+Mesh shell_mesh(int halvings, double inner)
+{
+    const Mesh ball = icosphere(halvings);
+    Mesh out;
+    out.positions = ball.positions;
+    const auto first = static_cast<std::uint32_t>(ball.vertex_count());
+    for (const glm::vec3& p : ball.positions)
+        out.positions.push_back(static_cast<float>(inner) * p);
+    for (std::size_t f = 0; f < ball.face_count(); ++f) {
+        const std::uint32_t* const c = ball.corners.data() + ball.face_begin[f];
+        add_face(out, std::array{c[0], c[1], c[2]});
+        add_face(out, std::array{first + c[0], first + c[2], first + c[1]});
+    }
+    out.normals = smooth_normals(out);
+    return out;
+}
+
 Mesh any_closed_primitive(std::size_t i)
 {
     switch (i % 5) {

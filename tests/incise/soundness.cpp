@@ -2,6 +2,8 @@
 #include "tests/incise/soundness.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 namespace trivar::testing {
 namespace {
@@ -97,6 +99,33 @@ CutFaults faults_of(const IncisedMesh& made)
     const double size = glm::length(box.size());
     out.volume =
         (volume_of(after, box.center()) - volume_of(before, box.center())) / (size * size * size);
+    return out;
+}
+
+std::vector<double> volumes_of_parts(const Mesh& mesh)
+{
+    std::vector<std::uint32_t> part(point_count(mesh));
+    std::iota(part.begin(), part.end(), 0u);
+    const auto root = [&](std::uint32_t p) {
+        while (part[p] != p) p = part[p] = part[part[p]];
+        return p;
+    };
+    const auto point = [&](std::uint32_t c) { return mesh.point(mesh.corners[c]); };
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::uint32_t c = mesh.face_begin[f] + 1; c < mesh.face_begin[f + 1]; ++c)
+            part[root(point(c))] = root(point(mesh.face_begin[f]));
+    std::map<std::uint32_t, double> volumes;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto p = [&](std::uint32_t c) {
+            return glm::dvec3(mesh.positions[mesh.corners[c]]);
+        };
+        double& volume = volumes[root(point(mesh.face_begin[f]))];
+        for (std::uint32_t c = mesh.face_begin[f] + 1; c + 1 < mesh.face_begin[f + 1]; ++c)
+            volume += glm::dot(p(mesh.face_begin[f]), glm::cross(p(c), p(c + 1))) / 6;
+    }
+    std::vector<double> out;
+    for (const auto& [first, volume] : volumes) out.push_back(volume);
+    std::ranges::sort(out);
     return out;
 }
 

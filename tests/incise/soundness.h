@@ -19,6 +19,9 @@ struct CutFaults {
 // Counted over the whole mesh, without what the original has itself (rims of scans).
 CutFaults faults_of(const IncisedMesh& made);
 
+// The volume within each connected part, ascending; that of a shell has two skins, of a sphere one.
+std::vector<double> volumes_of_parts(const Mesh& mesh);
+
 // Vertices of one point that do not have the same position to the bit.
 std::size_t copies_apart(const Mesh& mesh);
 

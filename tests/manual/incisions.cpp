@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes random incisions, single ones and sets that cross in ten ways, and counts what is open,
 // doubled, pinched or lost, what was refused, and how often the guard narrowed an opening.
-// Arguments: sets, a seed, the share of single ones, the number of a set to look at alone, and a
-// folder of real models, where there is one.
+// Arguments: sets, a seed, the share of single ones, the number of a set to look at alone (-1: all),
+// a folder of real models, where there is one, and the share of those that are to go through.
 #include "core/base/rejected.h"
 #include "core/files/read_model.h"
 #include "tests/incise/bodies.h"
@@ -21,10 +21,23 @@ namespace {
 
 struct Counts {
     long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, narrowed = 0, narrowed_sets = 0,
-         shut = 0, apart = 0, thrown = 0;
+         shut = 0, apart = 0, thrown = 0, asked_through = 0, through = 0;
     double volume = 0, least = 1;
     std::map<std::string, long> refusals;
 };
+
+// What is asked of random incisions beyond their strokes.
+void ask_more(const CutSkin& skin, RandomHand& hand, double share_through,
+              std::vector<Incision>& incisions)
+{
+    if (!(share_through > 0)) return;
+    for (Incision& each : incisions) {
+        if (hand.number() < share_through) each.floor = Incision::Floor::through;
+        if (hand.number() < 0.4) each.lean_deg = hand.number(-60, 60);
+        if (hand.number() < 0.4) each.bevel = skin.usual_edge() * hand.number(0, 1);
+        each.roundness = hand.number() < 0.5 ? hand.number() : 0;
+    }
+}
 
 void make(const CutSkin& skin, const std::string& body, const std::string& kind, long number,
           const std::vector<Incision>& incisions, Counts& counts)
@@ -35,7 +48,14 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
         const IncisedMesh made = incise(skin, incisions);
         bool cut = false;
         double widest = 1;
-        for (const IncisedMesh::Outcome& outcome : made.outcomes) {
+        long through = 0;
+        for (std::size_t k = 0; k < incisions.size(); ++k) {
+            const IncisedMesh::Outcome& outcome = made.outcomes[k];
+            if (incisions[k].floor == Incision::Floor::through) {
+                ++counts.asked_through;
+                through += outcome.shortfall.empty();
+                if (!outcome.shortfall.empty()) ++counts.refusals["(floor) " + outcome.shortfall];
+            }
             if (!outcome.refusal.empty()) {
                 ++counts.refused;
                 ++counts.refusals[outcome.refusal];
@@ -49,7 +69,9 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
         if (!cut) return;
         counts.narrowed_sets += widest < 1;
         counts.least = std::min(counts.least, widest);
-        const CutFaults faults = faults_of(made);
+        counts.through += through;
+        CutFaults faults = faults_of(made);
+        faults.euler += 2 * through;
         counts.volume = std::max(counts.volume, std::abs(faults.volume));
         if (!faults.none()) {
             ++counts.faulty;
@@ -76,6 +98,8 @@ void print(const std::string& kind, const Counts& c)
                c.narrowed,
                100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.incisions),
                c.narrowed_sets, c.least, c.shut);
+    if (c.asked_through > 0)
+        fmt::print("  {} of {} go through\n", c.through, c.asked_through);
     for (const auto& [why, count] : c.refusals) fmt::print("  {} {}\n", count, why);
 }
 
@@ -114,6 +138,7 @@ int main(int count, char** arguments)
     const auto seed = static_cast<std::uint64_t>(number(2, 7));
     const double single = number(3, 0.75);
     const long only = static_cast<long>(number(4, -1));
+    const double through = number(6, 0);
     const std::deque<Body> all = bodies(count > 5 ? arguments[5] : "");
     const auto begin = std::chrono::steady_clock::now();
     std::map<std::string, Counts> counts;
@@ -123,13 +148,15 @@ int main(int count, char** arguments)
         RandomHand hand(body.skin, seed * 1000003 + static_cast<std::uint64_t>(i));
         if (hand.number() < single) {
             const bool loop = hand.number() < 0.1;
-            const trivar::Incision cut = random_single(body.skin, hand, loop);
-            make(body.skin, body.name, loop ? "loop" : "single", i, {cut},
+            std::vector<trivar::Incision> cut{random_single(body.skin, hand, loop)};
+            ask_more(body.skin, hand, through, cut);
+            make(body.skin, body.name, loop ? "loop" : "single", i, cut,
                  counts[loop ? "loop" : "single"]);
             continue;
         }
         const std::size_t kind = static_cast<std::size_t>(hand.number(0, cut_kinds.size() - 1e-9));
-        const std::vector<trivar::Incision> set = random_set(body.skin, hand, kind);
+        std::vector<trivar::Incision> set = random_set(body.skin, hand, kind);
+        ask_more(body.skin, hand, through, set);
         make(body.skin, body.name, cut_kinds[kind], i, set, counts[cut_kinds[kind]]);
     }
     for (const auto& [kind, each] : counts) print(kind, each);

@@ -10,9 +10,12 @@ template <>
 inline constexpr std::array<std::string_view, 3> choice_names<CutProfile::Shape>{"lens", "even",
                                                                                  "custom"};
 template <>
-inline constexpr std::array<std::string_view, 2> choice_names<Incision::Floor>{"v", "u"};
+inline constexpr std::array<std::string_view, 3> choice_names<Incision::Floor>{"v", "u", "through"};
 template <>
-inline constexpr std::array<std::string_view, 2> choice_words<Incision::Floor>{"sharp", "flat"};
+inline constexpr std::array<std::string_view, 3> choice_words<Incision::Floor>{
+    "sharp", "flat", "none: through the body"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<Incision::Piece>{"kept", "left_out"};
 
 template <> struct FieldsOf<SurfacePoint> {
     static constexpr std::string_view told_as = "[surface point](#surface-point)";
@@ -46,11 +49,26 @@ template <> struct FieldsOf<NamedIncision> {
               positive.called("Depth").in(Unit::metres));
         field("depth_profile", i.cut.depth_profile, "how the depth goes along it",
               any_value.called("Depth profile").without_keys());
-        field("floor", i.cut.floor, "v: its walls meet below; u: a flat floor joins them",
+        field("floor", i.cut.floor,
+              "v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on "
+              "the other side, which opens too, or where that fails has a sharp floor at its depth",
               any_value.called("Floor").without_keys());
         field("floor_width", i.cut.floor_width,
               "of a flat floor, as a share of the width at the skin",
               in_range(0, 1).called("Floor width").in(Unit::share));
+        field("piece", i.cut.piece,
+              "of a loop through the body, which ends where it began: whether the smaller part is "
+              "kept or left out, so that there is a hole",
+              later.called("Piece").without_keys());
+        field("lean_deg", i.cut.lean_deg,
+              "angle by which its walls lean, on their way down to the left of the stroke, degrees",
+              later_in_range(-75, 75).called("Lean").in(Unit::degrees));
+        field("bevel", i.cut.bevel,
+              "by which its rim is set back beyond the width when it is quite open, and down to "
+              "which depth; metres on the model",
+              later_in_range(0, 1e9).called("Bevel").in(Unit::metres).zero_is("none"));
+        field("roundness", i.cut.roundness, "of the bevel: 0 is flat, 1 a quarter of a circle",
+              later_in_range(0, 1).called("Roundness").in(Unit::share));
         field("width", i.cut.width,
               "of the gap where it is widest, when it is quite open; metres on the model",
               positive.called("Width").in(Unit::metres));

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/cut_layout.h"
+
+#include "core/base/finite.h"
+#include "core/incise/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr double steepest_lean_deg = 75;
+
+const char* unfit(const Incision& incision)
+{
+    if (incision.stroke.size() < 2) return "it has fewer than two points";
+    for (const SurfacePoint& each : incision.stroke)
+        if (!finite(each.p) || !finite(each.normal)) return "a point of it is not finite";
+    if (!(incision.depth > 0 && incision.depth < infinite)) return "it has no depth";
+    if (!(incision.width >= 0 && incision.width < infinite)) return "its width is negative";
+    if (!(std::abs(incision.lean_deg) <= steepest_lean_deg)) return "it leans too far";
+    if (!(incision.bevel >= 0 && incision.bevel < infinite)) return "its bevel is negative";
+    return nullptr;
+}
+
+// Where a stroke meets the skin; empty, with a sentence, where it leaves it.
+std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, double reach,
+                                 std::string& refusal)
+{
+    std::vector<SkinPlace> out;
+    for (const std::optional<SkinPlace>& place : skin.locate(incision.stroke, reach)) {
+        if (!place) {
+            refusal = "it leaves the surface";
+            return {};
+        }
+        out.push_back(*place);
+    }
+    return out;
+}
+
+// Draws all strokes that can be drawn. Which incision each is of is returned.
+std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> all,
+                                const InciseOptions& options,
+                                std::vector<IncisedMesh::Outcome>& outcomes)
+{
+    const CutSkin& skin = drawing.skin();
+    std::vector<std::uint32_t> incisions;
+    for (std::uint32_t k = 0; k < all.size(); ++k) {
+        std::string& refusal = outcomes[k].refusal;
+        if (const char* const why = unfit(all[k])) {
+            refusal = why;
+            continue;
+        }
+        const std::vector<SkinPlace> places =
+            places_of(skin, all[k], options.reach * skin.diagonal(), refusal);
+        if (!refusal.empty()) continue;
+        Traced traced = trace(drawing, places);
+        refusal = std::move(traced.refusal);
+        if (!refusal.empty()) continue;
+        drawing.add(traced.chain);
+        incisions.push_back(k);
+    }
+    drawing.arrange();
+    return incisions;
+}
+
+std::vector<std::uint32_t> region_of_cuts(const CutLayout& layout)
+{
+    std::vector<std::uint32_t> region = layout.drawing.touched();
+    for (const CutRun& run : layout.runs)
+        for (const CutRun::At& at : run.at)
+            for (const std::uint32_t t :
+                 triangles_round(layout.drawing.skin(), layout.drawing.point(at.point)))
+                region.push_back(t);
+    return region;
+}
+
+// The far sides of runs that go through, by run. Where columns along the skin's normals are of no
+// use, parallel ones may be.
+std::vector<FarSide> far_sides(CutLayout& layout, std::span<const Incision> all)
+{
+    std::vector<FarSide> out(layout.runs.size());
+    std::vector<char> parallel(layout.runs.size(), 0);
+    for (bool again = true; again;) {
+        again = false;
+        layout.columns = columns_of(layout.runs, parallel, layout.drawing, *layout.inward, all);
+        for (std::size_t r = 0; r < layout.runs.size(); ++r) {
+            if (layout.runs[r].kind != CutRun::Kind::through) continue;
+            FarSide found = far_side(layout.runs[r], layout.drawing, *layout.columns);
+            if (!found.refusal.empty() && !parallel[r]) parallel[r] = again = true;
+            out[r] = std::move(found);
+        }
+    }
+    return out;
+}
+
+bool same_points(const CutRun& a, const CutRun& b)
+{
+    return std::ranges::equal(a.at, b.at, {}, &CutRun::At::point, &CutRun::At::point);
+}
+
+// Draws the far sides of all runs that go through. Why one cannot goes to its shortfall.
+void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
+                std::vector<std::uint32_t>& incision_of_stroke, Shortfalls& shortfalls)
+{
+    const CutSkin& skin = layout.drawing.skin();
+    for (std::uint32_t r = 0; r < layout.runs.size(); ++r) {
+        if (layout.runs[r].kind != CutRun::Kind::through) continue;
+        std::string& shortfall = shortfalls[layout.runs[r].incision];
+        shortfall = tangle_of(layout.runs, r);
+        if (!shortfall.empty()) return;
+    }
+    const std::vector<CutRun> before = layout.runs;
+    const std::vector<FarSide> far = far_sides(layout, all);
+    for (std::uint32_t r = 0; r < before.size(); ++r) {
+        if (before[r].kind != CutRun::Kind::through) continue;
+        std::string& shortfall = shortfalls[before[r].incision];
+        shortfall = far[r].refusal;
+        if (!shortfall.empty()) continue;
+        const Traced traced = trace(layout.drawing, far[r].places);
+        if (!traced.refusal.empty()) {
+            shortfall = "of its other side it is said that " + traced.refusal;
+            continue;
+        }
+        const std::uint32_t stroke = layout.drawing.add(traced.chain);
+        incision_of_stroke.push_back(before[r].incision);
+        layout.throughs.push_back({r, stroke, {}});
+    }
+    layout.drawing.arrange();
+    layout.runs = runs_of(layout.drawing, incision_of_stroke);
+    for (std::size_t r = 0; r < before.size(); ++r) layout.runs[r].kind = before[r].kind;
+    for (const ThroughCut& cut : layout.throughs)
+        layout.runs[cut.far].kind = CutRun::Kind::far_side;
+    const int row_count = std::max(2, rows);
+    const double last_row = static_cast<double>(row_count - 1) / row_count;
+    for (ThroughCut& cut : layout.throughs) {
+        CutRun &near_run = layout.runs[cut.near], &far_run = layout.runs[cut.far];
+        std::string& shortfall = shortfalls[near_run.incision];
+        shortfall = same_points(near_run, before[cut.near])
+                        ? unjoinable(layout.runs, cut.near, cut.far)
+                        : "its other side crosses a cut";
+        if (!shortfall.empty()) continue;
+        cut.zip = zipped(skin, far[cut.near].places, far_run);
+        const std::vector<double>& depths = far[cut.near].depths;
+        for (std::size_t i = 0; i < near_run.at.size(); ++i)
+            near_run.at[i].depth = last_row * depths[i > near_run.last ? i - near_run.last : i];
+        far_run.near_length = near_run.length;
+        for (const ThroughCut::Step& step : cut.zip) far_run.at[step.far].depth = depths[step.near];
+    }
+}
+
+} // namespace
+
+std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> all,
+                                    const InciseOptions& options,
+                                    std::vector<IncisedMesh::Outcome>& outcomes,
+                                    Shortfalls& shortfalls)
+{
+    auto layout = std::make_unique<CutLayout>(skin);
+    std::vector<std::uint32_t> incision_of_stroke = draw(layout->drawing, all, options, outcomes);
+    layout->runs = runs_of(layout->drawing, incision_of_stroke);
+    layout->inward.emplace(skin, region_of_cuts(*layout));
+    bool any = false;
+    for (CutRun& run : layout->runs)
+        if (all[run.incision].floor == Incision::Floor::through &&
+            shortfalls[run.incision].empty()) {
+            run.kind = CutRun::Kind::through;
+            any = true;
+        }
+    if (!any) {
+        layout->columns = columns_of(layout->runs, std::vector<char>(layout->runs.size(), 0),
+                                     layout->drawing, *layout->inward, all);
+        return layout;
+    }
+    const Shortfalls before = shortfalls;
+    go_through(*layout, all, options.rows, incision_of_stroke, shortfalls);
+    if (shortfalls != before) return nullptr;
+    layout->inward.emplace(skin, region_of_cuts(*layout));
+    return layout;
+}
+
+} // namespace trivar

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/incise.h"
+#include "core/incise/through.h"
+
+#include <memory>
+
+namespace trivar {
+
+// A CutLayout is where cuts lie: their lines on both sides of the skin, and the ways of their
+// columns. It stays where it is made, as its parts know each other.
+struct CutLayout {
+    explicit CutLayout(const CutSkin& skin) : drawing(skin) {}
+    CutLayout(const CutLayout&) = delete;
+    CutLayout& operator=(const CutLayout&) = delete;
+
+    CutDrawing drawing;
+    std::vector<CutRun> runs;
+    std::optional<Inward> inward;
+    std::optional<CutColumns> columns;
+    std::vector<ThroughCut> throughs;
+};
+
+// Why incisions have a floor that were to go through the body, by incision; empty: they go through,
+// or were not to.
+using Shortfalls = std::vector<std::string>;
+
+// Lays all incisions that can be drawn; the outcome of others says why not. Those with a shortfall
+// have a floor. No layout: one more of them cannot go through, and its shortfall says why.
+std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> incisions,
+                                    const InciseOptions& options,
+                                    std::vector<IncisedMesh::Outcome>& outcomes,
+                                    Shortfalls& shortfalls);
+
+} // namespace trivar
