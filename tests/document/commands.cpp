@@ -108,6 +108,11 @@ NamedIncision an_incision()
     }
     out.cut.depth = 0.06;
     out.cut.width = 0.05;
+    out.cut.floor = Incision::Floor::through;
+    out.cut.piece = Incision::Piece::left_out;
+    out.cut.lean_deg = 10;
+    out.cut.bevel = 0.004;
+    out.cut.roundness = 1;
     return out;
 }
 

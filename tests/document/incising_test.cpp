@@ -312,6 +312,75 @@ TEST(Incising, CutsTheMeshUnderTheFirstPoint)
     EXPECT_THAT(over->notices, ElementsAre(HasSubstr("incision 1 is left out: it goes over two")));
 }
 
+// Round the top of a slab that is 0.1 thick.
+NamedIncision round_a_slab()
+{
+    NamedIncision out;
+    for (int i = 0; i <= 24; ++i) {
+        const double a = 2 * 3.14159265358979 * (i % 24) / 24;
+        out.cut.stroke.push_back({{0.3 * std::cos(a), 0.3 * std::sin(a), 0.05}, {0, 0, 1}});
+    }
+    out.cut.width = 0.02;
+    out.cut.floor = Incision::Floor::through;
+    return out;
+}
+
+TEST(Incising, CutsAHoleThroughASlab)
+{
+    const Document slab =
+        after(Document{}, AddBox{.shape = {.size = {2, 2, 0.1}, .segments = {24, 24, 1}}});
+    const auto cut = [&](Incision::Piece piece, double opening) {
+        NamedIncision round = round_a_slab();
+        round.cut.piece = piece;
+        round.opening.share = opening;
+        const Ref<EvaluatedObject> out = ball_in(after(slab, Incise{1, round}));
+        EXPECT_THAT(out->notices, IsEmpty());
+        EXPECT_TRUE(is_closed_body(*out->parts.at(0).mesh()));
+        return out->parts.at(0).mesh();
+    };
+    const Ref<Mesh> whole = ball_in(slab)->parts.at(0).mesh();
+    const auto faces_in_the_middle = [](const Mesh& mesh) {
+        std::size_t count = 0;
+        for (const std::uint32_t v : mesh.corners)
+            count += glm::length(glm::vec2(mesh.positions[v])) < 0.2f;
+        return count;
+    };
+    EXPECT_EQ(*cut(Incision::Piece::kept, 0), *whole);
+    EXPECT_GT(faces_in_the_middle(*cut(Incision::Piece::kept, 1)), 0u);
+    EXPECT_EQ(faces_in_the_middle(*cut(Incision::Piece::left_out, 1)), 0u);
+    EXPECT_EQ(faces_in_the_middle(*cut(Incision::Piece::left_out, 0)), 0u);
+}
+
+TEST(Incising, SaysWhyACutHasAFloor)
+{
+    NamedIncision through = across_the_front(); // over a half of the ball, with no way through
+    through.cut = over_ball({0.1, -1, 0}, {0.1, 1, 0}).cut;
+    through.cut.floor = Incision::Floor::through;
+    const Ref<EvaluatedObject> ball = ball_in(after(ball_to_incise(), Incise{1, through}));
+    EXPECT_THAT(ball->notices, ElementsAre(HasSubstr("incision 1 does not go through: ")));
+    EXPECT_NEAR(ball->incisions.at(0).depth, through.cut.depth, 1e-6);
+    NamedIncision open = across_the_front();
+    open.cut.piece = Incision::Piece::left_out;
+    EXPECT_THAT(ball_in(after(ball_to_incise(), Incise{1, open}))->notices,
+                ElementsAre(HasSubstr("incision 1 keeps its piece: ")));
+}
+
+TEST(Incising, CountsWhatCameLaterOnlyWhereItIsSet)
+{
+    const std::string plain = digest(incised_ball());
+    NamedIncision cut = across_the_front();
+    cut.cut.lean_deg = 20;
+    EXPECT_NE(digest(after(ball_to_incise(), Incise{1, cut})), plain);
+    EXPECT_NE(effects_of(after(ball_to_incise(), Incise{1, cut})), effects_of(incised_ball()));
+    cut.cut.lean_deg = 0;
+    EXPECT_EQ(digest(after(ball_to_incise(), Incise{1, cut})), plain);
+    cut.cut.bevel = 0.01;
+    cut.cut.roundness = 0.5;
+    const Command command = Incise{1, cut};
+    EXPECT_EQ(command_from_json_line(to_json_line(command)), command);
+    EXPECT_NE(effects_of(after(ball_to_incise(), Incise{1, cut})), effects_of(incised_ball()));
+}
+
 TEST(Incising, SaysWhatItCannotCut)
 {
     NamedIncision away = across_the_front();
