@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <queue>
 
 namespace trivar {
 namespace {
 
-constexpr std::size_t triangles_per_turn = 256;
-constexpr std::size_t all_halvings = 1 << 19;  // about, of all triangles
+constexpr std::size_t triangles_per_turn = 16;
+constexpr double all_halvings = 1 << 19; // about, of all triangles
+constexpr std::size_t fewest_halvings = 32;
 constexpr double share_of_wall_bend = 1.0 / 6; // as in SplitError
 
 struct Corner {
@@ -24,8 +27,7 @@ using Triangle = std::array<Corner, 3>;
 
 class Judge {
 public:
-    Judge(const CutSurface& surface, const Surface<double>& wall, std::size_t side, double wanted,
-          int most_halvings)
+    Judge(const CutSurface& surface, const Surface<double>& wall, std::size_t side, double wanted)
         : surface_(surface),
           wall_(wall),
           surface_bounds_(surface, false),
@@ -33,8 +35,7 @@ public:
           lo_(wall.axes[0].begin(), wall.axes[1].begin()),
           hi_(wall.axes[0].end(), wall.axes[1].end()),
           sign_(side == 0 ? -1 : 1),
-          wanted_(wanted),
-          most_halvings_(most_halvings)
+          wanted_(wanted)
     {
     }
     Corner corner(const glm::dvec3& uvw) const
@@ -43,27 +44,41 @@ public:
         const bool beyond = !(vw.x > lo_.x && vw.x < hi_.x && vw.y > lo_.y && vw.y < hi_.y);
         return {uvw, (beyond ? 0 : wall_.value(vw)) - sign_ * (uvw.x - surface_.value(vw))};
     }
-    void judge(const Triangle& whole, WallCertificate& out) const
+    Triangle triangle(const ObstacleColumns& obstacle, std::size_t t) const
     {
-        std::vector<Triangle> open{whole};
-        for (int halvings = 0; !open.empty();) {
-            const Triangle t = open.back();
-            open.pop_back();
-            const double least = std::min({t[0].gap, t[1].gap, t[2].gap});
-            const auto [bend, edge] = bend_of(t);
-            if (least - bend >= wanted_) continue;
-            if (least < wanted_ || halvings >= most_halvings_) {
-                out.clear = std::min(out.clear, least - bend);
+        const std::vector<glm::dvec3>& p = obstacle.vertices();
+        const glm::uvec3& v = obstacle.triangles()[t];
+        return {corner(p[v.x]), corner(p[v.y]), corner(p[v.z])};
+    }
+    // About how many halvings make it certain: each takes half of what bends.
+    double work(const Triangle& t) const
+    {
+        const double least = std::min({t[0].gap, t[1].gap, t[2].gap}), bend = bend_of(t).most;
+        return least - bend >= wanted_ ? 0 : bend / wanted_;
+    }
+    void judge(const Triangle& whole, std::size_t most_halvings, WallCertificate& out) const
+    {
+        std::priority_queue<Piece> open; // what is least certain is halved first
+        open.push(piece(whole));
+        for (std::size_t halvings = 0; !open.empty();) {
+            const Piece p = open.top();
+            if (p.certain >= wanted_) return;
+            open.pop();
+            const auto& [t, certain, bend] = p;
+            const double least = certain + bend.most;
+            if (least < wanted_ || halvings >= most_halvings) {
+                out.clear = std::min(out.clear, certain);
                 for (const Corner& c : t)
                     if (c.gap < wanted_) out.too_near.push_back(c.uvw);
                 // A corner that is too near makes no smaller piece good
-                if (halvings >= most_halvings_ || bend < 0.25 * wanted_) continue;
+                if (halvings >= most_halvings || bend.most < 0.25 * wanted_) continue;
             }
             ++halvings;
+            const std::size_t edge = bend.edge;
             const Corner &a = t[edge], &b = t[(edge + 1) % 3], &c = t[(edge + 2) % 3];
             const Corner middle = corner((a.uvw + b.uvw) / 2.0);
-            open.push_back({a, middle, c});
-            open.push_back({middle, b, c});
+            open.push(piece({a, middle, c}));
+            open.push(piece({middle, b, c}));
         }
     }
 
@@ -72,6 +87,17 @@ private:
         double most;
         std::size_t edge; // the one that bends most
     };
+    struct Piece {
+        Triangle triangle;
+        double certain; // distance from the wall
+        Bend bend;
+        bool operator<(const Piece& other) const { return certain > other.certain; }
+    };
+    Piece piece(const Triangle& t) const
+    {
+        const Bend bend = bend_of(t);
+        return {t, std::min({t[0].gap, t[1].gap, t[2].gap}) - bend.most, bend};
+    }
     Bend bend_of(const Triangle& t) const
     {
         const auto vw = [&](std::size_t i) { return glm::dvec2(t[i % 3].uvw.y, t[i % 3].uvw.z); };
@@ -91,7 +117,6 @@ private:
     SurfaceBounds surface_bounds_, wall_bounds_;
     glm::dvec2 lo_, hi_; // of the wall's rectangle
     double sign_, wanted_;
-    int most_halvings_; // of one triangle
 };
 
 } // namespace
@@ -99,20 +124,21 @@ private:
 WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
                             const Surface<double>& wall, std::size_t side, double wanted)
 {
-    const std::vector<glm::uvec3>& triangles = obstacle.triangles();
-    const auto share = all_halvings / std::max<std::size_t>(1, triangles.size());
-    const Judge judge(surface, wall, side, wanted,
-                      static_cast<int>(std::clamp<std::size_t>(share, 32, 4096)));
-    std::vector<WallCertificate> blocks(triangles.size() / triangles_per_turn + 1, {wanted, {}});
-    parallel_blocks(triangles.size(), triangles_per_turn, [&](std::size_t begin, std::size_t end) {
+    const std::size_t triangles = obstacle.triangles().size();
+    const Judge judge(surface, wall, side, wanted);
+    // Each triangle has its share of the halvings: two of a box may need more than a whole star
+    std::vector<double> work(triangles);
+    parallel_blocks(triangles, triangles_per_turn, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) work[t] = judge.work(judge.triangle(obstacle, t));
+    });
+    const double all = std::max(1.0, std::accumulate(work.begin(), work.end(), 0.0));
+    std::vector<WallCertificate> blocks(triangles / triangles_per_turn + 1, {wanted, {}});
+    parallel_blocks(triangles, triangles_per_turn, [&](std::size_t begin, std::size_t end) {
         WallCertificate block{wanted, {}};
-        for (std::size_t t = begin; t < end; ++t) {
-            const glm::uvec3& v = triangles[t];
-            judge.judge({judge.corner(obstacle.vertices()[v.x]),
-                         judge.corner(obstacle.vertices()[v.y]),
-                         judge.corner(obstacle.vertices()[v.z])},
+        for (std::size_t t = begin; t < end; ++t)
+            judge.judge(judge.triangle(obstacle, t),
+                        fewest_halvings + static_cast<std::size_t>(all_halvings * work[t] / all),
                         block);
-        }
         blocks[begin / triangles_per_turn] = std::move(block);
     });
     WallCertificate out{wanted, {}};

@@ -368,6 +368,24 @@ TEST(SplitField, TakesInterlockedObstaclesAsOne)
     EXPECT_EQ(field.openings[0].name, "a and b");
 }
 
+TEST(SplitField, MakesTheWallsOfALargeBoxBesideAFineTubeCertain)
+{
+    const auto bent = [](double s) {
+        const double z = 2 * s - 1;
+        return glm::dvec3(0.2 * std::sin(4 * z) - 0.2, 0.1 * z, 1.5 * z);
+    };
+    Mesh box = welded(box_mesh({0.2, 0.4, 2}, {1, 1, 1}));
+    const glm::dvec3 x = glm::normalize(glm::dvec3(1, 0.4, -0.5));
+    const glm::dvec3 y = glm::normalize(glm::cross(glm::dvec3(0.3, 0, 1), x));
+    for (glm::vec3& p : box.positions)
+        p = glm::vec3(glm::dmat3(x, y, glm::cross(x, y)) * glm::dvec3(p));
+    const SplitField field =
+        split_field({obstacle("box", std::move(box)), obstacle("tube", bar(bent, 0.08, 40))}, {});
+    ASSERT_EQ(field.openings.size(), 1u);
+    for (const OpeningWall& wall : field.openings[0].walls)
+        EXPECT_GE(wall.clear, 0.5 * 0.004 - 1e-12);
+}
+
 TEST(SplitField, RefusesObstaclesWithoutRoomBetweenThem)
 {
     const auto upright = [](double x) {
