@@ -34,37 +34,36 @@ BicubicCells::BicubicCells(const Surface<double>& surface)
             std::array<std::array<double, 4>, 4> columns; // powers of u, by power of v
             for (std::size_t j = 0; j < 4; ++j)
                 columns[j] = powers_of_bezier(rows[0][j], rows[1][j], rows[2][j], rows[3][j]);
-            for (std::size_t i = 0; i < 4; ++i)
-                for (std::size_t j = 0; j < 4; ++j) powers_.push_back(columns[j][i]);
+            for (const std::array<double, 4>& column : columns)
+                powers_.insert(powers_.end(), column.begin(), column.end());
         }
 }
 
 BicubicCells::Local BicubicCells::local(const glm::dvec2& uv) const
 {
-    const glm::dvec2 at = glm::clamp((uv - begin_) * per_cell_, glm::dvec2(0), glm::dvec2(count_));
-    const glm::ivec2 cell = glm::min(glm::ivec2(at), count_ - 1);
-    return {powers_.data() + 16 * static_cast<std::size_t>(cell.x * count_.y + cell.y),
-            at.x - cell.x, at.y - cell.y};
+    const double u = std::min(std::max((uv.x - begin_.x) * per_cell_.x, 0.0), double{1} * count_.x);
+    const double v = std::min(std::max((uv.y - begin_.y) * per_cell_.y, 0.0), double{1} * count_.y);
+    const int i = std::min(static_cast<int>(u), count_.x - 1);
+    const int j = std::min(static_cast<int>(v), count_.y - 1);
+    return {powers_.data() + 16 * static_cast<std::size_t>(i * count_.y + j), u - i, v - j};
 }
 
 double BicubicCells::value(const glm::dvec2& uv) const
 {
     const auto [c, x, y] = local(uv);
-    const auto row = [c = c, y = y](int i) {
-        const double* const p = c + 4 * i;
-        return p[0] + y * (p[1] + y * (p[2] + y * p[3]));
-    };
-    return row(0) + x * (row(1) + x * (row(2) + x * row(3)));
+    std::array<double, 4> value; // by power of u
+    for (std::size_t i = 0; i < 4; ++i)
+        value[i] = c[i] + y * (c[4 + i] + y * (c[8 + i] + y * c[12 + i]));
+    return value[0] + x * (value[1] + x * (value[2] + x * value[3]));
 }
 
 BicubicCells::Jet BicubicCells::jet(const glm::dvec2& uv) const
 {
     const auto [c, x, y] = local(uv);
-    std::array<double, 4> value{}, slope{};
+    std::array<double, 4> value, slope; // by power of u
     for (std::size_t i = 0; i < 4; ++i) {
-        const double* const p = c + 4 * i;
-        value[i] = p[0] + y * (p[1] + y * (p[2] + y * p[3]));
-        slope[i] = p[1] + y * (2 * p[2] + y * 3 * p[3]);
+        value[i] = c[i] + y * (c[4 + i] + y * (c[8 + i] + y * c[12 + i]));
+        slope[i] = c[4 + i] + y * (2 * c[8 + i] + y * 3 * c[12 + i]);
     }
     return {value[0] + x * (value[1] + x * (value[2] + x * value[3])),
             per_cell_.x * (value[1] + x * (2 * value[2] + x * 3 * value[3])),

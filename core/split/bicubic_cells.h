@@ -28,7 +28,7 @@ private:
 
     glm::dvec2 begin_{0}, per_cell_{1}; // per_cell_: 1 / length of a cell
     glm::ivec2 count_{0};
-    std::vector<double> powers_; // 16 a cell, powers of v fastest
+    std::vector<double> powers_; // 16 a cell, powers of u fastest
 };
 
 } // namespace trivar

@@ -16,6 +16,21 @@ constexpr std::size_t triangles_per_block = 1 << 10, vertices_per_turn = 1 << 11
 
 using PointEdge = std::array<std::uint32_t, 2>;
 
+// The worst bounds of triangles that are whole and of those that are cut.
+struct Worst {
+    double whole = 0, cut = 0;
+
+    void add(double off, bool is_cut)
+    {
+        (is_cut ? cut : whole) = std::max(is_cut ? cut : whole, off);
+    }
+    void add(const Worst& other)
+    {
+        whole = std::max(whole, other.whole);
+        cut = std::max(cut, other.cut);
+    }
+};
+
 // Splits triangles round by round.
 class Rounds {
 public:
@@ -35,13 +50,15 @@ public:
     // Returns whether any edge is to be split.
     bool mark()
     {
-        std::vector<std::vector<PointEdge>> found(open_.size() / triangles_per_block + 1);
-        std::vector<double> most(found.size(), 0), settled(found.size(), 0);
+        struct Block {
+            std::vector<PointEdge> edges;
+            Worst of_all, of_settled;
+        };
+        std::vector<Block> blocks(open_.size() / triangles_per_block + 1);
         const Box reach = field_.reach();
         const std::size_t openings = field_.openings.size();
         parallel_blocks(open_.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
-            std::vector<PointEdge>& out = found[begin / triangles_per_block];
-            double worst = 0, worst_settled = 0;
+            Block& block = blocks[begin / triangles_per_block];
             for (std::size_t k = begin; k < end; ++k) {
                 const std::size_t f = open_[k];
                 const std::array<glm::dvec3, 3> p{uvw_[corner(f, 0)], uvw_[corner(f, 1)],
@@ -49,33 +66,37 @@ public:
                 Box box;
                 for (const glm::dvec3& each : p) box.add(each);
                 if (box.apart(reach)) continue;
-                const EdgeErrors off = error_.edges(p, {&heights_[openings * corner(f, 0)],
-                                                        &heights_[openings * corner(f, 1)],
-                                                        &heights_[openings * corner(f, 2)]});
+                const std::array<const double*, 3> heights{&heights_[openings * corner(f, 0)],
+                                                           &heights_[openings * corner(f, 1)],
+                                                           &heights_[openings * corner(f, 2)]};
+                const EdgeErrors off = error_.edges(p, heights);
                 const double whole = whole_error(off);
-                worst = std::max(worst, whole);
-                const std::size_t before = out.size();
+                const bool cut = is_cut(heights);
+                const double allowed = cut ? share_of_cut * tolerance_ : tolerance_;
+                block.of_all.add(whole, cut);
+                const std::size_t before = block.edges.size();
                 // All edges that are too coarse, or else the coarsest
-                const double least = std::min(tolerance_, 0.999 * std::ranges::max(off));
-                for (std::size_t i = 0; i < 3 && whole > tolerance_; ++i) {
+                const double least = std::min(allowed, 0.999 * std::ranges::max(off));
+                for (std::size_t i = 0; i < 3 && whole > allowed; ++i) {
                     if (off[i] <= least) continue;
                     const std::uint32_t a = mesh_.point(corner(f, i));
                     const std::uint32_t b = mesh_.point(corner(f, i + 1));
-                    if (free_[a] || free_[b]) out.push_back({a, b});
+                    if (free_[a] || free_[b]) block.edges.push_back({a, b});
                 }
-                if (out.size() == before) worst_settled = std::max(worst_settled, whole);
+                if (block.edges.size() == before) block.of_settled.add(whole, cut);
             }
-            most[begin / triangles_per_block] = worst;
-            settled[begin / triangles_per_block] = worst_settled;
         });
-        off_ = std::ranges::max(most);
-        settled_off_ = std::max(settled_off_, std::ranges::max(settled));
+        off_ = {};
         std::size_t about = 0;
-        for (const std::vector<PointEdge>& each : found) about += each.size();
+        for (const Block& each : blocks) {
+            off_.add(each.of_all);
+            settled_off_.add(each.of_settled);
+            about += each.edges.size();
+        }
         if (about == 0) return false;
         marked_ = EdgeNumbers(about);
-        for (const std::vector<PointEdge>& each : found)
-            for (const auto& [a, b] : each) marked_.add(a, b);
+        for (const Block& each : blocks)
+            for (const auto& [a, b] : each.edges) marked_.add(a, b);
         return true;
     }
     void split()
@@ -88,7 +109,8 @@ public:
     }
     FineMesh take()
     {
-        return {std::move(mesh_), std::move(heights_), std::max(off_, settled_off_)};
+        off_.add(settled_off_);
+        return {std::move(mesh_), std::move(heights_), off_.whole, off_.cut};
     }
     std::size_t triangle_count() const { return mesh_.face_count(); }
 
@@ -96,6 +118,14 @@ private:
     std::uint32_t corner(std::size_t f, std::size_t i) const
     {
         return mesh_.corners[3 * f + i % 3];
+    }
+    bool is_cut(const std::array<const double*, 3>& heights) const
+    {
+        for (std::size_t i = 0; i < field_.openings.size(); ++i) {
+            const bool above = heights[0][i] >= 0;
+            if ((heights[1][i] >= 0) != above || (heights[2][i] >= 0) != above) return true;
+        }
+        return false;
     }
     void take_places(std::size_t first)
     {
@@ -107,6 +137,7 @@ private:
                         });
         add_heights(heights_, mesh_, field_);
     }
+
     Mesh mesh_;
     std::vector<char> free_; // by point
     const SplitField& field_;
@@ -114,8 +145,8 @@ private:
     double tolerance_;
     std::vector<glm::dvec3> uvw_;     // #V
     std::vector<double> heights_;     // #V x #openings
-    double off_ = 0;                  // of the last round
-    double settled_off_ = 0;          // of triangles that were not to be split
+    Worst off_;                       // of the last round
+    Worst settled_off_;               // of triangles that were not to be split
     std::vector<std::uint32_t> open_; // faces that are not yet known to be fine enough
     std::size_t points_ = 0;
     EdgeNumbers marked_; // by points

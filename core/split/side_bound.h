@@ -21,12 +21,17 @@ inline std::optional<SideBound> side_bound(const Opening& opening, std::size_t s
                                            double most, double bend)
 {
     if (side == 0 ? least - bend >= 0 : most + bend <= 0) return std::nullopt;
-    const double r = opening.reach[side];
-    const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend) / r;
+    const double r = opening.reach[side], per_metre = 1 / r;
+    const double nearest = std::max(0.0, (side == 0 ? -most : least) - bend) * per_metre;
     if (nearest >= 1) return std::nullopt;
-    const double farthest = ((side == 0 ? -least : most) + bend) / r;
+    const double farthest = ((side == 0 ? -least : most) + bend) * per_metre;
     const KernelBound kernel = kernel_bound(opening.kernel, nearest, farthest);
-    return SideBound{r, nearest, farthest, kernel, kernel.first / r, kernel.second / (r * r)};
+    return SideBound{r,
+                     nearest,
+                     farthest,
+                     kernel,
+                     kernel.first * per_metre,
+                     kernel.second * (per_metre * per_metre)};
 }
 
 } // namespace trivar

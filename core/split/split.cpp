@@ -263,9 +263,6 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
     return std::max(free, options.tolerance / 4);
 }
 
-// An edge of the cut may be worse than the edges of the triangle that it runs through.
-constexpr double share_of_skin = 0.6; // of the tolerance
-
 // Parts a mesh as `split` does, all of its faces; edges are split at points that are free.
 SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
                     const SplitOptions& options)
@@ -274,8 +271,8 @@ SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
     const SplitError error(field, seams);
     const double tolerance = tolerance_of(field, options);
     SplitMesh out;
-    FineMesh fine = fine_enough(std::move(mesh), std::move(free), field, error,
-                                share_of_skin * tolerance, options.most_triangles);
+    FineMesh fine = fine_enough(std::move(mesh), std::move(free), field, error, tolerance,
+                                options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();
@@ -304,7 +301,8 @@ SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
                             cut_mesh.edges[e].y, i, above == 1);
         take_sides_of_caps(all, cut_mesh, caps, i);
         if (options.closing == SplitClosing::stitched) sew(cut_mesh, caps, field, i);
-        out.off = std::max({out.off, fine.off + moved, bound_of(cut_mesh, caps, error, i) + moved});
+        out.off =
+            std::max({out.off, fine.cut_off + moved, bound_of(cut_mesh, caps, error, i) + moved});
         out.fans += caps.fans;
         out.gaps += caps.gaps;
         if (options.closing != SplitClosing::stitched) out.open += caps.open;
@@ -325,9 +323,8 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
     const VertexPlaces places = places_of(mesh, field);
     if (places.box.apart(field.reach())) return std::nullopt;
     // Seams draw in what is in reach, so all of it is looked at with them
-    const double enough = options.closing == SplitClosing::stitched
-                              ? -1
-                              : share_of_skin * tolerance_of(field, options);
+    const double enough =
+        options.closing == SplitClosing::stitched ? -1 : tolerance_of(field, options);
     const ToChange change = to_change(mesh, places, field, SplitError(field), enough);
     if (change.faces.empty() && !change.moves) return std::nullopt;
     MeshRegion region = region_of(mesh, places.points, change.faces);

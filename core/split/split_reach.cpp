@@ -128,7 +128,8 @@ ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitFiel
             Box box;
             for (const std::uint32_t v : corners)
                 box.add(to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin));
-            const double off = (cut_through ? 2 : 1) * error.within(box); // both sides count
+            // Of what is cut both sides count
+            const double off = (cut_through ? 2 / share_of_cut : 1) * error.within(box);
             if (off <= tolerance) {
                 block.off = std::max(block.off, off);
                 continue;
