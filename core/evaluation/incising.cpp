@@ -14,6 +14,7 @@ namespace {
 
 constexpr double reach_of_strokes = 0.01; // of the diagonal of the skin
 constexpr double hardly_narrowed = 0.995; // share of the width
+constexpr double much_narrowed = 0.5;     // share of the opening at a place
 constexpr const char* over_two = "it goes over two meshes; draw one on each";
 constexpr const char* off_the_mesh = "it begins where the surface is not";
 
@@ -95,6 +96,10 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
                 fmt::format("{} opens to {:.0f} % of its width, because its walls would meet "
                             "beyond; reduce its width or its depth",
                             told_as(incising, i), 100 * of.widest));
+        else if (of.least < much_narrowed)
+            stage.notices.push_back(
+                fmt::format("{} opens less at a place, because its walls would meet there",
+                            told_as(incising, i)));
     }
 }
 
@@ -171,7 +176,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
                 const IncisedMesh::Outcome& outcome = incised->outcomes[k];
                 out.told[of_mesh[m][k]] = {outcome.refusal, outcome.length * ways[m].metres,
                                            outcome.depth * ways[m].metres, outcome.widest,
-                                           outcome.shortfall};
+                                            outcome.least, outcome.shortfall};
             }
             if (incised->rest != incised->original)
                 out.all.push_back({m, incised, of_mesh[m]});

@@ -79,6 +79,7 @@ struct IncisingEffects {
         std::string refusal;          // why there is none, a sentence; empty: there is one
         double length = 0, depth = 0; // metres on the model
         double widest = 1;            // share of its width to which its walls let it open
+        double least = 1;             // and the least share of its opening along it
         std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
     };
     std::vector<OfIncision> incisions = {}; // by number

@@ -176,8 +176,9 @@ private:
         if (const double set_back = bevel(s); depth < set_back)
             amount += set_back * opening(s) * faded * share_of_bevel(incision, depth / set_back);
         if (!(amount > 0)) return;
+        const double under = floor > 0 ? std::min(1.0, depth / floor) : 0;
         terms.push_back({vertex, run.incision, static_cast<float>(run.share(s)),
-                         glm::vec3(side * amount * curve.left(s))});
+                         static_cast<float>(under), glm::vec3(side * amount * curve.left(s))});
     }
 
     void flood()
@@ -214,7 +215,7 @@ private:
             const double amount = (0.5 * incision.width + bevel(foot.s)) * opening(foot.s) *
                                   fade(foot.distance) * side;
             if (amount != 0)
-                terms.push_back({point, run.incision, static_cast<float>(run.share(foot.s)),
+                terms.push_back({point, run.incision, static_cast<float>(run.share(foot.s)), 0,
                                  glm::vec3(amount * left)});
         };
         for (const Passage& passage : passages) seen.number(graph.nodes[passage.node].point);

@@ -11,6 +11,7 @@ struct CutTerm {
     std::uint32_t vertex; // of the drawing, or made by cutting
     std::uint32_t incision;
     float share;    // of the incision's length, at which the vertex stands
+    float below;    // depth of the vertex, as a share of the floor's there; 1 at most
     glm::vec3 move; // units of the mesh
 };
 

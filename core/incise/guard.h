@@ -2,22 +2,22 @@
 #pragma once
 
 #include "core/incise/cut_shape.h"
+#include "core/incise/narrowing.h"
+#include "core/incise/piercing.h"
+
+#include <algorithm>
+#include <optional>
 
 namespace trivar {
 
-// A CutGuard looks at the region of cuts for triangles that pierce each other and have at most one
-// vertex in common. It decides with doubles: what they cannot tell from touching is no piercing. In
-// parallel.
+// A CutGuard looks at the region of cuts for triangles that pierce each other.
 class CutGuard {
 public:
     explicit CutGuard(const CutShape& shape);
 
-    struct Pair {
-        std::uint32_t a, b; // triangles of the region, a < b
-        auto operator<=>(const Pair&) const = default;
-    };
-    // With each incision open by a share of its width. Ascending.
-    std::vector<Pair> piercings(std::span<const double> shares) const;
+    // With each incision open by a share of what it is let have, or all of them shut. Ascending.
+    std::vector<PiercingPair> piercings(std::span<const Admitted> admitted, double share) const;
+    std::vector<PiercingPair> piercings_when_shut() const;
     bool is_wall(std::uint32_t triangle) const
     {
         return triangle >= first_wall_ && triangle < end_of_walls_;
@@ -27,27 +27,38 @@ public:
     {
         return walls_[triangle - first_wall_];
     }
-    // The incisions that move a corner of one of both.
-    std::vector<std::uint32_t> incisions_at(const Pair& pair) const;
+    // Narrows the incisions that move a corner of one of both, there, by one step.
+    void narrow(std::span<const PiercingPair> pairs, std::span<const double> radius,
+                std::vector<Admitted>& admitted) const;
 
 private:
-    struct Mover {
-        std::uint32_t vertex, incision;
-        auto operator<=>(const Mover&) const = default;
+    struct Share {
+        std::uint32_t incision;
+        double move; // units of the mesh
     };
+    std::vector<Share> shares_of(const PiercingPair& pair,
+                                 std::span<const Admitted> admitted) const;
+    std::uint32_t corner(const PiercingPair& pair, std::size_t i) const
+    {
+        return triangles_[i < 3 ? pair.a : pair.b][static_cast<int>(i % 3)];
+    }
+    auto terms_at(std::uint32_t vertex) const
+    {
+        return std::ranges::equal_range(terms_, vertex, {}, &CutTerm::vertex);
+    }
     std::vector<glm::dvec3> rest_;
     std::vector<glm::uvec3> triangles_; // local vertices; skin first
     std::size_t first_wall_ = 0, end_of_walls_ = 0;
     std::vector<std::uint32_t> walls_;
-    std::vector<CutTerm> terms_; // by local vertex
-    std::vector<Mover> movers_;  // ascending
+    std::vector<CutTerm> terms_; // by local vertex, ascending
 };
 
 // The incisions through the body whose walls pierce others while all is shut, ascending.
 std::vector<std::uint32_t> piercing_on_their_way(const CutShape& shape);
 
-// The shares of their widths that incisions can open: 1 where nothing pierces then, otherwise
-// narrower for those that move what does. An empty result: walls pierce although all is shut.
-std::vector<double> admissible_shares(const CutShape& shape, std::size_t incisions);
+// How far incisions may open along their length: quite where nothing pierces then, otherwise less
+// for those that move what does, where they move it. None: walls pierce although all is shut.
+std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
+                                                         std::span<const Incision> incisions);
 
 } // namespace trivar

@@ -75,29 +75,37 @@ std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision
                                all, inward, step);
         LeftOutPieces left_out = left_out_pieces(shape, all);
         shape.left_out = std::move(left_out.pieces);
-        std::vector<double> shares(all.size(), 1.0);
+        std::vector<Admitted> admitted(all.size());
         if (options.guarded) {
-            shares = admissible_shares(shape, all.size());
-            if (shares.empty() && !layout.throughs.empty()) {
+            const bool last = attempt + 1 == most_attempts;
+            std::optional<std::vector<Admitted>> found = admissible_openings(shape, all);
+            if (!found && !layout.throughs.empty()) {
                 const std::vector<std::uint32_t> in_the_way = piercing_on_their_way(shape);
                 for (const std::uint32_t k : in_the_way) shortfalls[k] = no_way;
                 if (!in_the_way.empty()) return std::nullopt;
             }
-            const bool last = attempt + 1 == most_attempts;
-            if (shares.empty() && !last) {
+            if (found)
+                admitted = std::move(*found);
+            else if (last)
+                for (Admitted& each : admitted) each.opening.narrow(0.5, 0, infinite);
+            else {
                 scale *= shallower_at_rest;
                 continue;
             }
-            shares.resize(all.size(), 0.0);
-            const double widest = *std::ranges::max_element(shares);
+            double widest = 0;
+            for (const CutRun& run : runs)
+                widest = std::max(widest, admitted[run.incision].opening.widest(
+                                              all[run.incision].opening_profile));
             if (widest < hardly_open && attempt < most_open_attempts) {
                 scale *= shallower_when_open;
                 continue;
             }
         }
+        for (CutTerm& term : shape.terms)
+            term.move *= static_cast<float>(
+                admitted[term.incision].at(double{term.share}, double{term.below}));
         for (const CutRun& run : shape.runs) {
             IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
-            outcome.widest = shares[run.incision];
             if (run.kind == CutRun::Kind::far_side) {
                 for (const CutRun::At& at : run.at)
                     outcome.depth = std::max(outcome.depth, at.depth);
@@ -105,6 +113,10 @@ std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision
             }
             outcome.length = run.length;
             for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
+            const Admitted& of = admitted[run.incision];
+            outcome.widest = of.opening.widest(all[run.incision].opening_profile);
+            outcome.least = of.opening.least();
+            outcome.least_below = of.below.least();
         }
         for (const LeftOutPieces::Kept& kept : left_out.kept)
             out.outcomes[kept.incision].shortfall = kept.loop ? one_piece : no_piece;

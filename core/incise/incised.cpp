@@ -16,7 +16,7 @@ OpenedVertices opened_vertices(const IncisedMesh& incised,
         const IncisionOpening& opening = openings[term.incision];
         const bool whole = opening.from <= 0 && opening.to >= 1;
         const double share = whole ? opening.share : share_at(opening, term.share);
-        moves[term.slot] += share * incised.outcomes[term.incision].widest * glm::dvec3(term.move);
+        moves[term.slot] += share * glm::dvec3(term.move);
     }
     OpenedVertices out;
     out.positions.reserve(incised.moved.size());

@@ -19,12 +19,15 @@ struct IncisedMesh {
         std::string shortfall;        // why it has a floor where it was to go through, or keeps its
                                       // piece, a sentence; empty: it is as it was to be
         double length = 0, depth = 0; // units of the mesh; the depth after all limits
-        double widest = 0;            // share of the width that the guard admits
+        // What the guard admits: the widest opening, as a share of the widest that was asked for;
+        // the least share anywhere along the incision; and the least to which what lies below the
+        // skin is drawn together beyond that.
+        double widest = 0, least = 0, least_below = 0;
     };
     struct Term {
         std::uint32_t slot, incision;
         float share;    // of the incision's length
-        glm::vec3 move; // units of the mesh, when quite open, before the guard
+        glm::vec3 move; // units of the mesh, when quite open; the guard has narrowed it
     };
     Ref<Mesh> original;
     Ref<Mesh> rest; // shut, with walls; the same as the original where nothing is cut

@@ -83,6 +83,17 @@ TEST_P(OnPrimitives, VerticesOfOnePointStayAtOnePlaceWhateverOpens)
     });
 }
 
+TEST_P(OnPrimitives, NothingPiercesAtAnOpeningThatIsAdmitted)
+{
+    for_cuts(24, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+        const IncisedMesh made = incise(skin, incisions);
+        for (const double share : {1.0, 0.6, 0.3})
+            EXPECT_EQ(
+                piercings_at(made, std::vector(incisions.size(), IncisionOpening{share, 0, 1})),
+                0u);
+    });
+}
+
 TEST_P(OnPrimitives, NothingOutsideTheTermsMoves)
 {
     for_cuts(12, [](const CutSkin& skin, const std::vector<Incision>& incisions) {

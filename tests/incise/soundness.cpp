@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/incise/soundness.h"
 
+#include "core/incise/piercing.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -139,6 +141,33 @@ std::size_t copies_apart(const Mesh& mesh)
         apart += mesh.positions[v] != mesh.positions[known];
     }
     return apart;
+}
+
+std::size_t piercings_at(const IncisedMesh& made, std::span<const IncisionOpening> openings)
+{
+    const Mesh& rest = *made.rest;
+    std::vector<glm::dvec3> shut(point_count(rest)), moves(made.slots, glm::dvec3(0));
+    for (std::uint32_t v = 0; v < rest.vertex_count(); ++v)
+        shut[rest.point(v)] = glm::dvec3(rest.positions[v]);
+    for (const IncisedMesh::Term& term : made.terms)
+        moves[term.slot] +=
+            share_at(openings[term.incision], double{term.share}) * glm::dvec3(term.move);
+    std::vector<glm::dvec3> open = shut;
+    std::vector<char> near(shut.size(), 0);
+    for (std::size_t i = 0; i < made.moved.size(); ++i) {
+        const std::uint32_t point = rest.point(made.moved[i]);
+        near[point] = 1;
+        open[point] = shut[point] + moves[made.slot_of_moved[i]];
+    }
+    std::vector<glm::uvec3> region;
+    for (const glm::uvec3& t : triangles(rest)) {
+        const glm::uvec3 points(rest.point(t.x), rest.point(t.y), rest.point(t.z));
+        if (near[points.x] || near[points.y] || near[points.z]) region.push_back(points);
+    }
+    const std::vector<PiercingPair> before = piercings(shut, region);
+    std::vector<PiercingPair> fresh;
+    std::ranges::set_difference(piercings(open, region), before, std::back_inserter(fresh));
+    return fresh.size();
 }
 
 } // namespace trivar::testing

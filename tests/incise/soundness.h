@@ -25,4 +25,8 @@ std::vector<double> volumes_of_parts(const Mesh& mesh);
 // Vertices of one point that do not have the same position to the bit.
 std::size_t copies_apart(const Mesh& mesh);
 
+// Pairs of triangles, near the cuts, that pierce each other at some openings and do not at rest.
+// Counted with moves in doubles: where a gap is as narrow as a rounding error, floats touch.
+std::size_t piercings_at(const IncisedMesh& made, std::span<const IncisionOpening> openings);
+
 } // namespace trivar::testing

@@ -21,7 +21,8 @@ namespace {
 
 struct Counts {
     long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, narrowed = 0, narrowed_sets = 0,
-         shut = 0, apart = 0, thrown = 0, asked_through = 0, through = 0;
+         held = 0, drawn = 0, shut = 0, apart = 0, thrown = 0, pierced = 0,
+         asked_through = 0, through = 0;
     double volume = 0, least = 1;
     std::map<std::string, long> refusals;
 };
@@ -64,6 +65,8 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
             cut = true;
             widest = std::min(widest, outcome.widest);
             counts.narrowed += outcome.widest < 1;
+            counts.held += outcome.least < 1 && !(outcome.widest < 1);
+            counts.drawn += outcome.least_below < 1 && !(outcome.least < 1);
             counts.shut += outcome.widest < 0.02;
         }
         if (!cut) return;
@@ -83,6 +86,13 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
         counts.apart += copies_apart(*open) > 0 || copies_apart(*made.rest) > 0;
         counts.off += opened(made, std::vector<IncisionOpening>(
                                        incisions.size(), IncisionOpening{0, 0, 1})) != skin.mesh();
+        for (const double share : {1.0, 0.75, 0.5, 0.25, 0.1}) {
+            const std::size_t pairs =
+                piercings_at(made, std::vector(incisions.size(), IncisionOpening{share, 0, 1}));
+            if (pairs == 0) continue;
+            ++counts.pierced;
+            fmt::print("PIERCED {} {} #{} at {}: {} pairs\n", body, kind, number, share, pairs);
+        }
     } catch (const std::exception& e) {
         ++counts.thrown;
         fmt::print("THROWN {} {} #{}: {}\n", body, kind, number, e.what());
@@ -91,13 +101,15 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
 
 void print(const std::string& kind, const Counts& c)
 {
-    fmt::print("{}: {} sets, {} incisions; refused {}; faulty {}, thrown {}, copies apart {}, "
-               "opening 0 not the original {}; volume at rest off by at most {:.1e}\n"
-               "  narrowed by the guard {} ({:.1f} %), in {} sets, least share {:.2f}, shut {}\n",
-               kind, c.sets, c.incisions, c.refused, c.faulty, c.thrown, c.apart, c.off, c.volume,
-               c.narrowed,
-               100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.incisions),
-               c.narrowed_sets, c.least, c.shut);
+    fmt::print(
+        "{}: {} sets, {} incisions; refused {}; faulty {}, thrown {}, copies apart {}, "
+        "opening 0 not the original {}; volume at rest off by at most {:.1e}\n"
+        "  narrowed by the guard {} ({:.1f} %), in {} sets, least share {:.2f}, shut {}; held "
+        "at a place without that {}, drawn together below the skin alone {}; "
+        "openings at which something pierces {}\n",
+        kind, c.sets, c.incisions, c.refused, c.faulty, c.thrown, c.apart, c.off, c.volume,
+        c.narrowed, 100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.incisions),
+        c.narrowed_sets, c.least, c.shut, c.held, c.drawn, c.pierced);
     if (c.asked_through > 0)
         fmt::print("  {} of {} go through\n", c.through, c.asked_through);
     for (const auto& [why, count] : c.refusals) fmt::print("  {} {}\n", count, why);

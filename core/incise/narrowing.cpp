@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/narrowing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+
+double Narrowing::at(double x) const
+{
+    const double scaled = std::clamp(x, 0.0, 1.0) * steps;
+    const auto i = std::min(static_cast<std::size_t>(scaled), steps - 1);
+    const double t = scaled - static_cast<double>(i);
+    return (1 - t) * share_[i] + t * share_[i + 1];
+}
+
+double Narrowing::least() const
+{
+    return *std::ranges::min_element(share_);
+}
+
+void Narrowing::narrow(double x, double most, double radius)
+{
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double here = static_cast<double>(i) / steps;
+        const double away = std::max(0.0, std::abs(here - x) - 1.0 / steps) / radius;
+        if (away >= 1) continue;
+        const double rise = away * away * (3 - 2 * away);
+        share_[i] = std::min(share_[i], most + (1 - most) * rise);
+    }
+}
+
+double Narrowing::widest(const CutProfile& profile) const
+{
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double value = value_at(profile, static_cast<double>(i) / steps);
+        before = std::max(before, value);
+        after = std::max(after, value * share_[i]);
+    }
+    return before > 0 ? after / before : 0;
+}
+
+} // namespace trivar

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/incise/incision.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trivar {
+
+// A Narrowing says what share of its opening an incision is let have, along its length: 1
+// everywhere at first. x is the share of the length.
+class Narrowing {
+public:
+    double at(double x) const;
+    bool any() const { return least() < 1; }
+    double least() const;
+    // Lets the opening be `most` at x at the most, and with the distance from there more, up to
+    // what it was at `radius`.
+    void narrow(double x, double most, double radius);
+    // The greatest opening along the incision, as a share of the greatest of a profile.
+    double widest(const CutProfile& profile) const;
+
+private:
+    static constexpr std::size_t steps = 256; // along the incision
+    std::array<double, steps + 1> share_ = filled();
+    static constexpr std::array<double, steps + 1> filled()
+    {
+        std::array<double, steps + 1> out{};
+        out.fill(1);
+        return out;
+    }
+};
+
+// An Admitted says what of its opening an incision is let have: in the skin, and, as a further
+// share, at half the depth of its floor and below.
+struct Admitted {
+    Narrowing opening, below;
+    // At x, at a depth as a share of the floor's.
+    double at(double x, double depth) const
+    {
+        const double whole = opening.at(x);
+        return depth > 0 ? whole * (1 - std::min(1.0, 2 * depth) * (1 - below.at(x))) : whole;
+    }
+};
+
+} // namespace trivar
