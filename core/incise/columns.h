@@ -2,12 +2,9 @@
 #pragma once
 
 #include "core/incise/cut_drawing.h"
-#include "core/incise/incision.h"
 #include "core/incise/inward.h"
 
 namespace trivar {
-
-struct CutRun;
 
 // CutColumns say which way walls go down below points of a drawing: as Inward does, but where cuts
 // lean or go through the body. At a depth w a column is at position(point) - w outward(point).
@@ -31,12 +28,5 @@ private:
     KeyNumbers number_;
     std::vector<glm::dvec3> outward_;
 };
-
-// Below a cut through the body columns have the smoothed directions of their run; those of a run
-// that is `parallel` have one. Then they lean as the cuts do that meet there, as far as all faces
-// see them from outside.
-CutColumns columns_of(const std::vector<CutRun>& runs, const std::vector<char>& parallel,
-                      const CutDrawing& drawing, const Inward& inward,
-                      std::span<const Incision> incisions);
 
 } // namespace trivar

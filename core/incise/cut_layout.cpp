@@ -3,6 +3,7 @@
 
 #include "core/base/finite.h"
 #include "core/incise/trace.h"
+#include "core/incise/turned_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,7 @@ std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, 
 }
 
 // Draws all strokes that can be drawn. Which incision each is of is returned.
-std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> all,
-                                const InciseOptions& options,
+std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> all, double reach,
                                 std::vector<IncisedMesh::Outcome>& outcomes)
 {
     const CutSkin& skin = drawing.skin();
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> a
             continue;
         }
         const std::vector<SkinPlace> places =
-            places_of(skin, all[k], options.reach * skin.diagonal(), refusal);
+            places_of(skin, all[k], reach * skin.diagonal(), refusal);
         if (!refusal.empty()) continue;
         Traced traced = trace(drawing, places);
         refusal = std::move(traced.refusal);
@@ -154,12 +154,12 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
 } // namespace
 
 std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> all,
-                                    const InciseOptions& options,
+                                    double reach, int rows,
                                     std::vector<IncisedMesh::Outcome>& outcomes,
                                     Shortfalls& shortfalls)
 {
     auto layout = std::make_unique<CutLayout>(skin);
-    std::vector<std::uint32_t> incision_of_stroke = draw(layout->drawing, all, options, outcomes);
+    std::vector<std::uint32_t> incision_of_stroke = draw(layout->drawing, all, reach, outcomes);
     layout->runs = runs_of(layout->drawing, incision_of_stroke);
     layout->inward.emplace(skin, region_of_cuts(*layout));
     bool any = false;
@@ -175,7 +175,7 @@ std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incisio
         return layout;
     }
     const Shortfalls before = shortfalls;
-    go_through(*layout, all, options.rows, incision_of_stroke, shortfalls);
+    go_through(*layout, all, rows, incision_of_stroke, shortfalls);
     if (shortfalls != before) return nullptr;
     layout->inward.emplace(skin, region_of_cuts(*layout));
     return layout;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/incise.h"
+#include "core/incise/incised.h"
 #include "core/incise/through.h"
 
 #include <memory>
@@ -27,9 +27,10 @@ struct CutLayout {
 using Shortfalls = std::vector<std::string>;
 
 // Lays all incisions that can be drawn; the outcome of others says why not. Those with a shortfall
-// have a floor. No layout: one more of them cannot go through, and its shortfall says why.
+// have a floor. No layout: one more of them cannot go through, and its shortfall says why. `reach`
+// and `rows` are those of the options of incise().
 std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> incisions,
-                                    const InciseOptions& options,
+                                    double reach, int rows,
                                     std::vector<IncisedMesh::Outcome>& outcomes,
                                     Shortfalls& shortfalls);
 

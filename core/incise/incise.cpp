@@ -144,7 +144,7 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
         none.original = none.rest = skin.mesh();
         none.outcomes.resize(all.size());
         const std::unique_ptr<CutLayout> layout =
-            laid_out(skin, all, options, none.outcomes, shortfalls);
+            laid_out(skin, all, options.reach, options.rows, none.outcomes, shortfalls);
         if (!layout) continue;
         if (layout->runs.empty()) return none;
         if (std::optional<IncisedMesh> made = cut(*layout, all, options, none.outcomes, shortfalls))

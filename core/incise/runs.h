@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/incise/columns.h"
+#include "core/incise/incision.h"
 
 namespace trivar {
 
