@@ -116,6 +116,15 @@ NamedIncision an_incision()
     return out;
 }
 
+NamedIncision a_wider_incision() // along the same stroke
+{
+    NamedIncision out = an_incision();
+    out.cut.stroke.clear();
+    out.cut.width = 0.1;
+    out.opening.share = 0.5;
+    return out;
+}
+
 Document fitting_document()
 {
     const Document document = after(after(small_document(), import_of("snail.obj")), AddText{});
@@ -219,8 +228,7 @@ std::vector<Command> fitting_commands()
             Incise{.object = 2, .incision = an_incision()},
             EditIncision{.object = 5,
                          .number = 1,
-                         .incision = {.cut = {.stroke = {}, .depth = 0.06, .opening_profile = {}},
-                                      .opening = {.share = 0.5}}},
+                         .incision = a_wider_incision()},
             LayerIncisions{.objects = {5}, .incising = {.cuts = {}, .layers = {{.name = "Fat"}}}},
             RemoveIncision{.object = 5, .number = 1},
             ClearIncisions{.objects = {5}}};
