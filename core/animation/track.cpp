@@ -7,6 +7,9 @@
 namespace trivar {
 namespace {
 
+constexpr double swing = 0.16; // each half period of what settles, as a share of the one before
+constexpr int half_periods = 3;
+
 double slope_between(const Key& a, const Key& b)
 {
     return (b.value - a.value) / (b.frame - a.frame);
@@ -15,6 +18,7 @@ double slope_between(const Key& a, const Key& b)
 double smooth_slope(const std::vector<Key>& keys, std::size_t k)
 {
     if (k == 0 || k + 1 == keys.size()) return 0;
+    if (keys[k - 1].tween == Tween::settle || keys[k].tween == Tween::settle) return 0;
     const double left = slope_between(keys[k - 1], keys[k]),
                  right = slope_between(keys[k], keys[k + 1]);
     if (left * right <= 0) return 0;
@@ -75,6 +79,43 @@ TweenCurve curve_between(const Track& track, std::size_t key)
             p3 + handle(track.keys, key + 1, b.before, -way), p3};
 }
 
+namespace {
+
+// From one point to another, level at both.
+TweenCurve level_curve(glm::dvec2 from, glm::dvec2 to)
+{
+    const double way = to.x - from.x;
+    return {from, from + glm::dvec2(way / 3, 0), to - glm::dvec2(way / 3, 0), to};
+}
+
+} // namespace
+
+std::vector<TweenCurve> curves_between(const Track& track, std::size_t key)
+{
+    const Key &a = track.keys[key], &b = track.keys[key + 1];
+    const glm::dvec2 from(a.frame, a.value), to(b.frame, b.value);
+    const auto line = [](glm::dvec2 p, glm::dvec2 q) {
+        return TweenCurve{p, glm::mix(p, q, 1.0 / 3), glm::mix(p, q, 2.0 / 3), q};
+    };
+    if (a.tween == Tween::cubic) return {curve_between(track, key)};
+    if (a.tween == Tween::linear) return {line(from, to)};
+    if (a.tween == Tween::step) {
+        const glm::dvec2 corner(to.x, from.y);
+        return {line(from, corner), line(corner, to)};
+    }
+    std::vector<TweenCurve> out;
+    glm::dvec2 at = from;
+    double past = -1; // the way that is left, as a share of the whole
+    for (int k = 1; k <= half_periods; ++k) {
+        past *= -swing;
+        const glm::dvec2 next(from.x + (to.x - from.x) * k / half_periods,
+                              to.y + past * (to.y - from.y));
+        out.push_back(level_curve(at, k == half_periods ? to : next));
+        at = next;
+    }
+    return out;
+}
+
 double value_at(const Track& track, double frame)
 {
     const std::vector<Key>& keys = track.keys;
@@ -85,7 +126,11 @@ double value_at(const Track& track, double frame)
     if (next == keys.end() || key.frame == frame || key.tween == Tween::step) return key.value;
     if (key.tween == Tween::linear)
         return std::lerp(key.value, next->value, (frame - key.frame) / (next->frame - key.frame));
-    return on(curve_between(track, static_cast<std::size_t>(next - keys.begin()) - 1), frame);
+    const auto number = static_cast<std::size_t>(next - keys.begin()) - 1;
+    if (key.tween == Tween::cubic) return on(curve_between(track, number), frame);
+    for (const TweenCurve& curve : curves_between(track, number))
+        if (frame < curve.p3.x) return on(curve, frame);
+    return next->value;
 }
 
 Track with_key(Track track, double frame, double value)

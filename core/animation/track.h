@@ -11,8 +11,9 @@
 namespace trivar {
 
 // A Tween says how a value goes from one key to the next: it stays until then, along a straight
-// line, or along a cubic Bezier curve in the plane of frames and values.
-enum class Tween { step, linear, cubic };
+// line, along a cubic Bezier curve in the plane of frames and values, or it settles: it swings past
+// the next value and back, less each time, as something elastic that is let go.
+enum class Tween { step, linear, cubic, settle };
 
 // A Repeat says what follows the last frame of something: nothing, all of it again, or the way
 // back.
@@ -78,6 +79,9 @@ struct TweenCurve {
     glm::dvec2 p0, p1, p2, p3; // frames, value
 };
 TweenCurve curve_between(const Track& track, std::size_t key); // between the key and the next one
+// The same for any tween, as cubic pieces by ascending frames: two of a step, three of what settles
+// (half periods of a damped oscillation, level at their ends), otherwise one.
+std::vector<TweenCurve> curves_between(const Track& track, std::size_t key);
 
 // The track with a key at a frame, which replaces a key in that frame; its tween is that of the key
 // before.

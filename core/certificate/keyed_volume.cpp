@@ -74,8 +74,11 @@ std::array<glm::dvec2, 4> control_points(const Track& track, double from, double
     if (key.tween == Tween::linear)
         return line(std::lerp(key.value, next->value, (from - key.frame) / way),
                     std::lerp(key.value, next->value, (to - key.frame) / way));
-    return piece(curve_between(track, static_cast<std::size_t>(next - track.keys.begin()) - 1),
-                 from, to);
+    const std::vector<TweenCurve> curves =
+        curves_between(track, static_cast<std::size_t>(next - track.keys.begin()) - 1);
+    const auto of = std::ranges::find_if(
+        curves, [&](const TweenCurve& curve) { return (from + to) / 2 < curve.p3.x; });
+    return piece(of == curves.end() ? curves.back() : *of, from, to);
 }
 
 // Bounds the change of the derivatives of a lattice if its control points move by at most `by`.
@@ -134,9 +137,15 @@ double off_chord(const Track& track, double from_frame, double to_frame, double 
         Round r{round, track.keys.front().frame};
         r.length = track.keys.back().frame - r.first;
         r.back = track.repeat == Repeat::back_and_forth && std::fmod(round, 2) != 0;
-        for (const Key& key : track.keys)
-            if (const double at = r.in_film(key.frame); at > from_frame && at < to_frame)
+        const auto cut = [&](double frame) {
+            if (const double at = r.in_film(frame); at > from_frame && at < to_frame)
                 cuts.push_back(at);
+        };
+        for (std::size_t k = 0; k < track.keys.size(); ++k) {
+            cut(track.keys[k].frame);
+            if (k + 1 < track.keys.size() && track.keys[k].tween == Tween::settle)
+                for (const TweenCurve& curve : curves_between(track, k)) cut(curve.p3.x);
+        }
     }
     std::ranges::sort(cuts);
     double most = 0, largest = 0;

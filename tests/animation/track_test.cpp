@@ -88,6 +88,39 @@ TEST(Track, FollowsHandlesAndMeetsNoFrameTwice)
     }
 }
 
+TEST(Track, SettlesInSwingsThatGetSmaller)
+{
+    const Track track = track_of({{0, 2, Tween::settle}, {30, 12}});
+    EXPECT_EQ(value_at(track, 0), 2);
+    EXPECT_EQ(value_at(track, 30), 12);
+    const double past = value_at(track, 10) - 12, back = value_at(track, 20) - 12;
+    EXPECT_NEAR(past, 1.6, 1e-9);
+    EXPECT_NEAR(back / past, past / -10, 1e-9);
+    for (double frame = 0.25; frame < 30; frame += 0.25) { // without a jump or a kink
+        const double h = 1e-4, at = value_at(track, frame);
+        EXPECT_NEAR(value_at(track, frame + h), at, 2 * h);
+        EXPECT_NEAR((value_at(track, frame + h) - at) / h, (at - value_at(track, frame - h)) / h,
+                    1e-3);
+    }
+}
+
+TEST(Track, IsItsCubicPiecesWhateverItsTweens)
+{
+    const Track track = track_of(
+        {{0, 0, Tween::step}, {4, 1, Tween::linear}, {10, 7}, {11, 8, Tween::settle}, {30, 9}});
+    for (std::size_t k = 0; k + 1 < track.keys.size(); ++k) {
+        double frame = track.keys[k].frame;
+        for (const TweenCurve& curve : curves_between(track, k)) {
+            EXPECT_EQ(curve.p0.x, frame);
+            if (curve.p3.x > frame) {
+                EXPECT_NEAR(value_at(track, frame), curve.p0.y, 1e-9);
+            }
+            frame = curve.p3.x;
+        }
+        EXPECT_EQ(frame, track.keys[k + 1].frame);
+    }
+}
+
 TEST(Track, IsRepeated)
 {
     const std::vector<Key> keys{{2, 0, Tween::linear}, {6, 4}};

@@ -6,7 +6,8 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<Tween>{"step", "linear", "cubic"};
+inline constexpr std::array<std::string_view, 4> choice_names<Tween>{"step", "linear", "cubic",
+                                                                     "settle"};
 
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<Repeat>{"once", "loop",
@@ -22,9 +23,10 @@ template <> struct FieldsOf<Key> {
               "value of the parameter; switches are 0 and 1, choices are counted from 0 in their "
               "order",
               required);
-        field("tween", k.tween,
-              "interpolation to the next key: none, linear, or a Bezier curve; whole numbers, "
-              "choices and switches are always held");
+        field(
+            "tween", k.tween,
+            "interpolation to the next key: none, linear, a Bezier curve, or swinging past it and "
+            "back; whole numbers, choices and switches are always held");
         field("before", k.before,
               "the handle toward the previous key, [frames, value] from this key; zeros: a smooth "
               "one");

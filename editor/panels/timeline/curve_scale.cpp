@@ -55,10 +55,11 @@ glm::dvec2 values_of_curves(const Document& document, const std::vector<TrackNam
         const double factor = words_of_number(name.parameter).factor;
         for (std::size_t i = 0; i < track->keys.size(); ++i) {
             values.add(track->keys[i].value * factor);
-            if (i + 1 == track->keys.size() || track->keys[i].tween != Tween::cubic) continue;
-            const TweenCurve curve = curve_between(*track, i);
-            values.add(curve.p1.y * factor);
-            values.add(curve.p2.y * factor);
+            if (i + 1 == track->keys.size()) continue;
+            for (const TweenCurve& curve : curves_between(*track, i)) {
+                values.add(curve.p1.y * factor);
+                values.add(curve.p2.y * factor);
+            }
         }
     }
     return values.values();
@@ -130,14 +131,14 @@ std::vector<glm::vec2> curve_path(const Track& track, const CurveScale& scale, d
         add(keys[i].frame, keys[i].value);
         if (i + 1 == keys.size()) break;
         if (keys[i].tween == Tween::step) add(keys[i + 1].frame, keys[i].value);
-        if (keys[i].tween != Tween::cubic) continue;
-        const TweenCurve c = curve_between(track, i);
-        for (int k = 1; k < pieces; ++k) {
-            const double t = static_cast<double>(k) / pieces, s = 1 - t;
-            const glm::dvec2 p =
-                s * s * s * c.p0 + 3 * s * s * t * c.p1 + 3 * s * t * t * c.p2 + t * t * t * c.p3;
-            add(p.x, p.y);
-        }
+        if (keys[i].tween == Tween::step || keys[i].tween == Tween::linear) continue;
+        for (const TweenCurve& c : curves_between(track, i))
+            for (int k = 1; k <= pieces; ++k) {
+                const double t = static_cast<double>(k) / pieces, s = 1 - t;
+                const glm::dvec2 p = s * s * s * c.p0 + 3 * s * s * t * c.p1 +
+                                     3 * s * t * t * c.p2 + t * t * t * c.p3;
+                add(p.x, p.y);
+            }
     }
     return path;
 }

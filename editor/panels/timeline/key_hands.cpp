@@ -159,8 +159,10 @@ void key_menu(Editor& editor)
         return;
     }
     ImGui::TextDisabled("To the next key");
-    for (const auto& [words, tween] :
-         {std::pair("Step", Tween::step), {"Linear", Tween::linear}, {"Cubic", Tween::cubic}})
+    for (const auto& [words, tween] : {std::pair("Step", Tween::step),
+                                       {"Linear", Tween::linear},
+                                       {"Cubic", Tween::cubic},
+                                       {"Settle", Tween::settle}})
         item(words, first->tween == tween,
              [&, to = tween] { return with_tween(document, chosen, to); });
     item("Smooth handles", false, [&] { return smoothed(document, chosen); });

@@ -73,7 +73,7 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
     if (!editor.inspecting) view.typed = view.chosen;
     const Document& document = editor.session.committed();
     const ChosenKeys chosen = view.typed;
-    constexpr float frame_width = 68, value_width = 88, way_width = 144, after_width = 124,
+    constexpr float frame_width = 68, value_width = 88, way_width = 196, after_width = 124,
                     between = 4;
     float room = place.width() / theme.scale - frame_width - value_width - between;
     const bool has_way = room >= way_width + between && !now.stay;
@@ -104,12 +104,13 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
     if (has_way) {
         int way = now.tweens ? static_cast<int>(now.first->tween) : -1;
         const float width = next(way_width);
-        take(ui::segments(theme, "way", way, {"Step", "Linear", "Cubic"}, width),
+        take(ui::segments(theme, "way", way, {"Step", "Linear", "Cubic", "Settle"}, width),
              [&] { return with_tween(document, chosen, static_cast<Tween>(way)); });
         ui::tooltip(
             {"To the next key",
              {},
-             "Step holds the value, Linear is a straight line, Cubic follows draggable handles."});
+             "Step holds the value, Linear is a straight line, Cubic follows draggable handles, "
+             "Settle swings past it and back."});
     }
     Parameter value = now.number;
     value.name = "value";
