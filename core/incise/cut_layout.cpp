@@ -26,18 +26,32 @@ const char* unfit(const Incision& incision)
     return nullptr;
 }
 
-// Where a stroke meets the skin; empty, with a sentence, where it leaves it.
+// Where a stroke meets the skin: its longest part there, with a sentence where that is not all.
 std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, double reach,
-                                 std::string& refusal)
+                                 std::string& notice)
 {
-    std::vector<SkinPlace> out;
-    for (const std::optional<SkinPlace>& place : skin.locate(incision.stroke, reach)) {
-        if (!place) {
-            refusal = "it leaves the surface";
-            return {};
-        }
-        out.push_back(*place);
+    const std::vector<std::optional<SkinPlace>> all = skin.locate(incision.stroke, reach);
+    std::size_t first = 0, count = 0, parts = 0;
+    double longest = -1, length = 0;
+    for (std::size_t i = 0, begin = 0; i < all.size(); ++i) {
+        if (!all[i]) continue;
+        if (i == 0 || !all[i - 1]) {
+            ++parts;
+            begin = i;
+            length = 0;
+        } else
+            length += glm::distance(incision.stroke[i].p, incision.stroke[i - 1].p);
+        if (length < longest) continue;
+        longest = length;
+        first = begin;
+        count = i + 1 - begin;
     }
+    std::vector<SkinPlace> out;
+    for (std::size_t i = first; i < first + count; ++i) out.push_back(*all[i]);
+    if (parts > 1)
+        notice = "only its longest part on the surface is cut";
+    else if (count < all.size())
+        notice = "it ends where the surface does";
     return out;
 }
 
@@ -54,11 +68,15 @@ std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> a
             continue;
         }
         const std::vector<SkinPlace> places =
-            places_of(skin, all[k], reach * skin.diagonal(), refusal);
-        if (!refusal.empty()) continue;
+            places_of(skin, all[k], reach * skin.diagonal(), outcomes[k].notice);
+        if (places.size() < 2) {
+            refusal = "it leaves the surface";
+            continue;
+        }
         Traced traced = trace(drawing, places);
         refusal = std::move(traced.refusal);
         if (!refusal.empty()) continue;
+        if (!traced.notice.empty()) outcomes[k].notice = std::move(traced.notice);
         drawing.add(traced.chain);
         incisions.push_back(k);
     }

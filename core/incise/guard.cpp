@@ -12,6 +12,7 @@ namespace {
 constexpr double narrower = 0.7, as_good_as_shut = 0.02; // shares
 constexpr double least_share = 0.35; // of the move of the incision that moves a pair most
 // Openings at which nothing may pierce where something was narrowed.
+constexpr double half_open = 0.5; // where nothing was, but several pieces may meet
 constexpr std::array looked_at{1.0, 0.75, 0.5, 0.25, 0.1};
 constexpr double edges_of_dent = 2, widths_of_dent = 1.5;
 
@@ -173,7 +174,8 @@ std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
         guard.narrow(pairs, radius, admitted);
         return true;
     };
-    if (!pierce_at(1)) return admitted;
+    const bool crosses = shape.pieces.size() > 1;
+    if (!pierce_at(1) && !(crosses && pierce_at(half_open))) return admitted;
     for (std::size_t i = 0; i < looked_at.size();) i = pierce_at(looked_at[i]) ? 0 : i + 1;
     return admitted;
 }

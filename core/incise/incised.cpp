@@ -43,17 +43,27 @@ OpenedVertices opened_vertices(const IncisedMesh& incised,
     return out;
 }
 
+bool is_open(const IncisedMesh& incised, std::span<const IncisionOpening> openings)
+{
+    if (incised.rest == incised.original) return false;
+    if (incised.has_hole) return true;
+    for (std::size_t k = 0; k < openings.size(); ++k)
+        if (openings[k].share * incised.outcomes[k].widest != 0) return true;
+    return false;
+}
+
+void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy)
+{
+    for (std::size_t i = 0; i < incised.moved.size(); ++i)
+        copy.positions[incised.moved[i]] = vertices.positions[i];
+    std::ranges::copy(vertices.wall_normals, copy.normals.begin() + incised.first_wall_vertex);
+}
+
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings)
 {
-    bool open = incised.has_hole;
-    for (std::size_t k = 0; k < openings.size(); ++k)
-        open = open || openings[k].share * incised.outcomes[k].widest != 0;
-    if (!open || incised.rest == incised.original) return incised.original;
-    const OpenedVertices vertices = opened_vertices(incised, openings);
+    if (!is_open(incised, openings)) return incised.original;
     Mesh mesh = *incised.rest;
-    for (std::size_t i = 0; i < incised.moved.size(); ++i)
-        mesh.positions[incised.moved[i]] = vertices.positions[i];
-    std::ranges::copy(vertices.wall_normals, mesh.normals.begin() + incised.first_wall_vertex);
+    put(incised, opened_vertices(incised, openings), mesh);
     return make_ref(std::move(mesh));
 }
 

@@ -18,6 +18,7 @@ struct IncisedMesh {
         std::string refusal;          // why there is no cut, a sentence; empty: there is one
         std::string shortfall;        // why it has a floor where it was to go through, or keeps its
                                       // piece, a sentence; empty: it is as it was to be
+        std::string notice;           // a sentence where only a part of the stroke is cut
         double length = 0, depth = 0; // units of the mesh; the depth after all limits
         // What the guard admits: the widest opening, as a share of the widest that was asked for;
         // the least share anywhere along the incision; and the least to which what lies below the
@@ -48,6 +49,11 @@ struct OpenedVertices {
 };
 OpenedVertices opened_vertices(const IncisedMesh& incised,
                                std::span<const IncisionOpening> openings);
+
+// Whether any incision is open at all, or a piece is left out.
+bool is_open(const IncisedMesh& incised, std::span<const IncisionOpening> openings);
+// Moves the vertices of a copy of `rest`, at whatever openings it is.
+void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy);
 
 // The whole mesh at some openings; the original itself while all are shut and no piece is left out.
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -39,23 +40,37 @@ public:
             if (hits.empty() || !(hits.back() == p)) hits.push_back(p);
         }
         if (hits.size() < 2) return refused("it is shorter than a step of the surface");
+        std::vector<DrawnChain> parts;
         chain_.points = {hits.front()};
         for (std::size_t i = 1; i < hits.size(); ++i) {
             if (walk(hits[i]) || walk_along_edges(hits[i])) continue;
-            return refused("its points lie on parts of the surface that are not joined");
+            parts.push_back(std::exchange(chain_, {{hits[i]}, {}}));
         }
-        for (const LatticePoint& p : chain_.points)
-            if (const char* const why = unsound(p)) return refused(why);
+        parts.push_back(std::move(chain_));
+        const char* left_out = nullptr; // why something is
+        chain_ = longest_sound_part(parts, left_out);
+        if (chain_.points.size() < 2)
+            return refused(left_out           ? (std::string("it touches ") + left_out).c_str()
+                           : parts.size() > 1 ? "its points lie on parts of the surface that are "
+                                                "not joined"
+                                              : "it is shorter than a step of the surface");
+        Traced out;
+        if (left_out)
+            out.notice = std::string("it ends before ") + left_out;
+        else if (parts.size() > 1)
+            out.notice =
+                "only its longest part is cut: the surface is not joined between its points";
         if (!(chain_.points.front() == chain_.points.back())) drop_hooks();
         drop_points_on_chords();
         if (chain_.points.size() == 2 && !halve())
             return refused("it is shorter than a step of the surface");
         if (chain_.points.size() < 3) return refused("it is shorter than a step of the surface");
-        return {std::move(chain_), {}};
+        out.chain = std::move(chain_);
+        return out;
     }
 
 private:
-    static Traced refused(const char* why) { return {{}, why}; }
+    static Traced refused(const char* why) { return {{}, why, {}}; }
     glm::dvec3 at(const LatticePoint& p) const { return position(skin_, p); }
     glm::dvec3 corner(std::uint32_t t, int i) const { return skin_.position(skin_.triangle(t)[i]); }
     double side_length(std::uint32_t side) const
@@ -256,10 +271,35 @@ private:
         for (const std::uint32_t t : triangles_round(skin_, p))
             for (int i = 0; i < 3; ++i)
                 worst = std::max(worst, skin_.soundness(skin_.triangle(t)[i]));
-        if (worst == CutSkin::Soundness::border) return "it touches an open border of the surface";
+        if (worst == CutSkin::Soundness::border) return "an open border of the surface";
         if (worst == CutSkin::Soundness::tangled)
-            return "it runs over faces that share an edge or a point in more than one way";
+            return "faces that share an edge or a point in more than one way";
         return nullptr;
+    }
+    // The longest run of sound points of all parts; and what the first one touches that is not.
+    DrawnChain longest_sound_part(const std::vector<DrawnChain>& parts, const char*& touched) const
+    {
+        DrawnChain best;
+        double longest = 0;
+        for (const DrawnChain& part : parts) {
+            double length = 0;
+            for (std::size_t i = 0, begin = 0; i < part.points.size(); ++i) {
+                if (const char* const what = unsound(part.points[i])) {
+                    if (!touched) touched = what;
+                    length = 0;
+                    begin = i + 1;
+                    continue;
+                }
+                if (i > begin) length += glm::distance(at(part.points[i]), at(part.points[i - 1]));
+                if (!(length > longest)) continue;
+                longest = length;
+                const auto from = static_cast<std::ptrdiff_t>(begin);
+                const auto to = static_cast<std::ptrdiff_t>(i);
+                best.points.assign(part.points.begin() + from, part.points.begin() + to + 1);
+                best.triangles.assign(part.triangles.begin() + from, part.triangles.begin() + to);
+            }
+        }
+        return best;
     }
 
     // Of the turn at a point, with the triangles on both sides of an edge unfolded.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incise/opened_frames.h"
 #include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
 #include "tests/incise/bodies.h"
@@ -116,6 +117,33 @@ TEST_F(OpenSphere, TheGuardKeepsWallsFromMeetingInAThinBody)
     const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
     for (std::size_t v = made.first_wall_vertex; v < open->vertex_count(); ++v)
         EXPECT_GT(open->positions[v].z, -0.05f);
+}
+
+TEST_F(OpenSphere, FramesAreWhatIsOpenedAndUseMemoryAgain)
+{
+    const Ref<IncisedMesh> made = make_ref(incise(skin, crossing_cuts_on_sphere()));
+    auto frames = std::make_unique<OpenedFrames>(made);
+    const auto openings = [](int i) {
+        return std::vector{IncisionOpening{0.1 * i, 0, 1}, {1 - 0.1 * i, 0.02 * i, 1}};
+    };
+    EXPECT_EQ((*frames)(std::vector(2, IncisionOpening{0, 0, 1})).mesh, made->original);
+    Ref<Mesh> held = (*frames)(openings(7)).mesh, last;
+    const Mesh before = *held;
+    for (int i = 1; i < 6; ++i) {
+        const OpenedFrames::Frame frame = (*frames)(openings(i));
+        EXPECT_EQ(*frame.mesh, *opened(*made, openings(i)));
+        const Box box = bounding_box(*frame.mesh);
+        EXPECT_EQ(frame.box.lo, box.lo);
+        EXPECT_EQ(frame.box.hi, box.hi);
+        EXPECT_NE(frame.mesh, last);
+        last = frame.mesh;
+    }
+    EXPECT_EQ(*held, before);
+    const glm::vec3* const memory = last->positions.data();
+    last = nullptr;
+    EXPECT_EQ((*frames)(openings(3)).mesh->positions.data(), memory);
+    frames = nullptr; // meshes outlive it
+    held = nullptr;
 }
 
 TEST(CutProfiles, AreShutAtBothEndsAndReachTheirGreatestValue)

@@ -35,7 +35,7 @@ TEST(RefusedIncisions, SayWhatIsWrongWithTheStroke)
     cut.stroke[3].p.x = NAN;
     EXPECT_EQ(refusal_of(ball, cut), "a point of it is not finite");
     cut = good;
-    cut.stroke[3].p *= 1.5;
+    for (SurfacePoint& each : cut.stroke) each.p *= 1.5;
     EXPECT_EQ(refusal_of(ball, cut), "it leaves the surface");
     cut = good;
     cut.depth = 0;
@@ -48,10 +48,42 @@ TEST(RefusedIncisions, SayWhatIsWrongWithTheStroke)
     EXPECT_EQ(refusal_of(ball, cut), "it is shorter than a step of the surface");
 }
 
-TEST(RefusedIncisions, TouchABorder)
+// The outcome of a single stroke that is cut, which is sound whatever part of it that is.
+IncisedMesh::Outcome outcome_of(const CutSkin& skin, const Incision& incision)
+{
+    const IncisedMesh made = incise(skin, std::vector{incision});
+    EXPECT_TRUE(faults_of(made).none());
+    EXPECT_NE(made.rest, made.original);
+    return made.outcomes[0];
+}
+
+TEST(IncisionsInPart, EndWhereTheSurfaceDoes)
+{
+    const CutSkin ball = skin_of(sphere_mesh(1, 48, 24));
+    Incision cut = cut_on_sphere({{1, -0.4, 0}, {1, 0.4, 0}});
+    const double whole = outcome_of(ball, cut).length;
+    EXPECT_EQ(outcome_of(ball, cut).notice, "");
+    cut.stroke[0].p *= 1.5;
+    cut.stroke.back().p *= 0.5;
+    IncisedMesh::Outcome outcome = outcome_of(ball, cut);
+    EXPECT_EQ(outcome.refusal, "");
+    EXPECT_EQ(outcome.notice, "it ends where the surface does");
+    EXPECT_NEAR(outcome.length, whole * 10 / 12, 0.05 * whole);
+    cut.stroke[4].p *= 1.5;
+    outcome = outcome_of(ball, cut);
+    EXPECT_EQ(outcome.notice, "only its longest part on the surface is cut");
+    EXPECT_NEAR(outcome.length, whole * 6 / 12, 0.05 * whole);
+}
+
+TEST(IncisionsInPart, EndBeforeAnOpenBorder)
 {
     const CutSkin sheet = skin_of(plane_mesh({2, 2}, {20, 20}));
-    EXPECT_EQ(refusal_of(sheet, on_plane({0, 0, 0}, {0.99, 0, 0})),
+    const IncisedMesh::Outcome outcome = outcome_of(sheet, on_plane({0, 0.03, 0}, {0.99, 0.03, 0}));
+    EXPECT_EQ(outcome.refusal, "");
+    EXPECT_EQ(outcome.notice, "it ends before an open border of the surface");
+    EXPECT_GT(outcome.length, 0.75);
+    EXPECT_LT(outcome.length, 0.91);
+    EXPECT_EQ(refusal_of(sheet, on_plane({0, 0.97, 0}, {0.9, 0.97, 0})),
               "it touches an open border of the surface");
 }
 
@@ -92,8 +124,12 @@ TEST(RefusedIncisions, RunOverFacesThatShareAnEdgeInThrees)
     fin.positions.emplace_back(0, 0, 1);
     fin.points.push_back(static_cast<std::uint32_t>(point_count(mesh)));
     add_face(fin, std::array{a, b, static_cast<std::uint32_t>(fin.positions.size() - 1)});
-    EXPECT_EQ(refusal_of(skin_of(fin), on_plane({-0.3, 0.02, 0}, {0.3, 0.02, 0})),
-              "it runs over faces that share an edge or a point in more than one way");
+    const IncisedMesh::Outcome outcome =
+        outcome_of(skin_of(fin), on_plane({-0.6, 0.02, 0}, {0.3, 0.02, 0}));
+    EXPECT_EQ(outcome.notice,
+              "it ends before faces that share an edge or a point in more than one way");
+    EXPECT_EQ(refusal_of(skin_of(fin), on_plane({-0.03, 0.02, 0}, {0.12, 0.02, 0})),
+              "it touches faces that share an edge or a point in more than one way");
 }
 
 TEST(RefusedIncisions, AreLeftOutOfASetThatIsCutOtherwise)

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/box.h"
+#include "core/incise/incised.h"
+
+namespace trivar {
+
+// OpenedFrames gives a mesh at one opening after the other, as opened() does, and uses again the
+// arrays of meshes that it gave before and that nobody holds any more: those differ only in what
+// moves. Then a frame costs O(#terms + #walls), whatever the size of the mesh. Its meshes may
+// outlive it.
+class OpenedFrames {
+public:
+    explicit OpenedFrames(Ref<IncisedMesh> incised); // O(#V)
+
+    struct Frame {
+        Ref<Mesh> mesh; // the original itself while all incisions are shut
+        Box box;        // round the mesh's vertices
+    };
+    Frame operator()(std::span<const IncisionOpening> openings) const;
+
+private:
+    struct Spare; // meshes that nobody holds
+    Ref<IncisedMesh> incised_;
+    Box shut_, still_; // of the original, and of the vertices that nothing moves
+    std::shared_ptr<Spare> spare_;
+};
+
+} // namespace trivar
