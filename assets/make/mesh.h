@@ -63,6 +63,7 @@ struct Material {
     float rough = .7f, metal = 0;
     Texture texture = {}; // empty: none
     float alpha = 1;      // opacity
+    float glow = 0;       // light that it gives off, in its own colour, times this
 };
 
 struct Node {

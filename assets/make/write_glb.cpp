@@ -3,6 +3,7 @@
 
 #include "assets/make/texture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -258,7 +259,15 @@ std::string clip_json(const Clip& clip, Buffer& buffer)
 std::string material_json(const Material& m, List& images, Buffer& buffer)
 {
     const vec3 k = linear_light(m.color);
-    std::string texture;
+    std::string texture, glow;
+    if (m.glow > 0) {
+        const float factor = std::min(1.f, m.glow);
+        const vec3 light = factor * k;
+        glow = ",\"emissiveFactor\":" + array({light.x, light.y, light.z});
+        if (m.glow > 1)
+            glow += ",\"extensions\":{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":" +
+                    number(double(m.glow)) + "}}";
+    }
     if (!m.texture.rgb.empty()) {
         const std::string bytes = png(m.texture);
         const int view = buffer.add_view(bytes.data(), bytes.size(), any);
@@ -266,11 +275,12 @@ std::string material_json(const Material& m, List& images, Buffer& buffer)
             images.add("{\"name\":\"" + m.name + "\",\"bufferView\":" + std::to_string(view) +
                        ",\"mimeType\":\"image/png\"}");
         texture = ",\"baseColorTexture\":{\"index\":" + std::to_string(image) + "}";
+        if (m.glow > 0) glow += ",\"emissiveTexture\":{\"index\":" + std::to_string(image) + "}";
     }
     return "{\"name\":\"" + m.name +
            "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + array({k.x, k.y, k.z, m.alpha}) +
            texture + ",\"metallicFactor\":" + number(double(m.metal)) +
-           ",\"roughnessFactor\":" + number(double(m.rough)) + "}" +
+           ",\"roughnessFactor\":" + number(double(m.rough)) + "}" + glow +
            (m.alpha < 1 ? ",\"alphaMode\":\"BLEND\"}" : "}");
 }
 
@@ -306,10 +316,13 @@ void write_glb(const Model& model, const std::string& path)
     const std::string skin = model.skin.joints.empty() ? "" : skin_json(model, buffer);
     for (const Clip& c : model.clips) clips.add(clip_json(c, buffer));
 
+    const bool glows =
+        std::ranges::any_of(model.materials, [](const Material& m) { return m.glow > 1; });
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"trivar-make\"},\"scene\":0,"
                        "\"scenes\":[{\"nodes\":[" +
                        children(model, -1) + "]}],\"nodes\":[" + nodes.text + "],\"meshes\":[" +
                        meshes.text + "],\"materials\":[" + materials.text + "]";
+    if (glows) json += ",\"extensionsUsed\":[\"KHR_materials_emissive_strength\"]";
     if (images.count) json += textures_json(images);
     if (!skin.empty()) json += ",\"skins\":[" + skin + "]";
     if (clips.count) json += ",\"animations\":[" + clips.text + "]";

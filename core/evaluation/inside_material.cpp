@@ -27,6 +27,7 @@ Material material_of(const Surfacing& surfacing)
     plain.metallic = surfacing.metallic;
     plain.roughness = surfacing.roughness;
     plain.filling = surfacing.filling;
+    plain.emissive = surfacing.glow * glm::vec3(surfacing.base_color);
     if (surfacing.base_color.a < 1) plain.alpha = Material::Alpha::blend;
     return plain;
 }

@@ -138,8 +138,9 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
         shortfall = far[r].refusal;
         if (!shortfall.empty()) continue;
         const Traced traced = trace(layout.drawing, far[r].places);
-        if (!traced.refusal.empty()) {
-            shortfall = "of its other side it is said that " + traced.refusal;
+        if (const std::string& why = traced.refusal.empty() ? traced.notice : traced.refusal;
+            !why.empty()) {
+            shortfall = "of its other side it is said that " + why;
             continue;
         }
         const std::uint32_t stroke = layout.drawing.add(traced.chain);

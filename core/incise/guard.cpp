@@ -174,8 +174,13 @@ std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
         guard.narrow(pairs, radius, admitted);
         return true;
     };
+    // Upright walls that are apart when quite and half open are so before, but for hardly any.
+    const bool upright = std::ranges::all_of(shape.runs, [&](const CutRun& run) {
+        const Incision& incision = incisions[run.incision];
+        return run.has_floor() && incision.lean_deg == 0 && incision.bevel == 0;
+    });
     const bool crosses = shape.pieces.size() > 1;
-    if (!pierce_at(1) && !(crosses && pierce_at(half_open))) return admitted;
+    if (!pierce_at(1) && upright && !(crosses && pierce_at(half_open))) return admitted;
     for (std::size_t i = 0; i < looked_at.size();) i = pierce_at(looked_at[i]) ? 0 : i + 1;
     return admitted;
 }

@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 constexpr double seen_from_outside = 0.1; // cosine of columns with the faces that they go through
-constexpr double least_way_left = 0.1;    // of the way between two columns, on the far side
+constexpr double least_way_left = 0.1;    // of the way across two columns, on the far side
 
 glm::dvec3 position_of(const CutSkin& skin, const SkinPlace& place)
 {
@@ -66,10 +66,12 @@ FarSide far_side(const CutRun& run, const CutDrawing& drawing, const CutColumns&
         out.depths.push_back(hits[i]->distance / glm::length(columns.outward(run.at[i].point)));
     }
     for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
-        const glm::dvec3 way = rays[i + 1].origin - rays[i].origin;
+        const glm::dvec3 down = glm::normalize(rays[i].direction + rays[i + 1].direction);
+        const auto across = [&](const glm::dvec3& way) { return way - glm::dot(way, down) * down; };
+        const glm::dvec3 near = across(rays[i + 1].origin - rays[i].origin);
         const glm::dvec3 far =
-            position_of(skin, out.places[i + 1]) - position_of(skin, out.places[i]);
-        if (!(glm::dot(far, way) > least_way_left * glm::dot(way, way)))
+            across(position_of(skin, out.places[i + 1]) - position_of(skin, out.places[i]));
+        if (!(glm::dot(far, near) > least_way_left * glm::dot(near, near)))
             out.refusal = "its ways through the body cross each other";
     }
     return out;

@@ -10,10 +10,12 @@
 namespace trivar {
 namespace {
 
-constexpr double smoothed_over = 0.3; // of a run's length
-constexpr double seen_enough = 0.05;  // cosine with the faces round a column that leans
-constexpr double less_leaning = 0.8;  // the next lean to try
+constexpr double smoothed_over = 0.3, round_smoothed_over = 0.15; // of the length of a run, a loop
+constexpr double seen_enough = 0.05; // cosine with the faces round a column that leans
+constexpr double less_leaning = 0.8; // the next lean to try
 constexpr int most_leans = 16;
+// Over so much of a run its columns turn, in edges of the skin and in depths times the turn.
+constexpr double edges_to_turn = 1.5, depths_to_turn = 2;
 constexpr double apart_enough = 0.1; // ratio of eigenvalues: cuts that meet at an angle
 
 glm::dvec3 unit_or_nil(const glm::dvec3& v)
@@ -45,11 +47,11 @@ std::vector<glm::dvec3> smoothed_directions(const CutRun& run, bool parallel,
         return unit_or_nil(sum);
     };
     if (parallel) return std::vector(run.last + 1, mean([](std::size_t) { return 1.0; }));
+    const double radius = (run.closed() ? round_smoothed_over : smoothed_over) * run.length;
+    const auto place = [&](std::size_t i) { return drawing.position(run.at[i].point); };
     for (std::size_t i = 0; i <= run.last; ++i)
-        out.push_back(mean([&](std::size_t k) {
-            double away = std::abs(run.at[i].s - run.at[k].s);
-            if (run.closed()) away = std::min(away, run.length - away);
-            const double x = std::min(1.0, away / (smoothed_over * run.length));
+        out.push_back(mean([&](std::size_t k) { // by place, as a loop may come near itself
+            const double x = std::min(1.0, glm::distance(place(i), place(k)) / radius);
             return (1 - x * x) * (1 - x * x);
         }));
     return out;
@@ -60,7 +62,6 @@ std::vector<glm::dvec3> smoothed_directions(const CutRun& run, bool parallel,
 struct Lean {
     std::uint32_t point;
     std::vector<std::pair<glm::dvec3, double>> cuts = {};
-    bool any = false;
 };
 
 // The offset v, across `up`, with dot(v, left) = tangent for each cut, in the least-squares sense;
@@ -91,24 +92,108 @@ glm::dvec3 offset_of(const Lean& lean, const glm::dvec3& up)
     return v.x * x + v.y * y;
 }
 
-std::vector<Lean> leans_of(const std::vector<CutRun>& runs, const CutDrawing& drawing,
-                           const Inward& inward, std::span<const Incision> incisions)
+// The offsets of one run's columns by which its walls lean, per depth and by point of the run.
+class RunOffsets {
+public:
+    RunOffsets(const CutRun& run, const CutDrawing& drawing, const Inward& inward,
+               const Incision& incision)
+        : run_(run),
+          tangent_(std::tan(incision.lean_deg * std::numbers::pi / 180)),
+          depth_(incision.depth),
+          edge_(drawing.skin().usual_edge())
+    {
+        const CutCurve curve(run, drawing, inward, incision.width);
+        for (std::size_t i = 0; i <= run.last; ++i) left_.push_back(curve.left(run.at[i].s));
+        const std::vector<double> lengths = lengths_of_points(run);
+        const double radius = radius_for(tangent_);
+        for (std::size_t i = 0; i <= run.last; ++i) {
+            glm::dvec3 sum(0);
+            double weights = 0;
+            for (std::size_t k = 0; tangent_ != 0 && k <= run.last; ++k) {
+                const double w = near(i, k, radius) * lengths[k];
+                weights += w;
+                sum += w * left_[k];
+            }
+            own_.push_back(weights > 0 ? tangent_ / weights * sum : glm::dvec3(0));
+        }
+        all_ = own_;
+    }
+    double tangent() const { return tangent_; }
+    const glm::dvec3& left(std::size_t i) const { return left_[i]; }
+    const glm::dvec3& operator[](std::size_t i) const { return all_[i]; }
+    // Where another cut is met the offset is that of both, and less so with the distance from
+    // there.
+    void meet(std::size_t at, const glm::dvec3& offset)
+    {
+        const glm::dvec3 more = offset - own_[at];
+        const double radius = radius_for(glm::length(more));
+        for (std::size_t i = 0; i <= run_.last; ++i) all_[i] += near(at, i, radius) * more;
+    }
+
+private:
+    // Such that columns do not come too near each other.
+    double radius_for(double offset) const
+    {
+        return std::max(edges_to_turn * edge_, depths_to_turn * std::abs(offset) * depth_);
+    }
+    double near(std::size_t i, std::size_t k, double radius) const
+    {
+        double away = std::abs(run_.at[i].s - run_.at[k].s);
+        if (run_.closed()) away = std::min(away, run_.length - away);
+        const double x = std::min(1.0, away / radius);
+        return (1 - x * x) * (1 - x * x);
+    }
+
+    const CutRun& run_;
+    double tangent_, depth_, edge_;
+    std::vector<glm::dvec3> left_, own_, all_;
+};
+
+// By point that is to lean: its offset per depth.
+std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<CutRun>& runs,
+                                                             const CutDrawing& drawing,
+                                                             const Inward& inward,
+                                                             std::span<const Incision> incisions)
 {
-    std::vector<Lean> out;
+    std::vector<std::pair<std::uint32_t, glm::dvec3>> out;
     if (std::ranges::none_of(
             runs, [&](const CutRun& run) { return incisions[run.incision].lean_deg != 0; }))
         return out;
+    std::vector<RunOffsets> of_run;
+    struct Visit {
+        std::size_t run, at;
+    };
     KeyNumbers number;
-    for (const CutRun& run : runs) {
-        const Incision& incision = incisions[run.incision];
-        const CutCurve curve(run, drawing, inward, incision.width);
-        const double tangent = std::tan(incision.lean_deg * std::numbers::pi / 180);
-        for (std::size_t i = 0; i <= run.last; ++i) {
-            const auto [n, fresh] = number.number(run.at[i].point);
-            if (fresh) out.push_back({run.at[i].point});
-            out[n].cuts.emplace_back(curve.left(run.at[i].s), tangent);
-            out[n].any = out[n].any || tangent != 0;
+    std::vector<std::uint32_t> points;
+    std::vector<std::vector<Visit>> visits;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        of_run.emplace_back(runs[r], drawing, inward, incisions[runs[r].incision]);
+        for (std::size_t i = runs[r].closed() ? 1 : 0; i <= runs[r].last; ++i) {
+            const auto [n, fresh] = number.number(runs[r].at[i].point);
+            if (fresh) {
+                points.push_back(runs[r].at[i].point);
+                visits.emplace_back();
+            }
+            visits[n].push_back({r, i});
         }
+    }
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (visits[n].size() < 2) continue;
+        Lean lean{points[n]};
+        for (const Visit& v : visits[n])
+            lean.cuts.emplace_back(of_run[v.run].left(v.at), of_run[v.run].tangent());
+        if (std::ranges::all_of(lean.cuts, [](const auto& cut) { return cut.second == 0; }))
+            continue;
+        const glm::dvec3 up = unit_or_nil(inward.outward(drawing.point(points[n])));
+        if (up == glm::dvec3(0)) continue;
+        const glm::dvec3 offset = offset_of(lean, up);
+        for (const Visit& v : visits[n]) of_run[v.run].meet(v.at, offset);
+    }
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        glm::dvec3 sum(0);
+        for (const Visit& v : visits[n]) sum += of_run[v.run][v.at];
+        if (sum != glm::dvec3(0))
+            out.emplace_back(points[n], sum / static_cast<double>(visits[n].size()));
     }
     return out;
 }
@@ -128,21 +213,19 @@ CutColumns columns_of(const std::vector<CutRun>& runs, const std::vector<char>& 
             out.turn(runs[k].at[i].point, directions[i]);
     }
     const CutSkin& skin = drawing.skin();
-    for (const Lean& lean : leans_of(runs, drawing, inward, incisions)) {
-        if (!lean.any) continue;
-        const glm::dvec3 straight = out.outward(lean.point);
+    for (const auto& [point, per_depth] : offsets_of(runs, drawing, inward, incisions)) {
+        const glm::dvec3 straight = out.outward(point);
         const double length = glm::length(straight);
         if (!(length > 0)) continue;
-        glm::dvec3 offset = length * offset_of(lean, straight / length);
-        const auto seen = [&] {
+        glm::dvec3 offset = length * per_depth;
+        const auto seen = [&, at = drawing.point(point)] {
             const glm::dvec3 outward = glm::normalize(straight - offset);
-            return std::ranges::all_of(
-                triangles_round(skin, drawing.point(lean.point)), [&](std::uint32_t t) {
-                    return glm::dot(unit_or_nil(skin.area_normal(t)), outward) > seen_enough;
-                });
+            return std::ranges::all_of(triangles_round(skin, at), [&](std::uint32_t t) {
+                return glm::dot(unit_or_nil(skin.area_normal(t)), outward) > seen_enough;
+            });
         };
         for (int i = 0; i < most_leans && !seen(); ++i) offset *= less_leaning;
-        if (seen()) out.turn(lean.point, straight - offset);
+        if (seen()) out.turn(point, straight - offset);
     }
     return out;
 }

@@ -46,6 +46,7 @@ std::vector<Row> table()
             {"trunk", {.42f, 1.00f, .39f}, 1},
             {"terrain", {1.00f, .28f, 1.00f}, 1},
             {"jar", {.74f, 1.00f, .69f}, 3},
+            {"pumpkin", {.98f, .89f, .99f}, 3},
             {"bottle", {.27f, 1.00f, .27f}, 3},
             {"wine_glass", {.26f, .66f, .26f}, 2},
             {"goblet", {.50f, 1.00f, .50f}, 19},

@@ -101,8 +101,9 @@ TEST(Incising, LeavesTheBitsOfWhatIsShut)
 TEST(Incising, OpensByKeysWithOneTopology)
 {
     const Document document = after(
-        incised_ball(), Animate{{{1, {{"incising.cuts.0.opening", {{1, 0, Tween::linear}, {11, 1}}},
-                                      {"incising.cuts.0.to", {{1, 0, Tween::linear}, {6, 1}}}}}}});
+        incised_ball(), Animate{{{1,
+                                  {{"incising.cuts.0.opening", {{1, 0, Tween::linear}, {11, 1}}},
+                                   {"incising.cuts.0.to", {{1, 0, Tween::linear}, {6, 1}}}}}}});
     Evaluator evaluator = new_evaluator();
     const auto mesh_at = [&](double frame) {
         return evaluator(document, frame).objects.at(1)->parts.at(0).mesh();
@@ -142,12 +143,12 @@ TEST(Incising, ChangesOneOfSeveralAndKeepsItsStroke)
 
 TEST(Incising, ShowsItsLayersUnderOneMaterial)
 {
-    Document document = after(
-        incised_ball(),
-        LayerIncisions{{1},
-                       {.cuts = {},
-                        .layers = {{"skin", 0.03, {.base_color = {0.9, 0.6, 0.5, 1}}},
-                                   {"flesh", 0, {.base_color = {0.5, 0.1, 0.1, 1}}}}}});
+    Document document =
+        after(incised_ball(),
+              LayerIncisions{{1},
+                             {.cuts = {},
+                              .layers = {{"skin", 0.03, {.base_color = {0.9, 0.6, 0.5, 1}}},
+                                         {"flesh", 0, {.base_color = {0.5, 0.1, 0.1, 1}}}}}});
     const auto used = [&](std::size_t faces_from) {
         const Ref<EvaluatedObject> ball = ball_in(document);
         const std::vector<std::uint32_t>& all = ball->parts.at(0).mesh()->face_material;
@@ -399,13 +400,12 @@ TEST(Incising, RefusesBadInputInASentence)
         change(cut);
         return [cut] { after(ball_to_incise(), Incise{1, cut}); };
     };
-    const auto says = [](const char* words) {
-        return ThrowsMessage<Rejected>(HasSubstr(words));
-    };
+    const auto says = [](const char* words) { return ThrowsMessage<Rejected>(HasSubstr(words)); };
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke.resize(1); }), says("one point"));
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke.clear(); }), says("no points"));
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke[2].p.y = std::nan(""); }), says("stroke[2].p"));
-    EXPECT_THAT(refused([](auto& c) { c.cut.stroke[3].normal *= 2; }), says("must have the length 1"));
+    EXPECT_THAT(refused([](auto& c) { c.cut.stroke[3].normal *= 2; }),
+                says("must have the length 1"));
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke.resize(100'000, c.cut.stroke[0]); }),
                 says("at most 10000 are taken"));
     EXPECT_THAT(refused([](auto& c) { c.cut.width = 0; }), says("\"width\" is 0"));
@@ -416,19 +416,25 @@ TEST(Incising, RefusesBadInputInASentence)
                 }),
                 says("go back"));
     const Document ball = ball_to_incise();
-    EXPECT_THAT([&] { after(ball, EditIncision{1, 1, across_the_front()}); },
-                says("has no incisions"));
+    EXPECT_THAT(
+        [&] {
+            after(ball, EditIncision{1, 1, across_the_front()});
+        },
+        says("has no incisions"));
     EXPECT_THAT([&] { after(incised_ball(), RemoveIncision{1, 2}); }, says("none of number 2"));
-    EXPECT_THAT([&] { after(after(ball, Group{.objects = {1}}), Incise{2, across_the_front()}); },
-                says("has no surface of its own"));
+    EXPECT_THAT(
+        [&] {
+            after(after(ball, Group{.objects = {1}}), Incise{2, across_the_front()});
+        },
+        says("has no surface of its own"));
 }
 
 TEST(Incising, CrossesCutsToTheSameBitsForAnyNumberOfThreads)
 {
     Document document = incised_ball();
     for (int k = 0; k < 4; ++k)
-        document = after(document, Incise{1, over_ball({1, 0.2 * k - 0.3, -0.5},
-                                                       {1, 0.3 - 0.2 * k, 0.5})});
+        document = after(document,
+                         Incise{1, over_ball({1, 0.2 * k - 0.3, -0.5}, {1, 0.3 - 0.2 * k, 0.5})});
     std::string expected;
     for (const int threads : {1, 2}) {
         const ThreadLimit limit(threads);

@@ -103,6 +103,9 @@ TEST_F(OnABlock, LeaningCutsCross)
     second.lean_deg = -35;
     second.bevel = 0.02;
     cut_open({first, second});
+    const std::vector cuts{first, second, along({-0.3, -0.4}, {-0.33, 0.4})}; // the last is upright
+    for (const IncisedMesh::Outcome& each : incise(block, cuts).outcomes)
+        EXPECT_NEAR(each.depth, 0.2, 1e-6); // nothing had to stay shallower
 }
 
 TEST_F(OnABlock, ALoopWithAFloorHasItsDepthAndWidthAllRound)

@@ -118,9 +118,7 @@ std::vector<double> volumes_of_parts(const Mesh& mesh)
             part[root(point(c))] = root(point(mesh.face_begin[f]));
     std::map<std::uint32_t, double> volumes;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const auto p = [&](std::uint32_t c) {
-            return glm::dvec3(mesh.positions[mesh.corners[c]]);
-        };
+        const auto p = [&](std::uint32_t c) { return glm::dvec3(mesh.positions[mesh.corners[c]]); };
         double& volume = volumes[root(point(mesh.face_begin[f]))];
         for (std::uint32_t c = mesh.face_begin[f] + 1; c + 1 < mesh.face_begin[f + 1]; ++c)
             volume += glm::dot(p(mesh.face_begin[f]), glm::cross(p(c), p(c + 1))) / 6;

@@ -107,8 +107,7 @@ TEST_F(HollowBall, ALoopCutsOutAPieceAndBothHaveTheVolumeOfTheWhole)
 TEST_F(HollowBall, APieceThatIsLeftOutLeavesAHoleOfItsVolume)
 {
     Incision ring = ring_on_sphere({1, 0.2, 0.1}, 0.3);
-    const std::vector<double> kept =
-        volumes_of_parts(*incise(skin, std::vector{ring}).rest);
+    const std::vector<double> kept = volumes_of_parts(*incise(skin, std::vector{ring}).rest);
     ring.piece = Incision::Piece::left_out;
     const IncisedMesh made = incise(skin, std::vector{ring});
     expect_sound(made, -2);
@@ -163,16 +162,16 @@ TEST(ThroughCuts, StayClosedWhereverTheyAreDrawn)
         for (std::size_t i = 0; i < 24; ++i) {
             SCOPED_TRACE(std::to_string(body) + " #" + std::to_string(i));
             RandomHand hand(skin, 900 + 24 * body + i);
-            std::vector<Incision> cuts =
-                i % 3 ? std::vector{random_single(skin, hand, false)} : random_set(skin, hand, i % 10);
+            std::vector<Incision> cuts = i % 3 ? std::vector{random_single(skin, hand, false)}
+                                               : random_set(skin, hand, i % 10);
             for (std::size_t k = 0; k < cuts.size(); ++k)
                 if (k == 0 || i % 2) cuts[k].floor = Incision::Floor::through;
             const IncisedMesh made = incise(skin, cuts);
             long through = 0;
             for (std::size_t k = 0; k < cuts.size(); ++k) {
                 EXPECT_EQ(made.outcomes[k].refusal, "");
-                through += cuts[k].floor == Incision::Floor::through &&
-                           made.outcomes[k].shortfall.empty();
+                through +=
+                    cuts[k].floor == Incision::Floor::through && made.outcomes[k].shortfall.empty();
             }
             expect_sound(made, -2 * through);
             EXPECT_LT(std::abs(faults_of(made).volume), 1e-9);
@@ -203,7 +202,8 @@ TEST(ThroughCuts, ALeanTurnsTheWayThrough)
     expect_sound(made, -2);
     double far = -1; // where the other side opens
     for (std::size_t v = made.first_wall_vertex; v < made.rest->vertex_count(); ++v)
-        if (made.rest->positions[v].z < -0.0999f) far = std::max(far, double{made.rest->positions[v].y});
+        if (made.rest->positions[v].z < -0.0999f)
+            far = std::max(far, double{made.rest->positions[v].y});
     EXPECT_NEAR(far, 0.2 + 0.02, 0.01);
 }
 

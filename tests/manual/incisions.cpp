@@ -54,7 +54,7 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
             const IncisedMesh::Outcome& outcome = made.outcomes[k];
             if (incisions[k].floor == Incision::Floor::through) {
                 ++counts.asked_through;
-                through += outcome.shortfall.empty();
+                through += outcome.shortfall.empty() && outcome.refusal.empty();
                 if (!outcome.shortfall.empty()) ++counts.refusals["(floor) " + outcome.shortfall];
             }
             if (!outcome.refusal.empty()) {

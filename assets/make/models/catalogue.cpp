@@ -24,6 +24,7 @@ std::vector<Entry> catalogue()
             {"trunk", trunk},
             {"terrain", terrain},
             {"jar", jar},
+            {"pumpkin", pumpkin},
             {"bottle", bottle},
             {"wine_glass", wine_glass},
             {"goblet", goblet},

@@ -39,6 +39,7 @@ Model bottle();
 Model wine_glass();
 Model goblet();
 Model jar();
+Model pumpkin();
 Model dodecahedron();
 Model bars();
 Model profile();

@@ -17,6 +17,9 @@ template <> struct FieldsOf<Surfacing> {
               "solid texture that deforms with the object; the colour tints it, and it has its own "
               "roughness",
               any_value.counts(Counting::bare).called("Solid texture"));
+        field("glow", s.glow,
+              "light that it gives off by itself, its colour times this; others are not lit by it",
+              later_in_range(0, 1000).called("Glow").zero_is("none"));
     }
 };
 

@@ -237,6 +237,7 @@ ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> 
         fields(&Surfacing::metallic);
         fields(&Surfacing::roughness);
     }
+    fields(&Surfacing::glow);
     return rows.edit;
 }
 
