@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace trivar {
@@ -77,6 +78,13 @@ std::vector<char> tangled(const std::vector<const RimLoop*>& loops, const CapOpt
     return out;
 }
 
+// A rim that is to be closed.
+struct OpenRim {
+    const CapOptions& options;
+    // Edges of its loops that no skin has, since they go across gaps of the mesh; by places.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> gaps = {};
+};
+
 // Points between a and b: halves it until none of its pieces is too coarse.
 void add_between(const glm::dvec2& a, const glm::dvec2& b, const Coarseness& coarseness,
                  double shortest, std::vector<glm::dvec2>& out)
@@ -91,8 +99,9 @@ void add_between(const glm::dvec2& a, const glm::dvec2& b, const Coarseness& coa
 // Triangulates the region to the left of loops, but for what is left out. Returns false, with
 // nothing added, where edges cross or meet on the grid, or do not enclose it.
 bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut& left_out,
-                         const CapOptions& options, FlatCap& cap)
+                         const OpenRim& rim, FlatCap& cap)
 {
+    const CapOptions& options = rim.options;
     glm::dvec2 lo(1e300), hi(-1e300);
     for (const RimLoop* loop : loops)
         for (const std::uint32_t place : *loop) {
@@ -133,7 +142,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
             const auto go = [&](int point) {
                 edges.emplace_back(std::exchange(last, point), point);
             };
-            if (options.coarseness && cap.gaps.contains({from, to})) {
+            if (options.coarseness && rim.gaps.contains({from, to})) {
                 std::vector<glm::dvec2> between;
                 add_between(options.places[from], options.places[to], options.coarseness,
                             size / 1000, between);
@@ -158,29 +167,30 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
         flat.corners.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
                                 static_cast<std::uint32_t>(t[2])});
     if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 1000);
-    const std::size_t rim = number.size(), refined = first_inside + inside.size();
+    const std::size_t from_rim = number.size(), refined = first_inside + inside.size();
     const auto number_of = [&](std::uint32_t point) {
-        return point < rim ? number[point] : static_cast<std::uint32_t>(refined + point - rim);
+        return point < from_rim ? number[point]
+                                : static_cast<std::uint32_t>(refined + point - from_rim);
     };
     for (const auto& [a, b, c] : flat.corners)
         cap.triangles.push_back({number_of(a), number_of(b), number_of(c)});
     cap.triangles.insert(cap.triangles.end(), slivers.begin(), slivers.end());
     cap.inside.insert(cap.inside.end(), inside.begin(), inside.end());
-    cap.inside.insert(cap.inside.end(), flat.points.begin() + static_cast<long>(rim),
+    cap.inside.insert(cap.inside.end(), flat.points.begin() + static_cast<long>(from_rim),
                       flat.points.end());
     return true;
 }
 
 // The same with as little left out as possible.
-bool triangulate(const std::vector<const RimLoop*>& loops, const CapOptions& options, FlatCap& cap)
+bool triangulate(const std::vector<const RimLoop*>& loops, const OpenRim& rim, FlatCap& cap)
 {
     // Where places are near to each other, rounding to single precision may make the rim cross
     // itself
     for (const double steps : {0.0, 16.0, 256.0})
-        if (triangulate_thinned(loops, {steps, {}}, options, cap)) return true;
-    const std::vector<char> places = tangled(loops, options);
+        if (triangulate_thinned(loops, {steps, {}}, rim, cap)) return true;
+    const std::vector<char> places = tangled(loops, rim.options);
     for (const double steps : {16.0, 256.0, 4096.0})
-        if (triangulate_thinned(loops, {steps, places}, options, cap)) return true;
+        if (triangulate_thinned(loops, {steps, places}, rim, cap)) return true;
     return false;
 }
 
@@ -202,13 +212,13 @@ void close_by_fan(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
 
 // Closes a loop without regard to others: what it runs round is covered, by triangles that are
 // turned round where it runs clockwise. Returns false where it crosses itself.
-bool close_alone(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
+bool close_alone(const RimLoop& loop, const OpenRim& rim, FlatCap& cap)
 {
-    if (triangulate({&loop}, options, cap)) return true;
+    if (triangulate({&loop}, rim, cap)) return true;
     RimLoop round = loop;
     std::ranges::reverse(round);
     const std::size_t first = cap.triangles.size();
-    if (!triangulate({&round}, options, cap)) return false;
+    if (!triangulate({&round}, rim, cap)) return false;
     for (std::size_t t = first; t < cap.triangles.size(); ++t)
         std::swap(cap.triangles[t][1], cap.triangles[t][2]);
     return true;
@@ -260,29 +270,30 @@ Caps cap(CutMesh& cut, const CapOptions& options)
     RimLoops loops = loops_of(cut.rim, cut.places.size());
     // Where the mesh was open, the cap goes straight across the gap
     for (const RimLoop& way : loops.open) out.open += way.size() - 1;
+    OpenRim rim{options};
     FlatCap flat;
     for (RimLoop& loop : joined_ways(loops.open, options.places)) {
         ++out.gaps;
         out.open -= std::min(out.open, loop.size() - 1);
         for (std::size_t i = 0; i < loop.size(); ++i)
-            flat.gaps.emplace(loop[i], loop[(i + 1) % loop.size()]);
+            rim.gaps.emplace(loop[i], loop[(i + 1) % loop.size()]);
         loops.closed.push_back(std::move(loop));
     }
-    for (const glm::uvec2& edge : cut.rim) flat.gaps.erase({edge.x, edge.y});
+    for (const glm::uvec2& edge : cut.rim) rim.gaps.erase({edge.x, edge.y});
     std::vector<const RimLoop*> all;
     for (const RimLoop& loop : loops.closed)
         if (loop.size() > 2) all.push_back(&loop);
-    if (!all.empty() && !triangulate(all, options, flat)) {
+    if (!all.empty() && !triangulate(all, rim, flat)) {
         // Loops of bodies that run through each other are closed one by one
         for (const std::vector<std::size_t>& group : nested(loops.closed, options.places)) {
             std::vector<const RimLoop*> some;
             for (const std::size_t i : group)
                 if (loops.closed[i].size() > 2) some.push_back(&loops.closed[i]);
-            if (some.empty() || triangulate(some, options, flat) ||
+            if (some.empty() || triangulate(some, rim, flat) ||
                 close_in_layers(some, options, flat))
                 continue;
             for (const RimLoop* loop : some) {
-                if (!close_alone(*loop, options, flat)) close_by_fan(*loop, options, flat);
+                if (!close_alone(*loop, rim, flat)) close_by_fan(*loop, options, flat);
                 ++out.fans;
             }
         }

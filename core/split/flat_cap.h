@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -14,8 +12,6 @@ namespace trivar {
 struct FlatCap {
     std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise in the parameters
     std::vector<glm::dvec2> inside;
-    // Edges of loops that no skin has, since they go across gaps of the mesh; by places.
-    std::set<std::pair<std::uint32_t, std::uint32_t>> gaps = {};
 };
 
 } // namespace trivar
