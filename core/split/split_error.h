@@ -11,7 +11,7 @@ constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6;
 
 // An edge of the cut may be worse than the edges of the triangle that it runs through: what is cut
 // is to be off by no more than this share of what is allowed.
-constexpr double share_of_cut = 0.6;
+constexpr double share_of_cut = 0.5;
 
 // Bounds of how far a flat triangle is off: on each of its edges (corner i to the next) by itself.
 using EdgeErrors = std::array<double, 3>;
