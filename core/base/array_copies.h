@@ -8,14 +8,23 @@
 
 namespace trivar {
 
-// Makes `to` a copy of `from` with room for `more` elements; memory that it has is used again.
+// Empties an array with room for `size` elements; memory that it has is used again. Where that is
+// too small there is room for `spare` more, so that an array that grows bit by bit, frame by frame,
+// seldom takes new memory.
+template <class Value>
+void empty_with_room(std::vector<Value>& array, std::size_t size, std::size_t spare)
+{
+    array.clear();
+    if (array.capacity() >= size) return;
+    array = {};
+    array.reserve(size + spare);
+}
+
+// Makes `to` a copy of `from` with room for `more` elements, as empty_with_room() makes it.
 template <class Value>
 void copy_with_room(const std::vector<Value>& from, std::size_t more, std::vector<Value>& to)
 {
-    if (to.capacity() < from.size() + more) {
-        to = {};
-        to.reserve(from.size() + more);
-    }
+    empty_with_room(to, from.size() + more, more);
     to.assign(from.begin(), from.end());
 }
 

@@ -39,6 +39,12 @@ private:
     std::vector<std::uint32_t> before_;
 };
 
+// An array that would double its memory for a few elements more takes room for them alone.
+template <class Value> void make_room(std::vector<Value>& array, std::size_t more)
+{
+    if (array.capacity() < array.size() + more) array.reserve(array.size() + 2 * more);
+}
+
 template <class Value>
 std::vector<Value> gathered(const std::vector<Value>& from, const std::vector<std::uint32_t>& which)
 {
@@ -50,17 +56,14 @@ std::vector<Value> gathered(const std::vector<Value>& from, const std::vector<st
     return out;
 }
 
-// The whole's values, but the region's in its vertices, and those of new vertices after them.
+// Puts the region's values into its vertices, and those of new vertices after all others.
 template <class Value>
-void replace_values(const std::vector<Value>& whole, const std::vector<Value>& changed,
-                    const std::vector<std::uint32_t>& vertices, std::vector<Value>& out)
+void replace_values(std::vector<Value>& out, const std::vector<Value>& changed,
+                    const std::vector<std::uint32_t>& vertices)
 {
-    if (changed.empty()) {
-        out = whole;
-        return;
-    }
-    copy_with_room(whole, changed.size() - vertices.size(), out);
+    if (changed.empty()) return;
     for (std::size_t i = 0; i < vertices.size(); ++i) out[vertices[i]] = changed[i];
+    make_room(out, changed.size() - vertices.size());
     out.insert(out.end(), changed.begin() + static_cast<long>(vertices.size()), changed.end());
 }
 
@@ -71,6 +74,7 @@ void append_values(std::vector<std::uint32_t>& out, const std::vector<std::uint3
     if (out.empty() && more.empty()) return;
     out.resize(faces, 0);
     if (more.empty()) return;
+    make_room(out, more.size());
     out.insert(out.end(), more.begin(), more.end());
 }
 
@@ -78,8 +82,7 @@ void append_values(std::vector<std::uint32_t>& out, const std::vector<std::uint3
 void copy_points(const Mesh& mesh, std::size_t more, std::vector<std::uint32_t>& out)
 {
     if (!mesh.points.empty()) return copy_with_room(mesh.points, more, out);
-    out.clear();
-    out.reserve(mesh.vertex_count() + more);
+    empty_with_room(out, mesh.vertex_count() + more, more);
     out.resize(mesh.vertex_count());
     std::iota(out.begin(), out.end(), 0u);
 }
@@ -89,13 +92,6 @@ void copy_points(const Mesh& mesh, std::size_t more, std::vector<std::uint32_t>&
 void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
                       std::size_t more_faces, std::size_t more_corners)
 {
-    const auto emptied = [](std::vector<std::uint32_t>& array, std::size_t room) {
-        array.clear();
-        if (array.capacity() < room) {
-            array = {};
-            array.reserve(room);
-        }
-    };
     // Calls with the faces from `begin` to before `end` that stay
     const auto for_runs = [&](const auto& body) {
         std::size_t begin = 0;
@@ -107,14 +103,14 @@ void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32
     };
     ArrayCopies copies;
     copies.add([&] {
-        emptied(out.corners, mesh.corners.size() + more_corners);
+        empty_with_room(out.corners, mesh.corners.size() + more_corners, more_corners);
         for_runs([&](std::size_t begin, std::size_t end) {
             out.corners.insert(out.corners.end(), mesh.corners.begin() + mesh.face_begin[begin],
                                mesh.corners.begin() + mesh.face_begin[end]);
         });
     });
     copies.add([&] {
-        emptied(out.face_begin, mesh.face_begin.size() + more_faces);
+        empty_with_room(out.face_begin, mesh.face_begin.size() + more_faces, more_faces);
         out.face_begin.push_back(0);
         for_runs([&](std::size_t begin, std::size_t end) {
             const std::uint32_t shift = out.face_begin.back() - mesh.face_begin[begin];
@@ -128,8 +124,9 @@ void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32
         copies.add([&, member] {
             const std::vector<std::uint32_t>& from = mesh.*member;
             std::vector<std::uint32_t>& to = out.*member;
-            emptied(to, from.empty() ? 0 : from.size() + more_faces);
+            to.clear();
             if (from.empty()) return;
+            empty_with_room(to, from.size() + more_faces, more_faces);
             for_runs([&](std::size_t begin, std::size_t end) {
                 to.insert(to.end(), from.begin() + static_cast<long>(begin),
                           from.begin() + static_cast<long>(end));
@@ -187,49 +184,43 @@ MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uin
     return out;
 }
 
-Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, Mesh memory)
+void put_back(Mesh& out, const MeshRegion& region, const Mesh& changed)
 {
-    Mesh out = std::move(memory);
-    const std::size_t vertices = whole.vertex_count(), kept = region.vertices.size();
+    const std::size_t vertices = out.vertex_count(), kept = region.vertices.size();
+    const std::size_t faces = out.face_count();
     ArrayCopies copies;
-    const auto replaced = [&](auto member) {
-        copies.add([&, member] {
-            replace_values(whole.*member, changed.*member, region.vertices, out.*member);
-        });
+    const auto replaced = [&](auto& values, const auto& by) {
+        copies.add([&] { replace_values(values, by, region.vertices); });
     };
     copies.add([&] {
         std::vector<std::uint32_t> number(changed.vertex_count());
         std::ranges::copy(region.vertices, number.begin());
         std::iota(number.begin() + static_cast<long>(kept), number.end(),
                   static_cast<std::uint32_t>(vertices));
-        take_other_faces(out, whole, region.faces, changed.face_count(), changed.corners.size());
+        make_room(out.corners, changed.corners.size());
         for (const std::uint32_t corner : changed.corners) out.corners.push_back(number[corner]);
+    });
+    copies.add([&] {
+        make_room(out.face_begin, changed.face_count());
         const std::uint32_t first = out.face_begin.back();
         for (std::size_t f = 1; f < changed.face_begin.size(); ++f)
             out.face_begin.push_back(first + changed.face_begin[f]);
+        append_values(out.face_material, changed.face_material, faces);
+        append_values(out.face_group, changed.face_group, faces);
     });
-    replaced(&Mesh::positions);
-    replaced(&Mesh::normals);
-    replaced(&Mesh::tangents);
-    replaced(&Mesh::colors);
-    replaced(&Mesh::influences);
-    out.uvs.resize(whole.uvs.size());
-    for (std::size_t set = 0; set < whole.uvs.size(); ++set)
-        copies.add([&, set] {
-            replace_values(whole.uvs[set], changed.uvs[set], region.vertices, out.uvs[set]);
-        });
-    out.morph_targets.resize(whole.morph_targets.size());
-    for (std::size_t i = 0; i < whole.morph_targets.size(); ++i)
+    replaced(out.positions, changed.positions);
+    replaced(out.normals, changed.normals);
+    replaced(out.tangents, changed.tangents);
+    replaced(out.colors, changed.colors);
+    replaced(out.influences, changed.influences);
+    for (std::size_t set = 0; set < out.uvs.size(); ++set) replaced(out.uvs[set], changed.uvs[set]);
+    for (std::size_t i = 0; i < out.morph_targets.size(); ++i)
         for (const auto member : {&Mesh::MorphTarget::positions, &Mesh::MorphTarget::normals,
                                   &Mesh::MorphTarget::tangents})
-            copies.add([&, i, member] {
-                replace_values(whole.morph_targets[i].*member, changed.morph_targets[i].*member,
-                               region.vertices, out.morph_targets[i].*member);
-            });
+            replaced(out.morph_targets[i].*member, changed.morph_targets[i].*member);
     copies.add([&] {
-        const std::size_t more = changed.vertex_count() - kept;
+        make_room(out.points, changed.vertex_count() - kept);
         const auto first = static_cast<std::uint32_t>(region.whole_points);
-        copy_points(whole, more, out.points);
         const auto known = static_cast<std::uint32_t>(region.points.size());
         for (std::size_t v = kept; v < changed.vertex_count(); ++v) {
             const std::uint32_t p = changed.points[v];
@@ -237,12 +228,6 @@ Mesh put_back(const Mesh& whole, const MeshRegion& region, const Mesh& changed, 
         }
     });
     copies.run();
-    const std::size_t faces = whole.face_count() - region.faces.size();
-    append_values(out.face_material, changed.face_material, faces);
-    append_values(out.face_group, changed.face_group, faces);
-    out.group_names = whole.group_names;
-    out.creases = whole.creases;
-    return out;
 }
 
 void copy_others(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,

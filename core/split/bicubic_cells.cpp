@@ -3,8 +3,6 @@
 
 #include "core/spline/bezier.h"
 
-#include <algorithm>
-
 namespace trivar {
 namespace {
 
@@ -37,37 +35,6 @@ BicubicCells::BicubicCells(const Surface<double>& surface)
             for (const std::array<double, 4>& column : columns)
                 powers_.insert(powers_.end(), column.begin(), column.end());
         }
-}
-
-BicubicCells::Local BicubicCells::local(const glm::dvec2& uv) const
-{
-    const double u = std::min(std::max((uv.x - begin_.x) * per_cell_.x, 0.0), double{1} * count_.x);
-    const double v = std::min(std::max((uv.y - begin_.y) * per_cell_.y, 0.0), double{1} * count_.y);
-    const int i = std::min(static_cast<int>(u), count_.x - 1);
-    const int j = std::min(static_cast<int>(v), count_.y - 1);
-    return {powers_.data() + 16 * static_cast<std::size_t>(i * count_.y + j), u - i, v - j};
-}
-
-double BicubicCells::value(const glm::dvec2& uv) const
-{
-    const auto [c, x, y] = local(uv);
-    std::array<double, 4> value; // by power of u
-    for (std::size_t i = 0; i < 4; ++i)
-        value[i] = c[i] + y * (c[4 + i] + y * (c[8 + i] + y * c[12 + i]));
-    return value[0] + x * (value[1] + x * (value[2] + x * value[3]));
-}
-
-BicubicCells::Jet BicubicCells::jet(const glm::dvec2& uv) const
-{
-    const auto [c, x, y] = local(uv);
-    std::array<double, 4> value, slope; // by power of u
-    for (std::size_t i = 0; i < 4; ++i) {
-        value[i] = c[i] + y * (c[4 + i] + y * (c[8 + i] + y * c[12 + i]));
-        slope[i] = c[4 + i] + y * (2 * c[8 + i] + y * 3 * c[12 + i]);
-    }
-    return {value[0] + x * (value[1] + x * (value[2] + x * value[3])),
-            per_cell_.x * (value[1] + x * (2 * value[2] + x * 3 * value[3])),
-            per_cell_.y * (slope[0] + x * (slope[1] + x * (slope[2] + x * slope[3])))};
 }
 
 } // namespace trivar

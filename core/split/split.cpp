@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -263,16 +264,29 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
     return std::max(free, options.tolerance / 4);
 }
 
-// Parts a mesh as `split` does, all of its faces; edges are split at points that are free.
-SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
-                    const SplitOptions& options)
+// What parts a region of a mesh.
+struct Parting {
+    const SplitField& field;
+    const SplitOptions& options;
+    std::vector<Seam> seams; // of each opening; none unless it is to be stitched
+    double tolerance;
+    SplitError error;
+
+    Parting(const Mesh& mesh, const SplitField& in_field, const SplitOptions& by)
+        : field(in_field),
+          options(by),
+          seams(seams_of(mesh, field, options.closing)),
+          tolerance(tolerance_of(field, options)),
+          error(field, seams)
+    {
+    }
+};
+
+// Parts a mesh that is fine enough, all of its faces.
+SplitMesh split_all(FineMesh fine, const Parting& parting)
 {
-    const std::vector<Seam> seams = seams_of(mesh, field, options.closing);
-    const SplitError error(field, seams);
-    const double tolerance = tolerance_of(field, options);
+    const auto& [field, options, seams, tolerance, error] = parting;
     SplitMesh out;
-    FineMesh fine = fine_enough(std::move(mesh), std::move(free), field, error, tolerance,
-                                options.most_triangles);
     out.off = fine.off;
     out.mesh = std::move(fine.mesh);
     out.first_new_face = out.mesh.face_count();
@@ -318,34 +332,57 @@ SplitMesh split_all(Mesh mesh, std::vector<char> free, const SplitField& field,
 } // namespace
 
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options, Mesh memory)
+                               const SplitOptions& options)
 {
-    const VertexPlaces places = places_of(mesh, field);
+    SplitMemory none;
+    return split(mesh, field, options, none);
+}
+
+std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
+                               const SplitOptions& options, SplitMemory& memory)
+{
+    VertexPlaces& places = memory.places;
+    find_places(mesh, field, places);
     if (places.box.apart(field.reach())) return std::nullopt;
     // Seams draw in what is in reach, so all of it is looked at with them
     const double enough =
         options.closing == SplitClosing::stitched ? -1 : tolerance_of(field, options);
-    const ToChange change = to_change(mesh, places, field, SplitError(field), enough);
+    ToChange& change = memory.change;
+    find_changes(mesh, places, field, SplitError(field), enough, change);
     if (change.faces.empty() && !change.moves) return std::nullopt;
     MeshRegion region = region_of(mesh, places.points, change.faces);
     std::vector<char> free;
     free.reserve(region.points.size());
     for (const std::uint32_t p : region.points) free.push_back(change.free[p]);
-    SplitMesh out = split_all(std::move(region.mesh), std::move(free), field, options);
-    out.off = std::max(out.off, change.off);
-    const Mesh changed = std::move(out.mesh);
-    out.mesh = put_back(mesh, region, changed, std::move(memory));
-    move_others(out.mesh, mesh, region, places, field);
-    out.first_new_face += mesh.face_count() - region.faces.size();
-    if (!options.keep_rest) {
-        out.rest_positions.clear();
-        return out;
-    }
+
+    const Parting parting(region.mesh, field, options);
+    FineMesh fine = fine_enough(std::move(region.mesh), std::move(free), field, parting.error,
+                                parting.tolerance, options.most_triangles);
+
+    // While the region is parted, the rest is copied and moved
+    const std::size_t more_vertices =
+        2 * (fine.mesh.vertex_count() - region.vertices.size()) + 4096;
+    const std::size_t more_faces = fine.mesh.face_count() + 2 * more_vertices;
+    SplitMesh out;
+    Mesh whole = std::move(memory.mesh);
     std::vector<glm::vec3> rest;
-    copy_with_room(mesh.positions, changed.vertex_count() - region.vertices.size(), rest);
-    rest.insert(rest.end(), out.rest_positions.begin() + static_cast<long>(region.vertices.size()),
-                out.rest_positions.end());
-    out.rest_positions = std::move(rest);
+    ArrayCopies both;
+    both.add([&] { out = split_all(std::move(fine), parting); });
+    both.add([&] {
+        copy_others(whole, mesh, region.faces, more_vertices, more_faces);
+        if (options.keep_rest) copy_with_room(mesh.positions, more_vertices, rest);
+        move_others(whole, mesh, region, places, field);
+    });
+    both.run();
+    put_back(whole, region, out.mesh);
+    out.mesh = std::move(whole);
+    out.off = std::max(out.off, change.off);
+    out.first_new_face += mesh.face_count() - region.faces.size();
+    const std::vector<glm::vec3> of_region = std::exchange(out.rest_positions, std::move(rest));
+    if (options.keep_rest)
+        out.rest_positions.insert(out.rest_positions.end(),
+                                  of_region.begin() + static_cast<long>(region.vertices.size()),
+                                  of_region.end());
     return out;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/split/split_closing.h"
-#include "core/split/split_field.h"
+#include "core/split/split_reach.h"
 
 #include <optional>
 
@@ -36,8 +36,18 @@ struct SplitMesh {
 // mesh. Vertices that the field does not move keep their bits. Faces that are fine enough and not
 // cut are only moved: they keep their order and stand first, but for some beside others. O(#V + #C)
 // to find the others, and the work of these.
-// `memory` is a result that is not needed any more, of an earlier frame: its memory is used again.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
-                               const SplitOptions& options, Mesh memory = {});
+                               const SplitOptions& options);
+
+// A SplitMemory is memory that a frame takes over from the one before; its values do not count.
+struct SplitMemory {
+    Mesh mesh; // give it one that is not needed any more, best a result of a frame
+    VertexPlaces places;
+    ToChange change;
+};
+
+// The same, while frames go on: with the memory of earlier frames.
+std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
+                               const SplitOptions& options, SplitMemory& memory);
 
 } // namespace trivar

@@ -10,11 +10,19 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t vertices_per_look = 2048, faces_per_look = 4096, points_per_look = 4096;
+constexpr std::size_t faces_per_look = 4096, points_per_look = 4096;
+
+// What is around a face.
+struct FaceBits {
+    int all = 0xff, any = 0; // bits of its vertices
+
+    bool out_of_reach() const { return (all & VertexPlaces::beyond_any) != 0; }
+    bool cut() const { return ((all ^ any) & ~VertexPlaces::beyond_any) != 0; }
+};
 
 } // namespace
 
-VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
+void find_places(const Mesh& mesh, const SplitField& field, VertexPlaces& out)
 {
     const Box reach = field.reach();
     const std::size_t openings = field.openings.size();
@@ -27,25 +35,22 @@ VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
         const double rounding = 1e-9 * (1 + std::abs(least) + std::abs(most));
         extents.push_back({least - rounding, most + rounding});
     }
-    VertexPlaces out;
     const std::size_t others = openings - std::min<std::size_t>(openings, out.surfaces_in_bits);
     out.bits.resize(mesh.vertex_count());
     out.above.resize(others * mesh.vertex_count());
-    struct Block {
-        Box box;
-        std::uint32_t greatest_point = 0;
-    };
-    std::vector<Block> blocks(mesh.vertex_count() / vertices_per_look + 1);
+    out.blocks.assign(mesh.vertex_count() / out.vertices_per_block + 1, {});
+    const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
     parallel_blocks(
-        mesh.vertex_count(), vertices_per_look, [&](std::size_t begin, std::size_t end) {
-            Block block;
-            const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
+        mesh.vertex_count(), out.vertices_per_block, [&](std::size_t begin, std::size_t end) {
+            VertexPlaces::Block block;
+            glm::dvec3 lo = block.box.lo, hi = block.box.hi;
             for (std::size_t v = begin; v < end; ++v) {
                 const glm::dvec3 uvw =
                     to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin);
-                block.box.add(uvw);
                 int bits = 0;
                 for (int axis = 0; axis < 3; ++axis) {
+                    lo[axis] = uvw[axis] < lo[axis] ? uvw[axis] : lo[axis];
+                    hi[axis] = uvw[axis] > hi[axis] ? uvw[axis] : hi[axis];
                     bits |= int{uvw[axis] < reach.lo[axis]} << (2 * axis);
                     bits |= int{uvw[axis] > reach.hi[axis]} << (2 * axis + 1);
                 }
@@ -60,98 +65,119 @@ VertexPlaces places_of(const Mesh& mesh, const SplitField& field)
                 }
                 out.bits[v] = static_cast<std::uint8_t>(bits);
             }
-            if (!mesh.points.empty())
-                block.greatest_point =
-                    *std::max_element(mesh.points.begin() + static_cast<long>(begin),
-                                      mesh.points.begin() + static_cast<long>(end));
-            blocks[begin / vertices_per_look] = block;
+            block.box.lo = lo;
+            block.box.hi = hi;
+            if (mesh.points.empty()) {
+                block.least_point = static_cast<std::uint32_t>(begin);
+                block.greatest_point = static_cast<std::uint32_t>(end - 1);
+            }
+            for (std::size_t v = begin; v < end && !mesh.points.empty(); ++v) {
+                block.least_point = std::min(block.least_point, mesh.points[v]);
+                block.greatest_point = std::max(block.greatest_point, mesh.points[v]);
+            }
+            out.blocks[begin / out.vertices_per_block] = block;
         });
+    out.box = {};
     std::uint32_t greatest = 0;
-    for (const Block& each : blocks) {
+    for (const VertexPlaces::Block& each : out.blocks) {
         out.box.add(each.box);
         greatest = std::max(greatest, each.greatest_point);
     }
     out.points = mesh.points.empty() ? mesh.vertex_count() : greatest + std::size_t{1};
-    return out;
 }
 
-ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
-                   const SplitError& error, double tolerance)
+void find_changes(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
+                  const SplitError& error, double tolerance, ToChange& out)
 {
-    ToChange out;
-    out.free.resize(places.points, 0); // corners of faces that may be too coarse
+    out.faces.clear();
+    out.moves = false;
+    out.off = 0;
+    out.free.assign(places.points, 0); // corners of faces that may be too coarse
     std::vector<char>& near = out.free;
     std::vector<char> near_block(places.points / points_per_look + 1, 0);
     struct FaceBlock {
-        std::uint32_t least = 0xffffffff, most = 0; // of its points
+        std::uint32_t least = 0xffffffff, most = 0; // of its vertices
         bool cut = false, moves = false;
         double off = 0;
     };
     std::vector<FaceBlock> blocks(mesh.face_count() / faces_per_look + 1);
-    const auto corners_of = [&](std::size_t f) {
-        return std::span(mesh.corners.data() + mesh.face_begin[f],
-                         mesh.corners.data() + mesh.face_begin[f + 1]);
-    };
     const std::size_t others = places.above.size() / std::max<std::size_t>(1, mesh.vertex_count());
-    const auto is_cut = [&](std::span<const std::uint32_t> corners) {
-        int all = 0xff, any = 0;
-        for (const std::uint32_t v : corners) {
-            all &= places.bits[v];
-            any |= places.bits[v];
+    const auto bits_of = [&](const std::uint32_t* corner, const std::uint32_t* end) {
+        FaceBits out_bits;
+        for (; corner != end; ++corner) {
+            out_bits.all &= places.bits[*corner];
+            out_bits.any |= places.bits[*corner];
         }
-        if (((all ^ any) & ~VertexPlaces::beyond_any) != 0) return true;
+        return out_bits;
+    };
+    const auto is_cut = [&](const FaceBits& bits, const std::uint32_t* corner,
+                            const std::uint32_t* end) {
+        if (bits.cut()) return true;
         if (others == 0) return false;
-        const auto first = places.above.begin() + static_cast<long>(others * corners[0]);
-        for (const std::uint32_t v : corners)
-            if (!std::equal(first, first + static_cast<long>(others),
-                            places.above.begin() + static_cast<long>(others * v)))
+        const std::uint8_t* const above = places.above.data();
+        const std::uint32_t first = *corner;
+        for (++corner; corner != end; ++corner)
+            if (!std::equal(above + others * first, above + others * (first + std::size_t{1}),
+                            above + others * *corner))
                 return true;
         return false;
     };
     const auto mark = [](char& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); };
+    const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
     parallel_blocks(mesh.face_count(), faces_per_look, [&](std::size_t begin, std::size_t end) {
         FaceBlock block;
-        const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
         for (std::size_t f = begin; f < end; ++f) {
-            const std::span<const std::uint32_t> corners = corners_of(f);
-            int beyond = VertexPlaces::beyond_any;
-            for (const std::uint32_t v : corners) {
-                const std::uint32_t p = mesh.point(v);
-                block.least = std::min(block.least, p);
-                block.most = std::max(block.most, p);
-                beyond &= places.bits[v];
+            const std::uint32_t* const first = mesh.corners.data() + mesh.face_begin[f];
+            const std::uint32_t* const last = mesh.corners.data() + mesh.face_begin[f + 1];
+            for (const std::uint32_t* c = first; c != last; ++c) {
+                block.least = std::min(block.least, *c);
+                block.most = std::max(block.most, *c);
             }
-            const bool cut_through = is_cut(corners);
+            const FaceBits bits = bits_of(first, last);
+            const bool cut_through = is_cut(bits, first, last);
             block.cut = block.cut || cut_through;
-            if (beyond != 0) continue;
+            if (bits.out_of_reach()) continue;
             block.moves = true;
             Box box;
-            for (const std::uint32_t v : corners)
-                box.add(to_uvw * (glm::dvec3(mesh.positions[v]) - field.frame.origin));
+            for (const std::uint32_t* c = first; c != last; ++c)
+                box.add(to_uvw * (glm::dvec3(mesh.positions[*c]) - field.frame.origin));
             // Of what is cut both sides count
             const double off = (cut_through ? 2 / share_of_cut : 1) * error.within(box);
             if (off <= tolerance) {
                 block.off = std::max(block.off, off);
                 continue;
             }
-            for (const std::uint32_t v : corners) {
-                mark(near[mesh.point(v)]);
-                mark(near_block[mesh.point(v) / points_per_look]);
+            for (const std::uint32_t* c = first; c != last; ++c) {
+                mark(near[mesh.point(*c)]);
+                mark(near_block[mesh.point(*c) / points_per_look]);
             }
         }
         blocks[begin / faces_per_look] = block;
     });
+    // Blocks of vertices among whose points some may be near
+    std::vector<char> near_vertices;
+    for (const VertexPlaces::Block& each : places.blocks) {
+        const std::size_t from = each.least_point / points_per_look;
+        const std::size_t to = each.greatest_point / points_per_look;
+        const auto at = near_block.begin() + static_cast<long>(std::min(from, to));
+        near_vertices.push_back(std::find(at, near_block.begin() + static_cast<long>(to + 1), 1) !=
+                                near_block.begin() + static_cast<long>(to + 1));
+    }
     std::vector<std::vector<std::uint32_t>> found(blocks.size());
     parallel_blocks(mesh.face_count(), faces_per_look, [&](std::size_t begin, std::size_t end) {
         const FaceBlock& block = blocks[begin / faces_per_look];
-        const auto first = near_block.begin() + block.least / points_per_look;
-        const auto last = near_block.begin() + block.most / points_per_look + 1;
-        if (!block.cut && std::find(first, last, 1) == last) return;
+        const auto first = near_vertices.begin() + block.least / places.vertices_per_block;
+        const auto last = near_vertices.begin() + block.most / places.vertices_per_block + 1;
+        const bool may_touch = std::find(first, last, 1) != last;
+        if (!block.cut && !may_touch) return;
         for (std::size_t f = begin; f < end; ++f) {
-            const std::span<const std::uint32_t> corners = corners_of(f);
+            const std::uint32_t* const corners = mesh.corners.data() + mesh.face_begin[f];
+            const std::uint32_t* const corners_end = mesh.corners.data() + mesh.face_begin[f + 1];
             int touched = 0;
-            for (const std::uint32_t v : corners) touched += near[mesh.point(v)];
-            if (touched > 0 || (block.cut && is_cut(corners)))
+            for (const std::uint32_t* c = corners; may_touch && c != corners_end; ++c)
+                touched |= near[mesh.point(*c)];
+            if (touched != 0 ||
+                (block.cut && is_cut(bits_of(corners, corners_end), corners, corners_end)))
                 found[begin / faces_per_look].push_back(static_cast<std::uint32_t>(f));
         }
     });
@@ -161,7 +187,6 @@ ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitFiel
         out.moves = out.moves || block.moves;
         out.off = std::max(out.off, block.off);
     }
-    return out;
 }
 
 } // namespace trivar

@@ -12,11 +12,18 @@ struct VertexPlaces {
     static constexpr int beyond_any = 0x3f, first_above = 6, surfaces_in_bits = 2;
     std::vector<std::uint8_t> bits;  // #V
     std::vector<std::uint8_t> above; // #V x (#openings - 2)
-    Box box;                         // in uvw
-    std::size_t points = 0;          // of the mesh
+    struct Block {                   // of vertices_per_block vertices
+        Box box;                     // in uvw
+        std::uint32_t least_point = 0xffffffff, greatest_point = 0;
+    };
+    static constexpr std::size_t vertices_per_block = 2048;
+    std::vector<Block> blocks;
+    Box box;                // in uvw
+    std::size_t points = 0; // of the mesh
 };
 
-VertexPlaces places_of(const Mesh& mesh, const SplitField& field); // O(#V) in parallel
+// O(#V) in parallel; the memory of `out` is used again.
+void find_places(const Mesh& mesh, const SplitField& field, VertexPlaces& out);
 
 // What of a mesh is to be changed.
 struct ToChange {
@@ -27,8 +34,9 @@ struct ToChange {
 };
 
 // Those that may be too coarse and those that are cut, with all that share a point with one of the
-// former, since its edges may be split. `tolerance` in metres. O(#C) in parallel.
-ToChange to_change(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
-                   const SplitError& error, double tolerance);
+// former, since its edges may be split. `tolerance` in metres. O(#C) in parallel; the memory of
+// `out` is used again.
+void find_changes(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
+                  const SplitError& error, double tolerance, ToChange& out);
 
 } // namespace trivar

@@ -78,17 +78,18 @@ void split_ball(benchmark::State& state, int segments)
     const Mesh ball = sphere_mesh(0.9, segments, segments / 2);
     double at = -0.9;
     std::size_t vertices = 0, fans = 0;
-    Mesh moved, last;
+    Mesh moved;
+    SplitMemory memory;
     for (auto _ : state) {
         state.PauseTiming();
         moved = ball;
         for (glm::vec3& p : moved.positions) p.y += static_cast<float>(at);
         at = at > 0.9 ? -0.9 : at + 0.1;
         state.ResumeTiming();
-        std::optional<SplitMesh> parted = split(moved, field, {}, std::move(last));
+        std::optional<SplitMesh> parted = split(moved, field, {}, memory);
         vertices = parted ? parted->mesh.vertex_count() : 0;
         fans += parted ? parted->fans : 0;
-        last = parted ? std::move(parted->mesh) : Mesh{};
+        if (parted) memory.mesh = std::move(parted->mesh);
     }
     state.counters["vertices"] = static_cast<double>(vertices);
     state.counters["fans"] = static_cast<double>(fans);

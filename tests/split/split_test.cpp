@@ -338,6 +338,28 @@ TEST(Split, GivesTheSameBitsForAnyNumberOfThreads)
     EXPECT_EQ(many->off, alone->off);
 }
 
+TEST(Split, GivesTheSameBitsInTheMemoryOfAnyOtherFrame)
+{
+    SplitMemory memory;
+    for (const Named& named : scenes()) {
+        SCOPED_TRACE(named.name);
+        const SplitField field = split_field(named.obstacles, {});
+        for (const int segments : {60, 24, 96})
+            for (const double at : {-0.8, 0.1, 0.9}) {
+                const Mesh model = ball({0.05, at, 0}, 0.9, segments);
+                const SplitOptions options{.tolerance = 4e-3, .keep_rest = segments == 24};
+                const std::optional<SplitMesh> fresh = split(model, field, options);
+                std::optional<SplitMesh> again = split(model, field, options, memory);
+                ASSERT_EQ(fresh.has_value(), again.has_value());
+                if (!fresh) continue;
+                EXPECT_EQ(fresh->mesh, again->mesh);
+                EXPECT_EQ(fresh->rest_positions, again->rest_positions);
+                EXPECT_EQ(fresh->off, again->off);
+                memory.mesh = std::move(again->mesh);
+            }
+    }
+}
+
 TEST(Split, LeavesWhatIsOutOfReachInPlace)
 {
     const SplitField field = split_field(scenes()[0].obstacles, {});
