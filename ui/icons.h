@@ -25,6 +25,7 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *travel = "\uf018", *first = "\uf048", *back = "\uf04a",
                             *play = "\uf04b", *pause = "\uf04c", *forward = "\uf04e",
                             *last = "\uf051", *again = "\uf079", *mask = "\uf042",
-                            *split = "\uf127";
+                            *split = "\uf127", *incise = "\uf0c4", *reverse = "\uf07e",
+                            *mirror = "\uf0ec";
 
 } // namespace trivar::ui::icon

@@ -214,6 +214,7 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
             });
             if (open.mesh == wound.incised->original) continue;
             Shape::NodeMesh& hung = shape.meshes[wound.mesh];
+            out.incised_meshes.push_back({hung.slot, wound.incised, wound.incisions});
             hung.rest = open.mesh;
             hung.extent = open.extent;
             if (hung.posed) hung.posed = posed_later(open.mesh, hung.posed->pose);

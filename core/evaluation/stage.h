@@ -17,6 +17,7 @@
 namespace trivar {
 
 struct Stage;
+struct IncisedMesh;
 
 // Each struct holds what one step tells of an object beside what the object shows.
 
@@ -84,6 +85,12 @@ struct IncisingEffects {
     };
     std::vector<OfIncision> incisions = {}; // by number
     Ref<Stage> uncut;                       // before it was incised; null: nothing is open
+    struct OfMesh { // a mesh of the shape that stands open, with what it is when shut
+        int slot = 0;
+        Ref<IncisedMesh> incised;
+        std::vector<std::size_t> incisions = {}; // by those of `incised`
+    };
+    std::vector<OfMesh> incised_meshes = {};
     std::size_t layers = 0; // how many of the shape's materials, the last ones, only walls show
 };
 

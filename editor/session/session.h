@@ -4,6 +4,7 @@
 #include "core/scene/scene_file.h"
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
+#include "editor/session/chosen_incision.h"
 #include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
 #include "ui/notices.h"
@@ -96,6 +97,7 @@ public:
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
     // The selection belongs to the person and is no part of the document and of no undo step.
     Selection selected;
+    ChosenIncision incision; // of the active object
     // ascending: left out of the picture while the person works on others
     std::vector<Id> hidden_here;
     // selects all objects from that id up, without those in groups among them

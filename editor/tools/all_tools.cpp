@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/all_tools.h"
 
+#include "editor/tools/incise.h"
 #include "editor/tools/lattice_points.h"
 #include "editor/tools/mask.h"
 #include "editor/tools/place.h"
@@ -24,6 +25,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     tools.push_back(std::make_unique<PressTool>());
     tools.push_back(std::make_unique<TilesTool>());
     tools.push_back(std::make_unique<MaskTool>());
+    tools.push_back(std::make_unique<InciseTool>());
     tools.push_back(std::make_unique<SplitTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;

@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/inspector_sections.h"
 
 #include "editor/panels/inspector/inspector_cuts.h"
+#include "editor/panels/inspector/inspector_incisions.h"
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_split.h"
@@ -50,6 +51,11 @@ bool is_cut(const Document& document, Id id)
     return object(document, id).cutting.has_value();
 }
 
+bool is_incised(const Document& document, Id id)
+{
+    return object(document, id).incising.has_value();
+}
+
 bool always(const Document&, Id)
 {
     return true;
@@ -62,6 +68,7 @@ const std::vector<InspectorSection>& inspector_sections()
     static const std::vector<InspectorSection> all{
         {is_placed, draw_placement},
         {is_tile_layer, draw_tiles},
+        {is_incised, draw_incisions},
         {is_cut, draw_cuts},
         {is_parted, draw_split},
         {is_made_of<LatticeShape>, draw_lattice},

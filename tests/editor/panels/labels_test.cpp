@@ -37,6 +37,8 @@ TEST(Labels, OfRowsFitTheirColumn)
         expect_labels_fit<Playing>(theme);
         expect_labels_fit<HeightShape>(theme);
         expect_labels_fit<Warp>(theme);
+        expect_labels_fit<NamedIncision>(theme);
+        expect_labels_fit<Incising>(theme);
     }
 }
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/incision_rows.h"
+
+#include "core/document/fields/incising_fields.h"
+#include "editor/panels/inspector/field_rows.h"
+#include "ui/curve_field.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// What the list of fields says of a number of an incision.
+FieldFacts incision_facts(std::string_view wanted)
+{
+    FieldFacts found;
+    const NamedIncision probe{};
+    each_field(probe, [&](std::string_view name, const auto&, std::string_view help,
+                          const Rule& rule = {}) {
+        if (name == wanted) found = {std::string(name), std::string(help), rule};
+    });
+    return found;
+}
+
+RowWords incision_words(const FieldFacts& facts, int number)
+{
+    const std::string help = without_unit(facts.help);
+    if (facts.rule.fixed) return RowWords(help);
+    return {help, fmt::format("incising.cuts.{}.{}", number - 1, facts.name)};
+}
+
+void number_row(ValueRows& rows, const char* name, int number, double& value, double rest)
+{
+    const FieldFacts facts = incision_facts(name);
+    const double factor = shown_factor(facts.rule.unit);
+    double shown = value * factor;
+    const double was = shown;
+    rows.number(label_of(facts.name, facts.rule), shown, rest * factor,
+                number_style(facts.rule, false, {}), incision_words(facts, number));
+    if (shown != was) value = shown / factor;
+}
+
+// How a size goes along the cut: a shape, and for a custom one its curve.
+void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProfile::Shape rest,
+                 double size, ui::Color color, int& chosen)
+{
+    const ui::Theme& theme = rows.theme;
+    const FieldFacts facts = incision_facts(name);
+    const std::string label = label_of(facts.name, facts.rule);
+    const CutProfile before = profile;
+    rows.choice(label, static_cast<int>(profile.shape), static_cast<int>(rest),
+                {"Lens", "Even", "Custom"}, RowWords(without_unit(facts.help)), [&](int shape) {
+                    profile.shape = static_cast<CutProfile::Shape>(shape);
+                });
+    if (profile.shape != CutProfile::Shape::custom) return;
+    if (before.shape != CutProfile::Shape::custom || profile.points.size() < 2)
+        profile.points = custom_points(before);
+    ImGui::SetCursorScreenPos(
+        {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
+    const float width =
+        ImGui::GetWindowWidth() - 2 * theme.size.padding - theme.px(ui::key_gutter - 12);
+    const CutProfile drawn = profile;
+    rows.take(ui::curve_field(theme, label, profile.points, chosen,
+                              {.at = [drawn](double x) { return value_at(drawn, x); },
+                               .lo = 0,
+                               .hi = 1,
+                               .scale = size,
+                               .unit = "m",
+                               .color = color,
+                               .ends = {"start", "end"}},
+                              width));
+    ui::tooltip({label, {},
+                 "Drag a point. Ctrl click adds a point or removes one, Del removes the selected "
+                 "point."});
+    ui::gap(theme, 8);
+}
+
+} // namespace
+
+std::vector<glm::dvec2> custom_points(const CutProfile& profile)
+{
+    if (profile.shape == CutProfile::Shape::custom && profile.points.size() > 1)
+        return profile.points;
+    if (profile.shape == CutProfile::Shape::even) return {{0, 1}, {0.5, 1}, {1, 1}};
+    return {{0, 0}, {0.25, 0.55}, {0.5, 1}, {0.75, 0.55}, {1, 0}};
+}
+
+void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
+                        ChosenCutPoints& chosen)
+{
+    const NamedIncision rest;
+    Incision& cut = incision.cut;
+    const ui::Palette& c = rows.theme.color;
+    number_row(rows, "opening", number, incision.opening.share, rest.opening.share);
+    number_row(rows, "width", number, cut.width, rest.cut.width);
+    number_row(rows, "depth", number, cut.depth, rest.cut.depth);
+    const FieldFacts floor = incision_facts("floor");
+    rows.choice(label_of(floor.name, floor.rule), static_cast<int>(cut.floor),
+                static_cast<int>(rest.cut.floor), choices_in_words<Incision::Floor>(),
+                RowWords(without_unit(floor.help)),
+                [&](int chosen_floor) { cut.floor = static_cast<Incision::Floor>(chosen_floor); });
+    if (cut.floor == Incision::Floor::u)
+        number_row(rows, "floor_width", number, cut.floor_width, rest.cut.floor_width);
+    number_row(rows, "reach", number, cut.reach, rest.cut.reach);
+    number_row(rows, "from", number, incision.opening.from, rest.opening.from);
+    number_row(rows, "to", number, incision.opening.to, rest.opening.to);
+    profile_row(rows, "opening_profile", cut.opening_profile, CutProfile::Shape::lens, cut.width,
+                c.incision, chosen.width);
+    profile_row(rows, "depth_profile", cut.depth_profile, CutProfile::Shape::even, cut.depth,
+                c.lattice, chosen.depth);
+}
+
+} // namespace trivar

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/incise.h"
+
+#include "core/base/rounded.h"
+#include "editor/session/topics.h"
+#include "editor/tools/handle_drag.h"
+#include "editor/tools/incision_picture.h"
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+#include "ui/sentence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double cut_reach_px = 7; // of a cut under the mouse, at scale 1
+// What a new incision measures where nobody says it: shares of the model's diagonal, and at most so
+// much of its length.
+constexpr double usual_width = 0.035, usual_depth = 0.07;
+constexpr double widest_of_length = 0.25, deepest_of_length = 0.6;
+
+bool can_be_cut(const Session& session, Id id)
+{
+    const auto there = session.document().objects.find(id);
+    const auto shown = session.evaluated().objects.find(id);
+    return there != session.document().objects.end() &&
+           shown != session.evaluated().objects.end() && !holds_others(there->second->source) &&
+           !there->second->tiles && !shown->second->shape->meshes.empty() &&
+           !locked(session.document(), id);
+}
+
+} // namespace
+
+const char* InciseTool::icon() const
+{
+    return ui::icon::incise;
+}
+
+const NamedIncision* InciseTool::chosen(const Session& session)
+{
+    return chosen_in(session.document(), session.selected, session.incision);
+}
+
+Id InciseTool::base_of(const Session& session, Id under)
+{
+    const auto there = session.document().objects.find(under);
+    if (there == session.document().objects.end()) return 0;
+    // Tiles are cut by cutting what carries them
+    const Id base = there->second->tiles ? there->second->tiles->base : under;
+    return can_be_cut(session, base) ? base : Id{0};
+}
+
+void InciseTool::look(const Session& session)
+{
+    const Id id = session.selected;
+    const auto there = session.document().objects.find(id);
+    if (there == session.document().objects.end() || !there->second->incising ||
+        !can_be_cut(session, id)) {
+        skin_ = {};
+        known_.reset();
+        known_shown_ = nullptr;
+        cuts_.clear();
+        return;
+    }
+    skin_.look(session, id);
+    const Incising& incising = *there->second->incising;
+    if (known_shown_ == skin_.shown() && known_ == incising) return;
+    known_shown_ = skin_.shown();
+    known_ = incising;
+    const auto& told = skin_.shown()->incisions;
+    const int number = session.incision.object == id ? session.incision.number : 0;
+    cuts_.resize(incising.cuts.size());
+    for (std::size_t i = 0; i < cuts_.size(); ++i) // in a drag only the one in the hand changes
+        if (!drag_ || static_cast<int>(i) + 1 == number)
+            cuts_[i] = incising.cuts[i].hidden
+                           ? SeenCut{}
+                           : seen_cut(skin_, incising.cuts[i], i < told.size() ? &told[i] : nullptr);
+    looks_ = (looks_ + 1) % 4;
+}
+
+const SeenCut* InciseTool::seen_chosen(const Session& session) const
+{
+    const auto number = static_cast<std::size_t>(session.incision.number);
+    if (!chosen(session) || number > cuts_.size() || cuts_[number - 1].line.empty())
+        return nullptr;
+    return &cuts_[number - 1];
+}
+
+std::vector<IncisionHoldPoint> InciseTool::holds(const Session& session, double scale) const
+{
+    const SeenCut* seen = seen_chosen(session);
+    return seen ? incision_holds(*chosen(session), *seen, session.view.camera, scale)
+                : std::vector<IncisionHoldPoint>{};
+}
+
+std::vector<CutEnd> InciseTool::ends_but(int number) const
+{
+    std::vector<CutEnd> out;
+    for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i) {
+        if (static_cast<int>(i) + 1 == number || cuts_[i].line.empty()) continue;
+        const std::vector<SurfacePoint>& stroke = known_->cuts[i].cut.stroke;
+        out.push_back({stroke.front(), cuts_[i].line.front().p_world});
+        out.push_back({stroke.back(), cuts_[i].line.back().p_world});
+    }
+    return out;
+}
+
+void InciseTool::use(Session& session, const ViewportInput& input)
+{
+    if (finishing_) return tell_how_it_ended(session);
+    if (gesture_) return go_on(session, input);
+    look(session);
+    if (shown_chosen_ != session.incision) looks_ = (looks_ + 1) % 4;
+    shown_chosen_ = session.incision;
+    if (drag_) {
+        const auto commit = [&](const IncisionDrag&) { session.commit(); };
+        if (!chosen(session)) return cancel(session);
+        return follow(drag_, moved_, session, input, commit);
+    }
+    hover(session, input);
+    if (input.pressed && !session.committing()) press(session, input);
+}
+
+void InciseTool::hover(Session& session, const ViewportInput& input)
+{
+    hovered_ = IncisionHold::none;
+    hovered_cut_ = 0;
+    over_ = 0;
+    if (!input.hovered && !input.pressed) return;
+    const Camera& camera = session.view.camera;
+    const bool draws = ImGui::GetIO().KeyShift; // a stroke begins even on a handle
+    if (const auto hold = incision_hold_at(holds(session, input.scale), input.mouse, input.scale);
+        hold && !draws)
+        hovered_ = hold->hold;
+    double nearest = cut_reach_px * input.scale;
+    for (std::size_t i = 0; i < cuts_.size(); ++i)
+        if (const auto near = near_cut(cuts_[i], camera, input.mouse);
+            near && near->away_px < nearest) {
+            nearest = near->away_px;
+            hovered_cut_ = static_cast<int>(i) + 1;
+            hovered_at_ = near->share;
+        }
+    over_ = base_of(session, input.seen_at ? input.seen_at(input.mouse) : Id{0});
+    if (hovers()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+void InciseTool::press(Session& session, const ViewportInput& input)
+{
+    session.notices.forget(of_a_step);
+    const Camera& camera = session.view.camera;
+    const glm::dvec2 at_px = input.moves.empty() ? input.mouse : input.moves.front().p_px;
+    if (hovers()) {
+        const auto all = holds(session, input.scale);
+        const auto held = std::ranges::find(all, hovered_, &IncisionHoldPoint::hold);
+        if (held == all.end()) return;
+        drag_ = IncisionDrag{session.selected,
+                             session.incision.number,
+                             *chosen(session),
+                             *seen_chosen(session),
+                             skin_,
+                             *held,
+                             ends_but(session.incision.number),
+                             camera,
+                             at_px,
+                             input.scale};
+        moved_ = false;
+        return;
+    }
+    const Id base = base_of(session, input.under);
+    IncisedSkin skin;
+    if (base != 0) {
+        if (base == session.selected && !skin_.empty()) skin = skin_;
+        skin.look(session, base);
+    }
+    std::optional<SurfaceHit> hit = skin.hit(ray_through(camera, at_px));
+    if (!hit) hit = skin.shut_hit(ray_through(camera, at_px)); // over a wound
+    if (!hit) {
+        session.incision = {};
+        return select_by_click(session, input.under);
+    }
+    std::vector<CutEnd> ends;
+    if (base == session.selected) ends = ends_but(0);
+    SurfaceHit from = *hit;
+    if (const CutEnd* end = end_near(ends, camera, at_px, end_reach_px * input.scale)) {
+        from.at_rest = end->at_rest;
+        from.p_world = end->p_world;
+        std::erase_if(ends, [&](const CutEnd& each) { return each.p_world == from.p_world; });
+    }
+    gesture_.emplace(Gesture{base, input.under, CutStroke(skin, std::move(ends), from, at_px),
+                             base == session.selected ? hovered_cut_ : 0});
+    if (ImGui::GetIO().KeyCtrl && hovered_cut_ != 0 && hovered_cut_ == session.incision.number &&
+        chosen(session)) {
+        gesture_->redrawn = *chosen(session);
+        gesture_->from = hovered_at_;
+    }
+    go_on(session, input);
+}
+
+NamedIncision InciseTool::drawn(const Gesture& g) const
+{
+    NamedIncision out = settings_;
+    out.cut.stroke = g.stroke.points();
+    const double length = length_of(out.cut.stroke), scale = g.stroke.scale();
+    const double diagonal = g.stroke.skin().diagonal();
+    const double width = width_world_ > 0
+                             ? width_world_ / scale
+                             : std::min(usual_width * diagonal, widest_of_length * length);
+    const double depth = depth_world_ > 0
+                             ? depth_world_ / scale
+                             : std::min(usual_depth * diagonal, deepest_of_length * length);
+    out.cut.width = rounded(g.factor * width, 3);
+    out.cut.depth = rounded(depth, 3);
+    out.opening.share = opens_ ? 1 : 0;
+    return out;
+}
+
+Command InciseTool::command_of(const Gesture& g) const
+{
+    if (!g.redrawn) return Incise{g.object, drawn(g)};
+    EditIncision out{g.object, g.clicked, *g.redrawn};
+    // The part between where the hand began and the place of the cut that is nearest to where it
+    // is; the rest of the cut, where that is far away
+    const std::vector<SurfacePoint> old = g.redrawn->cut.stroke, drawn = g.stroke.points();
+    const std::vector<SurfacePoint> even = at_equal_steps(old, SeenCut::steps);
+    double nearest = 0.05 * length_of(old), to = -1;
+    for (std::size_t i = 0; i < even.size(); ++i)
+        if (const double away = glm::distance(even[i].p, drawn.back().p); away < nearest) {
+            nearest = away;
+            to = static_cast<double>(i) / static_cast<double>(SeenCut::steps);
+        }
+    std::vector<SurfacePoint>& stroke = out.incision.cut.stroke;
+    stroke.clear();
+    const auto add = [&](std::vector<SurfacePoint> points) {
+        stroke.insert(stroke.end(), points.begin(), points.end());
+    };
+    std::vector<SurfacePoint> between = drawn;
+    if (to >= 0 && to < g.from) { // it was drawn from the end to the start
+        std::ranges::reverse(between);
+        if (to > 0) add(part_of(old, 0, to));
+        add(between);
+        if (g.from < 1) add(part_of(old, g.from, 1));
+    } else {
+        if (g.from > 0) add(part_of(old, 0, g.from));
+        add(between);
+        if (to >= 0 && to < 1) add(part_of(old, to, 1));
+    }
+    for (SurfacePoint& each : stroke) each = handy(each);
+    return out;
+}
+
+void InciseTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    if (!session.document().objects.contains(g.object)) return cancel(session);
+    if (input.wheel != 0) {
+        g.factor *= std::pow(1.1, input.wheel);
+        g.changed = true;
+    }
+    const CutStroke::CutKeys keys{ImGui::GetIO().KeyShift, input.scale};
+    g.changed = g.stroke.take(session.view.camera, input.moves, keys) || g.changed;
+    if (input.released || !input.down) return finish(session);
+    // One proposal at a time: the next waits until the last one can be seen.
+    if (!g.changed || g.stroke.is_click() || g.stroke.points().size() < 2 || !session.up_to_date())
+        return;
+    if (session.propose_quietly(command_of(g))) g.changed = false;
+}
+
+void InciseTool::finish(Session& session)
+{
+    const Gesture g = std::move(*gesture_);
+    gesture_.reset();
+    if (g.stroke.is_click()) {
+        session.cancel();
+        if (g.clicked == 0) select_by_click(session, g.under);
+        session.incision = g.clicked == 0 ? ChosenIncision{} : ChosenIncision{g.object, g.clicked};
+        return;
+    }
+    if (g.stroke.points().size() < 2) return session.cancel();
+    const std::optional<Incising>& before = object(session.committed(), g.object).incising;
+    const int number =
+        g.redrawn ? g.clicked : static_cast<int>(before ? before->cuts.size() : 0) + 1;
+    if (!session.propose(command_of(g))) return session.cancel();
+    finishing_ = Finishing{g.object, number};
+    tell_how_it_ended(session);
+}
+
+void InciseTool::tell_how_it_ended(Session& session)
+{
+    if (!session.up_to_date()) return;
+    const Finishing f = *finishing_;
+    finishing_.reset();
+    if (!session.proposing()) return;
+    const auto shown = session.evaluated().objects.find(f.object);
+    const auto index = static_cast<std::size_t>(f.number) - 1;
+    if (shown != session.evaluated().objects.end() && index < shown->second->incisions.size())
+        if (const std::string& why = shown->second->incisions[index].refusal; !why.empty()) {
+            session.cancel();
+            session.notices.say(ui::NoticeKind::warning, "This cannot be cut", ui::sentence(why),
+                                of_a_step);
+            return;
+        }
+    session.commit();
+    session.selected = f.object;
+    session.incision = {f.object, f.number};
+}
+
+void InciseTool::cancel(Session& session)
+{
+    if (finishing_) { // the hand was done with it
+        finishing_.reset();
+        session.commit();
+        return;
+    }
+    if (!gesture_ && !drag_) return;
+    gesture_.reset();
+    drag_.reset();
+    session.cancel();
+}
+
+bool InciseTool::resize(Session& session, double factor)
+{
+    if (gesture_) {
+        gesture_->factor *= factor;
+        gesture_->changed = true;
+        return true;
+    }
+    if (width_world_ == 0) {
+        const auto shown = session.evaluated().objects.find(session.selected);
+        if (shown == session.evaluated().objects.end()) return false;
+        width_world_ = usual_width * glm::length(shown->second->bounds->size());
+    }
+    width_world_ = rounded(width_world_ * factor, 3);
+    return true;
+}
+
+std::optional<std::vector<std::string>> InciseTool::numbers(const Session& session) const
+{
+    if (!chosen(session)) return {};
+    const std::string of = fmt::format("incising.cuts.{}.", session.incision.number - 1);
+    return std::vector{of + "opening", of + "from", of + "to"};
+}
+
+bool InciseTool::choose_parts(Session& session, PartChoice choice)
+{
+    if (choice != PartChoice::none || !chosen(session)) return false;
+    session.incision = {};
+    return true;
+}
+
+bool InciseTool::remove_parts(Session& session)
+{
+    if (!chosen(session)) return false;
+    session.run(RemoveIncision{session.selected, session.incision.number});
+    session.incision = {};
+    return true;
+}
+
+} // namespace trivar

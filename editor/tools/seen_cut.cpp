@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/seen_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+constexpr double reach_in_widths = 3;   // where an incision does not say it
+constexpr double skin_reach = 0.02;     // of the diagonal: points are looked for so far off the skin
+
+std::vector<double> lengths_along(std::span<const SurfacePoint> stroke)
+{
+    std::vector<double> out{0};
+    for (std::size_t i = 1; i < stroke.size(); ++i)
+        out.push_back(out.back() + glm::distance(stroke[i - 1].p, stroke[i].p));
+    return out;
+}
+
+SurfacePoint between(const SurfacePoint& a, const SurfacePoint& b, double share)
+{
+    const glm::dvec3 n = glm::mix(a.normal, b.normal, share);
+    const double length = glm::length(n);
+    return {glm::mix(a.p, b.p, share), length > 1e-9 ? n / length : a.normal};
+}
+
+SurfacePoint at_length(std::span<const SurfacePoint> stroke, const std::vector<double>& lengths,
+                       double s)
+{
+    const auto after = std::ranges::upper_bound(lengths, s);
+    const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(after - lengths.begin()), 1,
+                                           lengths.size() - 1);
+    const double step = lengths[i] - lengths[i - 1];
+    return between(stroke[i - 1], stroke[i],
+                   step > 0 ? std::clamp((s - lengths[i - 1]) / step, 0.0, 1.0) : 0);
+}
+
+CutProfile turned_round(CutProfile profile)
+{
+    std::ranges::reverse(profile.points);
+    for (glm::dvec2& p : profile.points) p.x = 1 - p.x;
+    return profile;
+}
+
+glm::dvec3 unit_or_zero(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 1e-12 ? v / length : glm::dvec3(0);
+}
+
+// Directions to the right, as they are seen.
+void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
+                 const std::vector<glm::dvec3>& rights, double reach)
+{
+    const double step = 0.02 * cut.length;
+    std::vector<SurfacePoint> beside;
+    for (std::size_t i = 0; i < even.size(); ++i)
+        beside.push_back({even[i].p + step * rights[i], even[i].normal});
+    const auto found = skin.seen(beside, reach + step);
+    for (std::size_t i = 0; i < even.size(); ++i)
+        cut.across.push_back(
+            found[i] ? unit_or_zero(found[i]->p_world - cut.line[i].p_world) : glm::dvec3(0));
+}
+
+// The net over what gives way: its sides turn more slowly than the cut, so that they do not cross.
+void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
+               const std::vector<glm::dvec3>& rights, double reach)
+{
+    constexpr int across = 8;            // points from the cut to a rim
+    constexpr std::size_t rung_every = 8; // steps of a cut
+    constexpr double lifted = 0.004;     // share of its length, so that no face hides it
+    const double window = std::clamp(reach / std::max(cut.length, 1e-12), 0.1, 1.0);
+    const auto wide = static_cast<long>(window * static_cast<double>(SeenCut::steps));
+    const auto last = static_cast<long>(even.size()) - 1;
+    std::vector<SurfacePoint> wanted;
+    for (long i = 0; i <= last; ++i) {
+        glm::dvec3 right(0);
+        for (long k = std::max(0L, i - wide); k <= std::min(last, i + wide); ++k)
+            right += rights[static_cast<std::size_t>(k)];
+        const SurfacePoint& at = even[static_cast<std::size_t>(i)];
+        right = unit_or_zero(right - at.normal * glm::dot(right, at.normal));
+        const bool rung = static_cast<std::size_t>(i) % rung_every == 0;
+        for (int k = -across; k <= across; k += rung ? 1 : 2 * across)
+            wanted.push_back({at.p + (reach * k / across) * right, at.normal});
+    }
+    const auto found = skin.seen(wanted, reach);
+    cut.rims.resize(2);
+    std::size_t k = 0;
+    const auto point = [&](std::size_t i, std::vector<glm::dvec3>& line) {
+        if (found[i])
+            line.push_back(found[i]->p_world +
+                           lifted * cut.length_world * found[i]->normal_world);
+    };
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const bool rung = i % rung_every == 0;
+        const std::size_t count = rung ? 2 * across + 1 : 2;
+        point(k, cut.rims[0]);
+        point(k + count - 1, cut.rims[1]);
+        if (rung) {
+            cut.rungs.emplace_back();
+            for (std::size_t each = 0; each < count; ++each) point(k + each, cut.rungs.back());
+        }
+        k += count;
+    }
+}
+
+} // namespace
+
+double length_of(std::span<const SurfacePoint> stroke)
+{
+    return stroke.empty() ? 0 : lengths_along(stroke).back();
+}
+
+std::vector<SurfacePoint> at_equal_steps(std::span<const SurfacePoint> stroke, std::size_t steps)
+{
+    std::vector<SurfacePoint> out;
+    if (stroke.size() < 2) return out;
+    const std::vector<double> lengths = lengths_along(stroke);
+    for (std::size_t i = 0; i <= steps; ++i)
+        out.push_back(at_length(stroke, lengths,
+                                lengths.back() * static_cast<double>(i) /
+                                    static_cast<double>(steps)));
+    return out;
+}
+
+std::vector<SurfacePoint> part_of(std::span<const SurfacePoint> stroke, double from, double to)
+{
+    const std::vector<double> lengths = lengths_along(stroke);
+    const double a = from * lengths.back(), b = to * lengths.back();
+    std::vector<SurfacePoint> out{at_length(stroke, lengths, a)};
+    const double near = 1e-3 * lengths.back();
+    for (std::size_t i = 0; i < stroke.size(); ++i)
+        if (lengths[i] > a + near && lengths[i] < b - near) out.push_back(stroke[i]);
+    out.push_back(at_length(stroke, lengths, b));
+    return out;
+}
+
+double reach_of(const Incision& cut)
+{
+    return cut.reach > 0 ? cut.reach : reach_in_widths * cut.width;
+}
+
+glm::dvec3 SeenCut::at(double share) const
+{
+    const double s = std::clamp(share, 0.0, 1.0) * static_cast<double>(steps);
+    const auto i = std::min(static_cast<std::size_t>(s), steps - 1);
+    return glm::mix(line[i].p_world, line[i + 1].p_world, s - static_cast<double>(i));
+}
+
+SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
+                 const IncisingEffects::OfIncision* told)
+{
+    SeenCut out;
+    const Incision& cut = incision.cut;
+    const std::vector<SurfacePoint> even = at_equal_steps(cut.stroke, SeenCut::steps);
+    if (even.empty() || skin.empty()) return out;
+    const double reach = skin_reach * skin.diagonal();
+    const auto on_skin = skin.seen(even, reach);
+    for (const auto& each : on_skin) {
+        if (!each) return out;
+        out.line.push_back(*each);
+    }
+    out.length = length_of(cut.stroke);
+    out.widest = told && told->refusal.empty() ? told->widest : 1;
+    out.depth = told && told->depth > 0 ? told->depth : cut.depth;
+    const std::size_t last = SeenCut::steps;
+    std::vector<glm::dvec3> rights; // at rest
+    double most = -1;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const glm::dvec3 along = out.line[std::min(i + 1, last)].at_rest.p -
+                                 out.line[i > 0 ? i - 1 : 0].at_rest.p;
+        rights.push_back(unit_or_zero(glm::cross(along, even[i].normal)));
+        const double x = static_cast<double>(i) / static_cast<double>(last);
+        const double b = value_at(cut.opening_profile, x);
+        const double open = cut.width / 2 * out.widest * b * share_at(incision.opening, x);
+        // Where several are as wide, the middle; where it is shut, where it would be widest
+        const double wish = (open + 1e-3 * cut.width * b) * (1 - 0.02 * std::abs(x - 0.5));
+        if (wish > most) most = wish, out.widest_at = i;
+        if (i > 0)
+            out.length_world += glm::distance(out.line[i - 1].p_world, out.line[i].p_world);
+    }
+    out.scale = out.length > 0 ? out.length_world / out.length : 1;
+    find_across(out, skin, even, rights, reach);
+    find_cage(out, skin, even, rights, reach_of(cut));
+    return out;
+}
+
+std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::dvec2 p_px)
+{
+    std::optional<NearCut> out;
+    glm::dvec2 before(0);
+    bool follows = false; // the place before is seen, too
+    for (std::size_t i = 0; i < cut.line.size(); ++i) {
+        const PicturePoint at = project(camera, cut.line[i].p_world);
+        if (!(at.depth_world > 0)) {
+            follows = false;
+            continue;
+        }
+        if (follows) {
+            const glm::dvec2 way = at.p_px - before;
+            const double far = glm::dot(way, way);
+            const double t =
+                far > 0 ? std::clamp(glm::dot(p_px - before, way) / far, 0.0, 1.0) : 0;
+            const double away = glm::distance(p_px, before + t * way);
+            if (!out || away < out->away_px)
+                out = NearCut{(static_cast<double>(i) - 1 + t) / static_cast<double>(SeenCut::steps),
+                              away};
+        }
+        before = at.p_px;
+        follows = true;
+    }
+    return out;
+}
+
+NamedIncision reversed(NamedIncision incision)
+{
+    std::ranges::reverse(incision.cut.stroke);
+    incision.cut.depth_profile = turned_round(std::move(incision.cut.depth_profile));
+    incision.cut.opening_profile = turned_round(std::move(incision.cut.opening_profile));
+    const IncisionOpening before = incision.opening;
+    incision.opening.from = 1 - before.to;
+    incision.opening.to = 1 - before.from;
+    return incision;
+}
+
+NamedIncision mirrored(NamedIncision incision)
+{
+    for (SurfacePoint& each : incision.cut.stroke) {
+        each.p.x = -each.p.x;
+        each.normal.x = -each.normal.x;
+    }
+    return incision;
+}
+
+} // namespace trivar
