@@ -3,6 +3,7 @@
 
 #include "core/evaluation/carriage.h"
 #include "core/evaluation/curve_part.h"
+#include "core/evaluation/incising_effects.h"
 #include "core/evaluation/shape.h"
 #include "core/evaluation/walk.h"
 #include "core/placement/shaper.h"
@@ -17,7 +18,6 @@
 namespace trivar {
 
 struct Stage;
-struct IncisedMesh;
 
 // Each struct holds what one step tells of an object beside what the object shows.
 
@@ -73,25 +73,6 @@ struct TilingEffects {
 
 struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
-};
-
-struct IncisingEffects {
-    struct OfIncision {
-        std::string refusal;          // why there is none, a sentence; empty: there is one
-        double length = 0, depth = 0; // metres on the model
-        double widest = 1;            // share of its width to which its walls let it open
-        double least = 1;             // and the least share of its opening along it
-        std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
-    };
-    std::vector<OfIncision> incisions = {}; // by number
-    Ref<Stage> uncut;                       // before it was incised; null: nothing is open
-    struct OfMesh { // a mesh of the shape that stands open, with what it is when shut
-        int slot = 0;
-        Ref<IncisedMesh> incised;
-        std::vector<std::size_t> incisions = {}; // by those of `incised`
-    };
-    std::vector<OfMesh> incised_meshes = {};
-    std::size_t layers = 0; // how many of the shape's materials, the last ones, only walls show
 };
 
 struct UnwrappingEffects {
