@@ -28,8 +28,7 @@ struct ToMesh {
     }
     SurfacePoint operator()(const SurfacePoint& on_model) const
     {
-        SurfacePoint out{glm::dvec3(points * glm::dvec4(on_model.p, 1)),
-                         normals * on_model.normal};
+        SurfacePoint out{glm::dvec3(points * glm::dvec4(on_model.p, 1)), normals * on_model.normal};
         const double length = glm::length(out.normal);
         out.normal = length > 0 ? out.normal / length : on_model.normal;
         return out;
@@ -66,8 +65,8 @@ InciseOptions options_for(const Incising& incising, std::size_t first_material, 
     out.rows = incising.rows;
     out.reach = reach_of_strokes;
     for (const IncisionLayer& layer : incising.layers)
-        out.layers.push_back({layer.depth / metres,
-                              static_cast<std::uint32_t>(first_material + out.layers.size())});
+        out.layers.push_back(
+            {layer.depth / metres, static_cast<std::uint32_t>(first_material + out.layers.size())});
     return out;
 }
 
@@ -82,6 +81,9 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
     for (std::size_t i = 0; i < incising.cuts.size(); ++i) {
         if (incising.cuts[i].hidden) continue;
         const IncisingEffects::OfIncision& of = stage.incisions[i];
+        if (of.refusal.empty() && !of.notice.empty())
+            stage.notices.push_back(
+                fmt::format("{} is cut in part: {}", told_as(incising, i), of.notice));
         if (!of.refusal.empty())
             stage.notices.push_back(
                 fmt::format("{} is left out: {}", told_as(incising, i), of.refusal));
@@ -170,16 +172,23 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
         const InciseOptions options =
             options_for(incising, shape.materials->size(), ways[m].metres);
         try {
-            const Ref<IncisedMesh> incised = timed(
-                input.timings, "incise", [&] { return make_ref(incise(*skins[m], cuts, options)); });
+            const Ref<IncisedMesh> incised = timed(input.timings, "incise", [&] {
+                return make_ref(incise(*skins[m], cuts, options));
+            });
             for (std::size_t k = 0; k < cuts.size(); ++k) {
                 const IncisedMesh::Outcome& outcome = incised->outcomes[k];
-                out.told[of_mesh[m][k]] = {outcome.refusal, outcome.length * ways[m].metres,
-                                           outcome.depth * ways[m].metres, outcome.widest,
-                                            outcome.least, outcome.shortfall};
+                out.told[of_mesh[m][k]] = {outcome.refusal,
+                                           outcome.length * ways[m].metres,
+                                           outcome.depth * ways[m].metres,
+                                           outcome.widest,
+                                           outcome.least,
+                                           outcome.shortfall,
+                                           outcome.notice};
             }
             if (incised->rest != incised->original)
-                out.all.push_back({m, incised, of_mesh[m]});
+                out.all.push_back({m, incised, of_mesh[m],
+                                   std::make_shared<const OpenedFrames>(incised),
+                                   std::make_shared<const Extent>(incised->rest)});
         } catch (const Rejected& error) {
             for (const std::size_t i : of_mesh[m]) out.told[i].refusal = error.what();
         }
@@ -194,9 +203,8 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
     return known_({before, *incising}, [&] {
         const Shape& whole = *before->shape;
         const Incising cut = without_openings(*incising);
-        const Ref<Wounds> wounds = wounds_({before->shape, cut}, [&] {
-            return make_ref(wounds_in(whole, cut, input));
-        });
+        const Ref<Wounds> wounds =
+            wounds_({before->shape, cut}, [&] { return make_ref(wounds_in(whole, cut, input)); });
         Stage out = *before;
         out.incisions = wounds->told;
         tell_of_incisions(out, *incising);
@@ -208,8 +216,9 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
                 openings.push_back(incising->cuts[i].opening);
             const OpenMesh& open = open_({wound.incised, openings}, [&] {
                 return timed(input.timings, "incise", [&] {
-                    const Ref<Mesh> mesh = opened(*wound.incised, openings);
-                    return OpenMesh{mesh, std::make_shared<const Extent>(mesh)};
+                    const OpenedFrames::Frame frame = (*wound.frames)(openings);
+                    return OpenMesh{frame.mesh, std::make_shared<const Extent>(
+                                                    frame.mesh, *wound.rest, frame.box)};
                 });
             });
             if (open.mesh == wound.incised->original) continue;

@@ -4,6 +4,7 @@
 #include "core/base/recent.h"
 #include "core/evaluation/step.h"
 #include "core/incise/incise.h"
+#include "core/incise/opened_frames.h"
 
 namespace trivar {
 
@@ -20,6 +21,8 @@ public:
         std::size_t mesh;
         Ref<IncisedMesh> incised;
         std::vector<std::size_t> incisions; // by those of `incised`
+        Ref<OpenedFrames> frames;
+        Ref<Extent> rest; // of `incised->rest`
     };
     struct Wounds {
         std::vector<Wound> all; // by mesh

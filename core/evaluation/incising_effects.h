@@ -19,6 +19,7 @@ struct IncisingEffects {
         double widest = 1;            // share of its width to which its walls let it open
         double least = 1;             // and the least share of its opening along it
         std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
+        std::string notice = {};      // a sentence where only a part of the stroke is cut
     };
     std::vector<OfIncision> incisions = {}; // by number
     Ref<Stage> uncut;                       // before it was incised; null: nothing is open

@@ -185,8 +185,8 @@ private:
     {
         const CutSkin& skin = drawing.skin();
         std::size_t first = 0, last = curve.segment_count() - 1;
-        while (first < last && curve.s(first + 1) < piece.begin) ++first;
-        while (last > first && curve.s(last) > piece.end) --last;
+        while (first < last && curve.s(first + 1) <= piece.begin) ++first;
+        while (last > first && curve.s(last) >= piece.end) --last;
         KeyNumbers seen;
         struct Open {
             std::uint32_t point;

@@ -10,11 +10,11 @@ namespace trivar {
 namespace {
 
 constexpr double narrower = 0.7, as_good_as_shut = 0.02; // shares
-constexpr double least_share = 0.35; // of the move of the incision that moves a pair most
+constexpr double least_share = 0.6; // of the move of the incision that moves a pair most
 // Openings at which nothing may pierce where something was narrowed.
 constexpr double half_open = 0.5; // where nothing was, but several pieces may meet
 constexpr std::array looked_at{1.0, 0.75, 0.5, 0.25, 0.1};
-constexpr double edges_of_dent = 2, widths_of_dent = 1.5;
+constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
 
 } // namespace
 

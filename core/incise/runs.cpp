@@ -139,6 +139,7 @@ double bevel_at(const CutRun& run, const Incision& incision, double s)
 
 double CutPiece::weight(double s) const
 {
+    if (s < begin || s > end) return 0;
     double w = 1;
     if (s < full_from) w = full_from > begin ? (s - begin) / (full_from - begin) : 1;
     if (s > full_to) w = std::min(w, end > full_to ? (end - s) / (end - full_to) : 1);
@@ -160,6 +161,13 @@ std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawin
                                   drawing.position(at[i].point));
         };
         for (std::size_t i = 0; i + 1 < at.size();) {
+            if (i > first && at[i + 1].point == at[i - 1].point && made < most_pieces) {
+                out.push_back({k, begin, at[i].s, full_from, at[i].s}); // it turns round here
+                ++made;
+                begin = full_from = at[i].s;
+                first = i;
+                seen = {{at[i].point, at[i].s}};
+            }
             const double s = at[i + 1].s;
             double from = -1; // where the next piece has to begin at the latest
             const auto before =

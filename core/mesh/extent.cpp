@@ -66,6 +66,14 @@ Extent::Extent(const Ref<Mesh>& mesh)
 {
 }
 
+Extent::Extent(const Ref<Mesh>& mesh, const Extent& other, const Box& box)
+    : mesh_(mesh),
+      box_(box),
+      finite_(other.finite_ && finite(box.lo) && finite(box.hi)),
+      targets_([mesh] { return target_bounds(*mesh); })
+{
+}
+
 std::optional<Box> Extent::posed(const Pose* pose) const
 {
     if (!finite_) return {};

@@ -21,6 +21,9 @@ bool within_reach(const Box& box, const glm::dmat4& matrix = glm::dmat4(1));
 class Extent {
 public:
     explicit Extent(const Ref<Mesh>& mesh); // O(#V)
+    // Of a mesh that differs from another one in the places of some vertices, with the box round
+    // all of its own. O(1).
+    Extent(const Ref<Mesh>& mesh, const Extent& other, const Box& box);
 
     // A box that holds the mesh in a pose; null: in the pose of its file. Empty where a vertex is
     // out of range or one of its numbers is not finite. O(#joints + #targets), and O(#V) only where

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/command.h"
+#include "core/document/asset_store.h"
+#include "core/evaluation/evaluate.h"
 #include "core/incise/incise.h"
+#include "core/incise/opened_frames.h"
 #include "core/mesh/primitives.h"
 
 #include <benchmark/benchmark.h>
@@ -99,6 +103,44 @@ void BM_incise_opening(benchmark::State& state)
     const std::vector<IncisionOpening> half(1, IncisionOpening{0.5, 0, 1});
     for (auto _ : state) benchmark::DoNotOptimize(opened_vertices(made, half));
 }
+// The whole mesh at openings one after the other, of which the last few are held.
+void BM_incise_frame(benchmark::State& state)
+{
+    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const OpenedFrames frames(make_ref(incise(skin, small_cut(skin))));
+    std::array<OpenedFrames::Frame, 3> held;
+    std::size_t number = 0;
+    const auto show = [&] {
+        const double share = 0.2 + 0.001 * static_cast<double>(number % 700);
+        held[number++ % held.size()] = frames(std::vector{IncisionOpening{share, 0, 1}});
+    };
+    for (int i = 0; i < 8; ++i) show();
+    for (auto _ : state) show();
+}
+// The same in a document: a ball of as many triangles with a cut whose opening has keys.
+void BM_incise_document_frame(benchmark::State& state)
+{
+    const auto n = static_cast<int>(state.range(0));
+    NamedIncision incision;
+    for (int i = 0; i <= 60; ++i) {
+        const double t = 20.0 / n * (i / 30.0 - 1);
+        const glm::dvec3 p = glm::normalize(glm::dvec3(1, t, 0.1));
+        incision.cut.stroke.push_back({p, p});
+    }
+    incision.cut.depth = incision.cut.width = 6.0 / n;
+    Document document = after({}, AddSphere{.shape = {.radius = 1, .segments = n, .rings = n}});
+    document = after(document, Incise{1, incision});
+    document =
+        after(document, Animate{{{1, {{"incising.cuts.0.opening", {{1, 0.1}, {1001, 1}}}}}}});
+    Evaluator evaluate(std::make_shared<const AssetStore>(""));
+    double frame = 1;
+    const auto show = [&] {
+        frame = frame < 1000 ? frame + 1 : 1;
+        benchmark::DoNotOptimize(evaluate(document, frame).objects.at(1)->parts.at(0).mesh());
+    };
+    for (int i = 0; i < 12; ++i) show();
+    for (auto _ : state) show();
+}
 // Of 10^6 triangles: number of cuts that cross, thousandths of length and of width.
 void BM_incise_large(benchmark::State& state)
 {
@@ -123,6 +165,8 @@ BENCHMARK(BM_incise_topology)->Arg(71)->Arg(224)->Arg(707)->Unit(benchmark::kMic
 BENCHMARK(BM_incise_copy)->Arg(71)->Arg(224)->Arg(707)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_incise_whole)->ArgsProduct({{71, 224, 707}, {0, 1}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_incise_opening)->Arg(71)->Arg(224)->Arg(707)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_incise_frame)->Arg(71)->Arg(224)->Arg(707)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_incise_document_frame)->Arg(71)->Arg(224)->Arg(707)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_incise_large)
     ->Args({1, 450, 15, 0})
     ->Args({1, 450, 40, 0})
