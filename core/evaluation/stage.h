@@ -17,8 +17,6 @@
 
 namespace trivar {
 
-struct Stage;
-
 // Each struct holds what one step tells of an object beside what the object shows.
 
 // of an object that lies on a stroke, or of a lattice: then of its box, as it would stand without
