@@ -5,7 +5,7 @@
 #include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/cap_notices.h"
 #include "core/evaluation/inside_material.h"
-#include "core/split/split.h"
+#include "core/mesh/transform.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,33 +20,41 @@ SplitFrame frame_of(const Splitting& splitting)
     return {glm::dvec3(0), glm::dmat3(u, v, glm::cross(u, v))};
 }
 
-Part parted(const Part& part, SplitMesh made, bool filled)
+// The mesh of a part in the world, with points.
+const Mesh& mesh_in_world(const Part& part, SplitPartMemory& memory)
+{
+    const bool is_there = part.to_world == glm::dmat4(1);
+    if (is_there && !part.mesh()->points.empty()) return *part.mesh();
+    const bool mirrored = glm::determinant(glm::dmat3(part.to_world)) < 0;
+    if (memory.of == part.mesh() && memory.mirrored == mirrored) {
+        transform_again(memory.in_world, *part.mesh(), part.to_world);
+        return memory.in_world;
+    }
+    memory.of = part.mesh();
+    memory.mirrored = mirrored;
+    memory.in_world = transformed(*part.mesh(), part.to_world);
+    // Where a file gives each face vertices of its own, what lies at one place is one point
+    if (memory.in_world.points.empty())
+        memory.in_world.points = points_by_position(part.mesh()->positions);
+    return memory.in_world;
+}
+
+Part parted(const Part& part, SplitMesh made, bool filled, SplitPartMemory& memory)
 {
     Part out;
     out.key = part.key;
-    for (const glm::vec3& p : made.mesh.positions) out.bounds.add(glm::dvec3(p));
+    out.bounds = bounding_box(made.mesh);
     if (filled) { // patterns stay with the body while it moves
         Mesh before = made.mesh;
         before.positions = std::move(made.rest_positions);
         out.before_split = make_ref(transformed(before, glm::inverse(part.to_world)));
     }
-    out.rest = make_ref(std::move(made.mesh));
+    out.rest = memory.made.lend(std::move(made.mesh));
     return out;
 }
 
-// The mesh of a part in the world, with points.
-Ref<Mesh> mesh_in_world(const Part& part)
-{
-    const bool is_there = part.to_world == glm::dmat4(1);
-    if (is_there && !part.mesh()->points.empty()) return part.mesh();
-    Mesh world = is_there ? *part.mesh() : transformed(*part.mesh(), part.to_world);
-    // Where a file gives each face vertices of its own, what lies at one place is one point
-    if (world.points.empty()) world.points = points_by_position(world.positions);
-    return make_ref(std::move(world));
-}
-
 Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, bool of_tiles,
-                  const Ref<SplitField>& field)
+                  const Ref<SplitField>& field, std::vector<SplitPartMemory>& memory)
 {
     Stage out = before;
     out.split_field = field;
@@ -58,18 +66,21 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
     CapCounts counts;
     bool any = false;
     options.keep_rest = filled;
-    for (Part& part : out.parts) {
-        const Ref<Mesh> world = mesh_in_world(part);
+    memory.resize(out.parts.size());
+    for (std::size_t i = 0; i < out.parts.size(); ++i) {
+        Part& part = out.parts[i];
+        const Mesh& world = mesh_in_world(part, memory[i]);
         if (of_tiles && splitting.inside == Filling::none)
-            options.material = world->face_material.empty() ? 0 : world->face_material.front();
-        std::optional<SplitMesh> made = split(*world, *field, options);
+            options.material = world.face_material.empty() ? 0 : world.face_material.front();
+        memory[i].made.take_back(memory[i].split.mesh);
+        std::optional<SplitMesh> made = split(world, *field, options, memory[i].split);
         if (!made) continue;
         any = true;
         counts.open += made->open;
         counts.gaps += made->gaps;
         counts.fans += made->fans;
         out.split_off = std::max(out.split_off, made->off);
-        part = parted(part, std::move(*made), filled);
+        part = parted(part, std::move(*made), filled, memory[i]);
     }
     if (!any) return out;
     out.whole_parts = before.whole();
@@ -100,7 +111,10 @@ std::optional<Splitting> splitting_of(const StepInput& input)
 Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const std::optional<Splitting> splitting = splitting_of(input);
-    if (!splitting || before->parts.empty()) return before;
+    if (!splitting || before->parts.empty()) {
+        memory_.clear();
+        return before;
+    }
     FieldKey key{{}, *splitting};
     std::vector<std::string> names;
     std::optional<glm::dvec3> origin;
@@ -143,7 +157,7 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
                 there.frame.origin += *origin;
                 return make_ref(split_stage(*before, *splitting, filled,
                                             input.object.tiles.has_value(),
-                                            make_ref(std::move(there))));
+                                            make_ref(std::move(there)), memory_));
             });
         });
     } catch (const Rejected& error) {

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/lender.h"
 #include "core/base/recent.h"
 #include "core/evaluation/step.h"
+#include "core/split/split.h"
 
 namespace trivar {
+
+// What the splitting of a part uses again at the next frame.
+struct SplitPartMemory {
+    SplitMemory split;
+    Lender<Mesh> made; // results
+    Ref<Mesh> of;      // null: none yet
+    Mesh in_world;     // that mesh in the world at the last frame, with points
+    bool mirrored = false;
+};
 
 // SplittingStep parts what an object shows round its obstacles, as both stand at the frame. An
 // obstacle that moves without turning keeps its field. Stage: split.
@@ -35,6 +46,7 @@ private:
     };
     Recent<FieldKey, Ref<SplitField>> fields_;
     Recent<StageKey, Ref<Stage>> known_;
+    std::vector<SplitPartMemory> memory_; // by part
 };
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "core/mesh/mesh.h"
 
 #include "core/base/finite.h"
+#include "core/base/parallel.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -112,9 +113,17 @@ void renumber_points(Mesh& mesh, const std::vector<std::uint32_t>& kept)
 
 Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world)
 {
-    Box box;
-    for (const glm::vec3& p : mesh.positions) box.add(glm::dvec3(to_world * glm::dvec4(p, 1)));
-    return box;
+    constexpr std::size_t per_block = 1 << 14;
+    std::vector<Box> boxes(mesh.vertex_count() / per_block + 1);
+    parallel_blocks(mesh.vertex_count(), per_block, [&](std::size_t begin, std::size_t end) {
+        Box box;
+        for (std::size_t v = begin; v < end; ++v)
+            box.add(glm::dvec3(to_world * glm::dvec4(mesh.positions[v], 1)));
+        boxes[begin / per_block] = box;
+    });
+    Box all;
+    for (const Box& box : boxes) all.add(box);
+    return all;
 }
 
 void add_face(Mesh& mesh, std::span<const std::uint32_t> vertices)
@@ -196,33 +205,6 @@ std::vector<glm::vec3> smooth_normals(const Mesh& mesh)
             length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : glm::vec3(0, 0, 1);
     }
     return normals;
-}
-
-Mesh transformed(const Mesh& mesh, const glm::dmat4& matrix)
-{
-    Mesh result = mesh;
-    const glm::dmat3 linear(matrix);
-    const double determinant = glm::determinant(linear);
-    // Cofactors are used instead of the inverse because they exist for a singular matrix too.
-    const glm::dmat3 cofactors =
-        glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                   glm::cross(linear[0], linear[1])) *
-        (determinant < 0 ? -1.0 : 1.0);
-    const auto unit = [](const glm::dvec3& mapped, const glm::dvec3& otherwise) {
-        const double length = glm::length(mapped);
-        return glm::vec3(length > 0 ? mapped / length : otherwise);
-    };
-    for (glm::vec3& p : result.positions) p = glm::vec3(matrix * glm::dvec4(p, 1));
-    for (glm::vec3& n : result.normals) n = unit(cofactors * glm::dvec3(n), n);
-    for (glm::vec4& t : result.tangents) {
-        const glm::dvec3 before(t);
-        t = glm::vec4(unit(linear * before, before), determinant < 0 ? -t.w : t.w);
-    }
-    if (determinant < 0)
-        for (std::size_t f = 0; f < result.face_count(); ++f)
-            std::reverse(result.corners.begin() + result.face_begin[f] + 1,
-                         result.corners.begin() + result.face_begin[f + 1]);
-    return result;
 }
 
 void validate(const Mesh& mesh, const std::string& name)

@@ -114,6 +114,20 @@ TEST(Splitting, ReadsTheSwitchOfOlderFiles)
     EXPECT_EQ(digest(after(ball_and_pillar(0), command)), "fa6a0a65944d6555ba9f8ba3cd426e8a");
 }
 
+TEST(Splitting, IsTheSameWhateverFramesCameBefore)
+{
+    auto evaluator = new_evaluator();
+    for (const double y : {-1.0, -0.2, 3.0, 0.4, -0.2, -1.1, -0.9, -0.7, -0.5, -0.3, 0.8}) {
+        SCOPED_TRACE(y);
+        const Document document = after(ball_and_pillar(y), by_the_pillar());
+        const Ref<EvaluatedObject> ball = evaluator(document, 1).objects.at(ball_id);
+        const Ref<EvaluatedObject> alone = shown_ball(document);
+        EXPECT_EQ(*ball->parts.at(0).mesh(), *alone->parts.at(0).mesh());
+        EXPECT_EQ(ball->parts.at(0).bounds.lo, alone->parts.at(0).bounds.lo);
+        EXPECT_EQ(ball->parts.at(0).bounds.hi, alone->parts.at(0).bounds.hi);
+    }
+}
+
 TEST(Splitting, StitchesABallRoundAPillar)
 {
     Split command = by_the_pillar();

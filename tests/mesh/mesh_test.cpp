@@ -6,6 +6,7 @@
 #include "core/mesh/model.h"
 #include "core/mesh/pose.h"
 #include "core/mesh/primitives.h"
+#include "core/mesh/transform.h"
 #include "tests/mesh/edges.h"
 
 #include <bit>
@@ -130,6 +131,20 @@ TEST(Transformed, ByAMirrorKeepsTheOutsideOut)
         const glm::dvec3 n = glm::normalize(area_normal(mapped, f));
         for (std::uint32_t c = mapped.face_begin[f]; c < mapped.face_begin[f + 1]; ++c)
             EXPECT_NEAR(glm::dot(n, glm::dvec3(mapped.normals[mapped.corners[c]])), 1, 1e-5);
+    }
+}
+
+TEST(Transformed, AgainIsAsFromTheStart)
+{
+    Mesh torus = torus_mesh(2, 0.5, {160, 80});
+    torus.tangents.assign(torus.vertex_count(), glm::vec4(0.6f, 0.8f, 0, -1));
+    const glm::dmat4 turn =
+        glm::translate(glm::rotate(glm::dmat4(1), 1.0, glm::dvec3(0, 1, 0)), glm::dvec3(1, 2, 3));
+    for (const double x : {1.0, -1.0}) {
+        const glm::dmat4 scale = glm::scale(glm::dmat4(1), glm::dvec3(2 * x, 1, 3));
+        Mesh again = transformed(torus, scale);
+        transform_again(again, torus, turn * scale);
+        EXPECT_EQ(again, transformed(torus, turn * scale));
     }
 }
 
