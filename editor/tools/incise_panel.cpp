@@ -154,13 +154,13 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
     };
     length("Width", width_world_, "How wide the next incision gapes when it is quite open.");
     length("Depth", depth_world_, "How deep the next incision goes, as far as there is body.");
-    options.push_back({"Floor", 92,
+    options.push_back({"Floor", 148,
                        [&](float field) {
                            int floor = static_cast<int>(settings_.cut.floor);
-                           ui::segments(theme, "floor", floor, {"Sharp", "Flat"}, field);
+                           ui::segments(theme, "floor", floor, {"Sharp", "Flat", "Through"}, field);
                            settings_.cut.floor = static_cast<Incision::Floor>(floor);
                        },
-                       "Its walls meet below, or a floor joins them."});
+                       "Its walls meet below, a floor joins them, or it goes through the body."});
     options.push_back({"Open", 112,
                        [&](float) { ui::check_box(theme, "open", opens_, "as it cuts"); },
                        "It opens while it is drawn; else it is shut, to be opened later."});

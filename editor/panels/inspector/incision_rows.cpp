@@ -41,6 +41,16 @@ void number_row(ValueRows& rows, const char* name, int number, double& value, do
     if (shown != was) value = shown / factor;
 }
 
+template <class E>
+void choice_row(ValueRows& rows, const char* name, E& value, E rest,
+                const std::vector<std::string>& names)
+{
+    const FieldFacts facts = incision_facts(name);
+    rows.choice(label_of(facts.name, facts.rule), static_cast<int>(value), static_cast<int>(rest),
+                names, RowWords(without_unit(facts.help)),
+                [&](int chosen) { value = static_cast<E>(chosen); });
+}
+
 // How a size goes along the cut: a shape, and for a custom one its curve.
 void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProfile::Shape rest,
                  double size, ui::Color color, int& chosen)
@@ -95,13 +105,16 @@ void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
     number_row(rows, "opening", number, incision.opening.share, rest.opening.share);
     number_row(rows, "width", number, cut.width, rest.cut.width);
     number_row(rows, "depth", number, cut.depth, rest.cut.depth);
-    const FieldFacts floor = incision_facts("floor");
-    rows.choice(label_of(floor.name, floor.rule), static_cast<int>(cut.floor),
-                static_cast<int>(rest.cut.floor), choices_in_words<Incision::Floor>(),
-                RowWords(without_unit(floor.help)),
-                [&](int chosen_floor) { cut.floor = static_cast<Incision::Floor>(chosen_floor); });
+    choice_row(rows, "floor", cut.floor, rest.cut.floor, {"Sharp", "Flat", "Through"});
     if (cut.floor == Incision::Floor::u)
         number_row(rows, "floor_width", number, cut.floor_width, rest.cut.floor_width);
+    if (cut.floor == Incision::Floor::through && cut.stroke.size() > 1 &&
+        cut.stroke.front().p == cut.stroke.back().p)
+        choice_row(rows, "piece", cut.piece, rest.cut.piece, {"Kept", "Left out"});
+    number_row(rows, "lean_deg", number, cut.lean_deg, rest.cut.lean_deg);
+    number_row(rows, "bevel", number, cut.bevel, rest.cut.bevel);
+    if (cut.bevel > 0)
+        number_row(rows, "roundness", number, cut.roundness, rest.cut.roundness);
     number_row(rows, "reach", number, cut.reach, rest.cut.reach);
     number_row(rows, "from", number, incision.opening.from, rest.opening.from);
     number_row(rows, "to", number, incision.opening.to, rest.opening.to);

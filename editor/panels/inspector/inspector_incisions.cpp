@@ -51,7 +51,8 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
     const bool open = session.incision == own;
     const Outcome* outcome = outcome_of(session, id, number);
     const bool trouble = outcome && !incision.hidden &&
-                         (!outcome->refusal.empty() || outcome->widest < hardly_narrowed);
+                         (!outcome->refusal.empty() || !outcome->shortfall.empty() ||
+                          outcome->widest < hardly_narrowed);
     const float side = theme.size.row, edge = theme.px(12);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
@@ -118,6 +119,10 @@ void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedInc
 {
     if (!outcome.refusal.empty())
         return warning_lines(theme, "It is left out: " + outcome.refusal + ".");
+    if (!outcome.shortfall.empty())
+        warning_lines(theme, incision.cut.floor == Incision::Floor::through
+                                 ? "It does not go through: " + outcome.shortfall + "."
+                                 : "It keeps its piece: " + outcome.shortfall + ".");
     const auto metres = [](double value) { return ui::short_number(value) + " m"; };
     ui::fact_row(theme, "Length", metres(outcome.length), theme.color.text, "of its stroke");
     if (outcome.depth < 0.98 * incision.cut.depth)

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/incise.h"
+#include "editor/panels/inspector/incision_rows.h"
+#include "tests/editor/rig.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+NamedIncision straight_incision()
+{
+    NamedIncision out;
+    for (int i = -4; i <= 4; ++i) {
+        const glm::dvec3 n = glm::normalize(glm::dvec3(0.12 * i, -1, 0.1));
+        out.cut.stroke.push_back({n, n});
+    }
+    out.cut.floor = Incision::Floor::u;
+    out.cut.width = 0.08;
+    return out;
+}
+
+// A ball with two incisions, of which the first is chosen, and its inspector.
+struct IncisionSection : testing::Rig {
+    IncisionSection() : Rig({1100, 1900})
+    {
+        EXPECT_TRUE(editor.session.run(AddSphere{.shape = {.radius = 1}}));
+        EXPECT_TRUE(editor.session.run(Incise{1, straight_incision()}));
+        NamedIncision other = straight_incision();
+        for (SurfacePoint& each : other.cut.stroke) each.p.z = each.normal.z = -each.p.z;
+        EXPECT_TRUE(editor.session.run(Incise{1, other}));
+        editor.session.selected = 1;
+        editor.session.incision = {1, 1};
+        editor.preferences.timeline_open = false;
+        wait();
+    }
+    const NamedIncision& one() const
+    {
+        return object(editor.session.committed(), 1).incising->cuts.at(0);
+    }
+    // In the field of the row whose number has that name.
+    glm::vec2 field_of(const std::string& name)
+    {
+        const ui::Rect in = layout().inspector;
+        const ui::Theme& theme = screen.theme();
+        const float x = in.lo.x + theme.size.padding + theme.size.label + 12;
+        for (float y = in.lo.y + 6; y < in.hi.y; y += 6) {
+            move({x, y});
+            if (std::ranges::count(editor.keys_under_mouse.names, name) > 0) return {x, y + 6};
+        }
+        ADD_FAILURE() << "no row for " << name;
+        return in.lo;
+    }
+    void type_into(const std::string& name, const std::string& text)
+    {
+        click(field_of("incising.cuts.0." + name));
+        frames(4);
+        type(text);
+        key({ui::key_enter});
+        wait();
+    }
+};
+
+TEST(IncisionSection, EveryNumberDrivesItsFieldInOneStep)
+{
+    IncisionSection rig;
+    const NamedIncision before = rig.one();
+    NamedIncision wanted = before;
+    const auto expect = [&](const std::string& name, const std::string& text, double& field,
+                            double value) {
+        const std::size_t steps = rig.steps();
+        rig.type_into(name, text);
+        field = value;
+        EXPECT_EQ(rig.steps(), steps + 1) << name;
+        EXPECT_EQ(rig.one(), wanted) << name;
+    };
+    expect("opening", "40", wanted.opening.share, 0.4);
+    expect("width", "0.05", wanted.cut.width, 0.05);
+    expect("depth", "0.2", wanted.cut.depth, 0.2);
+    expect("floor_width", "30", wanted.cut.floor_width, 0.3);
+    expect("lean_deg", "10", wanted.cut.lean_deg, 10);
+    expect("bevel", "0.01", wanted.cut.bevel, 0.01);
+    expect("roundness", "50", wanted.cut.roundness, 0.5);
+    expect("reach", "0.3", wanted.cut.reach, 0.3);
+    expect("from", "10", wanted.opening.from, 0.1);
+    expect("to", "80", wanted.opening.to, 0.8);
+    for (int i = 0; i < 10; ++i) rig.editor.session.undo();
+    EXPECT_EQ(rig.one(), before);
+}
+
+TEST(IncisionSection, BeginsACustomProfileLikeTheOneBefore)
+{
+    for (const CutProfile::Shape shape : {CutProfile::Shape::lens, CutProfile::Shape::even}) {
+        const CutProfile before{shape, {}};
+        const CutProfile custom{CutProfile::Shape::custom, custom_points(before)};
+        for (double x = 0; x <= 1; x += 0.05)
+            EXPECT_NEAR(value_at(custom, x), value_at(before, x), 0.12) << x;
+    }
+}
+
+} // namespace
+} // namespace trivar
