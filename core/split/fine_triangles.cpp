@@ -12,7 +12,9 @@ constexpr std::uint32_t no_triangle = 0xffffffff;
 constexpr std::size_t most_flat_points = 1000000;
 constexpr double much = 0.5;            // of what is allowed: less coarse edges are not halved
 constexpr double least_slimness = 2e-3; // of triangles, where an edge is turned over
-constexpr double least_gain = 0.99;     // of coarseness, where an edge is turned over
+constexpr double no_slimness = 1e-9;    // of triangles that rounding may turn round
+constexpr double taken = 1e-3; // of an edge's length: so near to its middle is a corner no other
+constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
@@ -107,9 +109,23 @@ private:
             length(side.triangle, side.edge) <= shortest_)
             return false;
         const glm::dvec2 at = middle(side.triangle, side.edge);
+        // In triangles without area its middle may be there already
+        const double near = taken * length(side.triangle, side.edge);
+        if (glm::distance(at, apex(side)) <= near || glm::distance(at, apex(beyond(side))) <= near)
+            return false;
         return std::ranges::none_of(coarse_rim_, [&](const CoarseEdge& each) {
             return coarse <= each.coarse && glm::distance(at, each.middle) <= 0.75 * each.length;
         });
+    }
+    const glm::dvec2& apex(const Side& side) const
+    {
+        return points_[corners_[side.triangle][(side.edge + 2) % 3]];
+    }
+    // The same edge of the neighbour, which must be there.
+    Side beyond(const Side& side) const
+    {
+        const std::uint32_t other = neighbours_[side.triangle][side.edge];
+        return {other, edge_between(other, corners_[side.triangle][(side.edge + 1) % 3])};
     }
     glm::dvec2 middle(std::uint32_t t, std::size_t i) const
     {
@@ -247,12 +263,9 @@ private:
         const std::size_t j = edge_between(other, corners_[t][(i + 1) % 3]);
         const std::uint32_t a = corners_[t][i], b = corners_[t][(i + 1) % 3],
                             c = corners_[t][(i + 2) % 3], d = corners_[other][(j + 2) % 3];
-        if (std::min(slimness(a, d, c), slimness(d, b, c)) <
-            std::min(least_slimness, std::min(slimness(a, b, c), slimness(b, a, d))))
-            return;
-        if (turn_of(points_[a], points_[d], points_[c]) <= 0 ||
-            turn_of(points_[d], points_[b], points_[c]) <= 0)
-            return;
+        const double now = std::min(slimness(a, b, c), slimness(b, a, d)),
+                     then = std::min(slimness(a, d, c), slimness(d, b, c));
+        if (then < std::min(least_slimness, now) || then <= no_slimness) return;
         if (coarseness(c, d) >= least_gain * coarseness(a, b)) return;
         const std::uint32_t bc = neighbours_[t][(i + 1) % 3], ca = neighbours_[t][(i + 2) % 3];
         const std::uint32_t ad = neighbours_[other][(j + 1) % 3],

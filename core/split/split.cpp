@@ -356,10 +356,8 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
     for (const std::uint32_t p : region.points) free.push_back(change.free[p]);
 
     const Parting parting(region.mesh, field, options);
-    // What is drawn in is to be finer, since its caps shrink to seams
-    const double share = options.closing == SplitClosing::stitched ? 0.6 : 1;
     FineMesh fine = fine_enough(std::move(region.mesh), std::move(free), field, parting.error,
-                                share * parting.tolerance, options.most_triangles);
+                                share_of_whole * parting.tolerance, options.most_triangles);
 
     // While the region is parted, the rest is copied and moved
     const std::size_t more_vertices =

@@ -74,8 +74,6 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
     const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
     const bool across = least - bend <= 0 && most + bend >= 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        // What is not cut is moved as its corners are, also where it bends across the surface
-        if (side == 0 ? least >= 0 : most < 0) continue;
         const std::optional<SideBound> in_reach = side_bound(each, side, least, most, bend);
         if (!in_reach) continue;
         const auto& [reach, nearest, farthest, kernel, slope, curve] = *in_reach;

@@ -12,6 +12,8 @@ constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6;
 // An edge of the cut may be worse than the edges of the triangle that it runs through: what is cut
 // is to be off by no more than this share of what is allowed.
 constexpr double share_of_cut = 0.5;
+// The same for all triangles, so that what is cut of them afterwards keeps within what is allowed.
+constexpr double share_of_whole = 0.6;
 
 // Bounds of how far a flat triangle is off: on each of its edges (corner i to the next) by itself.
 using EdgeErrors = std::array<double, 3>;
