@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/incision_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/wound_section.h"
 #include "editor/tools/seen_cut.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
@@ -114,6 +115,40 @@ void warning_lines(const ui::Theme& theme, const std::string& words)
     ImGui::Dummy({1, y - at.y + theme.px(2)});
 }
 
+// The section of the chosen incision, and what it was made of.
+struct SeenSection {
+    IncisedSkin skin;
+    Ref<EvaluatedObject> shown;
+    NamedIncision incision;
+    std::vector<IncisionLayer> layers;
+    WoundSection section;
+};
+
+// Draws the incision unrolled, where it is seen.
+void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision)
+{
+    const ui::Theme& theme = rows.theme;
+    const Session& session = editor.session;
+    auto& kept = editor.memory.of<SeenSection>();
+    const std::vector<IncisionLayer>& layers = object(session.document(), id).incising->layers;
+    kept.skin.look(session, id);
+    if (!kept.shown || kept.shown != kept.skin.shown() || kept.incision != incision ||
+        kept.layers != layers) {
+        kept.shown = kept.skin.shown();
+        kept.incision = incision;
+        kept.layers = layers;
+        kept.section = section_of(kept.skin, incision, layers);
+    }
+    if (!(kept.section.length > 0)) return;
+    ui::gap(theme, 4);
+    ImGui::SetCursorScreenPos(
+        {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
+    const float width =
+        ImGui::GetWindowWidth() - 2 * theme.size.padding - theme.px(ui::key_gutter - 12);
+    rows.take(draw_wound_section(theme, kept.section, incision.cut, width));
+    ui::gap(theme, 8);
+}
+
 // What became of it.
 void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedIncision& incision)
 {
@@ -170,6 +205,7 @@ bool chosen_incision(Editor& editor, const ui::Theme& theme, Id id, int number,
     const ui::Row name = ui::label_row(theme, "Name", false, "what it is called");
     rows.take(ui::text_field(theme, "name", incision.name, fmt::format("Incision {}", number),
                              name.width));
+    if (!before.hidden) section_row(editor, rows, id, incision);
     draw_incision_rows(rows, incision, number, editor.memory.of<ChosenCutPoints>());
     if (const Outcome* outcome = outcome_of(session, id, number); outcome && !before.hidden)
         outcome_rows(theme, *outcome, before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/incise.h"
 #include "editor/panels/inspector/incision_rows.h"
+#include "editor/panels/inspector/wound_section.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>
@@ -97,6 +98,28 @@ TEST(IncisionSection, BeginsACustomProfileLikeTheOneBefore)
         for (double x = 0; x <= 1; x += 0.05)
             EXPECT_NEAR(value_at(custom, x), value_at(before, x), 0.12) << x;
     }
+}
+
+TEST(WoundSection, ALineOverAProfileChangesItThereOnly)
+{
+    const CutProfile before{CutProfile::Shape::lens, {}};
+    const CutProfile after = drawn_over(before, {0.6, 0.2}, {0.4, 0.3});
+    EXPECT_NEAR(value_at(after, 0.5), 0.25, 0.03);
+    for (const double x : {0.1, 0.2, 0.3, 0.7, 0.8, 0.9})
+        EXPECT_NEAR(value_at(after, x), value_at(before, x), 0.05) << x;
+    EXPECT_EQ(value_at(after, 0), 0);
+    EXPECT_EQ(value_at(after, 1), 0);
+}
+
+TEST(WoundSection, KnowsHowThickTheBodyIs)
+{
+    IncisionSection rig;
+    IncisedSkin skin;
+    skin.look(rig.editor.session, 1);
+    const WoundSection section = section_of(skin, rig.one(), {});
+    EXPECT_NEAR(section.length, 0.95, 0.1);
+    ASSERT_EQ(section.thickness.size(), SeenCut::steps + 1);
+    for (const double each : section.thickness) EXPECT_NEAR(each, 2, 0.05);
 }
 
 } // namespace
