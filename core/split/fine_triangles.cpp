@@ -13,7 +13,7 @@ constexpr std::size_t most_flat_points = 1000000;
 constexpr double much = 0.5;            // of what is allowed: less coarse edges are not halved
 constexpr double least_slimness = 2e-3; // of triangles, where an edge is turned over
 constexpr double no_slimness = 1e-9;    // of triangles that rounding may turn round
-constexpr double taken = 1e-3; // of an edge's length: so near to its middle is a corner no other
+constexpr double taken = 1e-7; // of an edge's length: so near to its middle is a corner no other
 constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
