@@ -12,8 +12,8 @@ constexpr std::uint32_t no_triangle = 0xffffffff;
 constexpr std::size_t most_flat_points = 1000000;
 constexpr double much = 0.5;            // of what is allowed: less coarse edges are not halved
 constexpr double least_slimness = 2e-3; // of triangles, where an edge is turned over
-constexpr double no_slimness = 1e-9;    // of triangles that rounding may turn round
-constexpr double taken = 1e-7; // of an edge's length: so near to its middle is a corner no other
+constexpr double no_slimness = 1e-7;    // of triangles that rounding may turn round
+constexpr double taken = 0.3; // of an edge's length: so near to its middle is a corner no other
 constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -109,10 +109,13 @@ private:
             length(side.triangle, side.edge) <= shortest_)
             return false;
         const glm::dvec2 at = middle(side.triangle, side.edge);
-        // In triangles without area its middle may be there already
+        // In triangles without area a corner may be there already, or nearly so
         const double near = taken * length(side.triangle, side.edge);
-        if (glm::distance(at, apex(side)) <= near || glm::distance(at, apex(beyond(side))) <= near)
-            return false;
+        const auto is_taken = [&](const Side& of) {
+            const auto& [a, b, c] = corners_[of.triangle];
+            return glm::distance(at, apex(of)) <= near && slimness(a, b, c) <= no_slimness;
+        };
+        if (is_taken(side) || is_taken(beyond(side))) return false;
         return std::ranges::none_of(coarse_rim_, [&](const CoarseEdge& each) {
             return coarse <= each.coarse && glm::distance(at, each.middle) <= 0.75 * each.length;
         });
