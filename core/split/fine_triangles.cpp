@@ -13,8 +13,8 @@ constexpr std::size_t most_flat_points = 1000000;
 constexpr double much = 0.5;            // of what is allowed: less coarse edges are not halved
 constexpr double least_slimness = 2e-3; // of triangles, where an edge is turned over
 constexpr double no_slimness = 1e-7;    // of triangles that rounding may turn round
-constexpr double taken = 0.3; // of an edge's length: so near to its middle is a corner no other
-constexpr double least_gain = 0.99; // of coarseness, where an edge is turned over
+constexpr double taken = 0.3;           // of an edge, from its middle: a corner of a flat triangle
+constexpr double least_gain = 0.99;     // of coarseness, where an edge is turned over
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {

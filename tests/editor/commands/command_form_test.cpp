@@ -140,12 +140,15 @@ TEST(CommandForm, OffersWhatFitsAndCompletesIt)
     options = options_of(hide, scene());
     EXPECT_EQ(options.front().typed, "3") << "a name that two have";
     CommandForm material = form(SetMaterial{{1}, {}});
-    material.at = material.fields.size() - 1;
-    material.fields.back().typed = "wo";
+    material.at = static_cast<std::size_t>(
+        std::ranges::find(material.fields, "solid", &CommandForm::Field::name) -
+        material.fields.begin());
+    ASSERT_LT(material.at, material.fields.size());
+    material.fields[material.at].typed = "wo";
     options = options_of(material, scene());
     ASSERT_EQ(options.size(), 1u);
     EXPECT_EQ(options[0].words, "wood");
-    material.fields.back().typed.clear();
+    material.fields[material.at].typed.clear();
     EXPECT_FALSE(taken_option(material, options_of(material, scene()), scene()));
 }
 
