@@ -43,7 +43,8 @@ void check_profile(std::string_view name, const CutProfile& profile)
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const glm::dvec2 p = profile.points[i];
         if (!(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1))
-            throw Rejected(fmt::format("field \"{}\" has a point that is not between 0 and 1", name));
+            throw Rejected(
+                fmt::format("field \"{}\" has a point that is not between 0 and 1", name));
         if (i > 0 && !(p.x >= profile.points[i - 1].x))
             throw Rejected(fmt::format("field \"{}\" has points that go back", name));
     }
@@ -129,8 +130,7 @@ StepTitle title(const EditIncision& c, const StepDocuments& step)
 {
     const std::size_t index = incision_index(step.before, c.object, c.number);
     const NamedIncision& before = incising_of(step.before, c.object).cuts[index];
-    const std::string of =
-        called(before, c.number) + " of " + names_in(step.before, {c.object});
+    const std::string of = called(before, c.number) + " of " + names_in(step.before, {c.object});
     return title_of_changes(changes(before, incising_of(step.after, c.object).cuts[index]),
                             "Change " + of, of);
 }

@@ -88,11 +88,11 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
             stage.notices.push_back(
                 fmt::format("{} is left out: {}", told_as(incising, i), of.refusal));
         else if (!of.shortfall.empty())
-            stage.notices.push_back(fmt::format("{} {}: {}", told_as(incising, i),
-                                                incising.cuts[i].cut.floor == Incision::Floor::through
-                                                    ? "does not go through"
-                                                    : "keeps its piece",
-                                                of.shortfall));
+            stage.notices.push_back(fmt::format(
+                "{} {}: {}", told_as(incising, i),
+                incising.cuts[i].cut.floor == Incision::Floor::through ? "does not go through"
+                                                                       : "keeps its piece",
+                of.shortfall));
         else if (of.widest < hardly_narrowed)
             stage.notices.push_back(
                 fmt::format("{} opens to {:.0f} % of its width, because its walls would meet "

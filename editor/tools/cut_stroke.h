@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A CutStroke is the way of a hand over a skin, from which an incision becomes. The skin stays as it
-// was when the hand began, so that the wound that opens does not swallow the stroke.
+// A CutStroke is the way of a hand over a skin, from which an incision becomes. The skin stays as
+// it was when the hand began, so that the wound that opens does not swallow the stroke.
 class CutStroke {
 public:
     // `ends`: to which its own ends are pulled; empty: nothing pulls.
@@ -25,7 +25,10 @@ public:
     std::vector<SurfacePoint> points() const;
     std::vector<glm::dvec3> way_world() const; // that the hand went
     double length_world() const;
-    double scale() const { return hits_.front().hit.scale; } // metres in the world per metre on the model
+    double scale() const
+    {
+        return hits_.front().hit.scale;
+    } // metres in the world per metre on the model
     const std::optional<CutEnd>& end() const { return at_end_; } // that it is pulled to
     const IncisedSkin& skin() const { return skin_; }
 

@@ -76,17 +76,16 @@ void InciseTool::look(const Session& session)
     cuts_.resize(incising.cuts.size());
     for (std::size_t i = 0; i < cuts_.size(); ++i) // in a drag only the one in the hand changes
         if (!drag_ || static_cast<int>(i) + 1 == number)
-            cuts_[i] = incising.cuts[i].hidden
-                           ? SeenCut{}
-                           : seen_cut(skin_, incising.cuts[i], i < told.size() ? &told[i] : nullptr);
+            cuts_[i] = incising.cuts[i].hidden ? SeenCut{}
+                                               : seen_cut(skin_, incising.cuts[i],
+                                                          i < told.size() ? &told[i] : nullptr);
     looks_ = (looks_ + 1) % 4;
 }
 
 const SeenCut* InciseTool::seen_chosen(const Session& session) const
 {
     const auto number = static_cast<std::size_t>(session.incision.number);
-    if (!chosen(session) || number > cuts_.size() || cuts_[number - 1].line.empty())
-        return nullptr;
+    if (!chosen(session) || number > cuts_.size() || cuts_[number - 1].line.empty()) return nullptr;
     return &cuts_[number - 1];
 }
 

@@ -7,7 +7,8 @@
 namespace trivar {
 
 // Cuts the skin of what is under the mouse open along a stroke, which opens while it is drawn. The
-// incision that is chosen has handles; a drag of one is one step. A click on an incision chooses it.
+// incision that is chosen has handles; a drag of one is one step. A click on an incision chooses
+// it.
 class InciseTool : public Tool {
 public:
     std::string name() const override { return "Incise"; }
@@ -70,14 +71,14 @@ private:
     NamedIncision settings_; // of the next incision; depth and width are those below
     double width_world_ = 0, depth_world_ = 0; // metres; 0: in proportion to object and stroke
     bool opens_ = true, snaps_ = true;
-    IncisedSkin skin_; // of the selected object
+    IncisedSkin skin_;              // of the selected object
     std::optional<Incising> known_; // of which the cuts are
     Ref<EvaluatedObject> known_shown_;
     std::vector<SeenCut> cuts_; // by number
     IncisionHold hovered_ = IncisionHold::none;
-    int hovered_cut_ = 0;  // the incision under the mouse; 0: none
+    int hovered_cut_ = 0;   // the incision under the mouse; 0: none
     double hovered_at_ = 0; // share of its length
-    Id over_ = 0;          // what the mouse is over and could be cut
+    Id over_ = 0;           // what the mouse is over and could be cut
     std::optional<Gesture> gesture_;
     std::optional<IncisionDrag> drag_;
     bool moved_ = false;

@@ -102,8 +102,7 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
     for (const IncisionHoldPoint& point : points)
         if (point.hold == IncisionHold::depth || point.hold == IncisionHold::zip)
             paint_haloed(theme, {in_window(point.base_px), in_window(point.p_px)},
-                         point.hold == IncisionHold::depth ? theme.color.lattice
-                                                           : theme.color.path,
+                         point.hold == IncisionHold::depth ? theme.color.lattice : theme.color.path,
                          1.4f);
     for (const IncisionHoldPoint& point : points) {
         const bool on = point.hold == lit;
@@ -122,8 +121,7 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
             break;
         case IncisionHold::place: // hollow: it changes no number
             ui::paint_dot(p, radius + rim, 0, c.halo, rim + theme.px(1));
-            ui::paint_dot(p, radius - theme.px(0.5f), 0, on ? c.selected : c.incision,
-                          theme.px(2));
+            ui::paint_dot(p, radius - theme.px(0.5f), 0, on ? c.selected : c.incision, theme.px(2));
             break;
         case IncisionHold::depth:
             paint_arrow_head(theme, p, glm::vec2(point.way_px), radius,
@@ -146,9 +144,9 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
     const auto length = [&](const char* words, double& value, const char* help) {
         options.push_back({words, 84,
                            [&theme, words, &value](float field) {
-                               ui::number_field(
-                                   theme, words, value,
-                                   {.lo = 0, .hi = 1000, .unit = "m", .zero = "auto"}, field);
+                               ui::number_field(theme, words, value,
+                                                {.lo = 0, .hi = 1000, .unit = "m", .zero = "auto"},
+                                                field);
                            },
                            help});
     };

@@ -79,8 +79,8 @@ void IncisedSkin::look(const Session& session, Id object)
         SkinPart part;
         part.part = p;
         part.shut_to_model = hung->to_model;
-        part.shut_to_part = glm::inverse(mesh_to_model(*shown_, *there->second, all[p])) *
-                            part.shut_to_model;
+        part.shut_to_part =
+            glm::inverse(mesh_to_model(*shown_, *there->second, all[p])) * part.shut_to_model;
         const auto incised =
             std::ranges::find(shown_->incised_meshes, hung->slot, &IncisingEffects::OfMesh::slot);
         const Part& first = innermost(all[p]);
@@ -97,9 +97,9 @@ void IncisedSkin::look(const Session& session, Id object)
             part.posed = *posed_later(part.original, first.posed->pose)->mesh;
         part.mirrors = turns_inside_out(part.shut_to_part);
         parts_.push_back(part);
-        shut_parts_.push_back(with_mesh(
-            all[p], part.mirrors ? make_ref(transformed(*part.posed, part.shut_to_part))
-                                 : part.posed));
+        shut_parts_.push_back(
+            with_mesh(all[p], part.mirrors ? make_ref(transformed(*part.posed, part.shut_to_part))
+                                           : part.posed));
     }
     auto trees = std::make_shared<Trees>();
     const auto same = [](const SkinPart& a, const SkinPart& b) {
@@ -153,9 +153,8 @@ std::optional<SurfaceHit> IncisedSkin::hit_of(const SkinPart& part, const Part& 
                                               const Mesh& rest, const RayScene& scene,
                                               const Hit& hit) const
 {
-    const glm::uvec3& vertices =
-        scene.entries()[static_cast<std::size_t>(hit.entry)]
-            .mesh->triangles()[static_cast<std::size_t>(hit.triangle)];
+    const glm::uvec3& vertices = scene.entries()[static_cast<std::size_t>(hit.entry)]
+                                     .mesh->triangles()[static_cast<std::size_t>(hit.triangle)];
     const SkinCorners now = skin_corners(*seen.mesh(), vertices, seen.to_world);
     const SkinCorners then = skin_corners(rest, vertices, part.shut_to_model);
     const double now_area = glm::length(skin_area_normal(now)),
@@ -209,10 +208,11 @@ std::vector<std::optional<SurfaceHit>> IncisedSkin::seen(std::span<const Surface
         const glm::dvec3& w = places[i]->weights;
         const glm::dvec3 p = w.x * posed[0] + w.y * posed[1] + w.z * posed[2];
         const glm::dvec3 n = skin_area_normal(posed) * (skin.mirrors ? -1.0 : 1.0);
-        DeformedPoint there{glm::dvec3(part.to_world * glm::dvec4(p, 1)), glm::dmat3(part.to_world)};
+        DeformedPoint there{glm::dvec3(part.to_world * glm::dvec4(p, 1)),
+                            glm::dmat3(part.to_world)};
         if (part.bent) there = point_in_world(part, p);
-        const glm::dmat3 cofactors = glm::determinant(there.jacobian) *
-                                     glm::transpose(glm::inverse(there.jacobian));
+        const glm::dmat3 cofactors =
+            glm::determinant(there.jacobian) * glm::transpose(glm::inverse(there.jacobian));
         const bool inside_out = glm::determinant(there.jacobian) < 0;
         const glm::dvec3 now = cofactors * n * (inside_out ? -1.0 : 1.0);
         const double area = glm::length(now), rest_area = 2 * base.area(places[i]->triangle);
@@ -231,8 +231,7 @@ std::vector<double> IncisedSkin::thickness(std::span<const SurfacePoint> at_rest
     if (parts_.empty()) return out;
     const double skip = 1e-4 * rest_base().diagonal();
     for (std::size_t i = 0; i < at_rest.size(); ++i)
-        if (const auto hit =
-                trees_->inside->hit({at_rest[i].p, -at_rest[i].normal}, skip))
+        if (const auto hit = trees_->inside->hit({at_rest[i].p, -at_rest[i].normal}, skip))
             out[i] = hit->distance;
     return out;
 }

@@ -25,8 +25,9 @@ public:
     std::optional<SurfaceHit> hit(const Ray& ray) const;
     // Where it would meet the skin if nothing stood open.
     std::optional<SurfaceHit> shut_hit(const Ray& ray) const;
-    // Where points of the shut skin are seen, as if nothing stood open, moved onto the skin; nothing
-    // where there is none at most `reach` away along their normals. About 3 microseconds each.
+    // Where points of the shut skin are seen, as if nothing stood open, moved onto the skin;
+    // nothing where there is none at most `reach` away along their normals. About 3 microseconds
+    // each.
     std::vector<std::optional<SurfaceHit>> seen(std::span<const SurfacePoint> at_rest,
                                                 double reach) const;
     // How thick the body is below points of the shut skin, metres on the model; 0: it is open.

@@ -11,12 +11,12 @@
 namespace trivar {
 namespace {
 
-constexpr double incision_hold_px = 10;  // of a handle
-constexpr double least_open_px = 13;     // so far from the cut stand the handles of a shut one
-constexpr double least_deep_px = 30;     // and that of the depth
-constexpr double zip_off_px = 24;        // so far beside the cut hangs the knot
-constexpr double end_on = 0.35;          // share of its length below which a way is not followed
-constexpr double depth_share = 0.3;      // of the length, where the handle of the depth stands
+constexpr double incision_hold_px = 10;   // of a handle
+constexpr double least_open_px = 13;      // so far from the cut stand the handles of a shut one
+constexpr double least_deep_px = 30;      // and that of the depth
+constexpr double zip_off_px = 24;         // so far beside the cut hangs the knot
+constexpr double end_on = 0.35;           // share of its length below which a way is not followed
+constexpr double depth_share = 0.3;       // of the length, where the handle of the depth stands
 constexpr std::size_t fewest_points = 12; // of a stroke that a hand bends
 
 std::optional<glm::dvec2> cut_pixel(const Camera& camera, const glm::dvec3& p_world)
@@ -41,8 +41,7 @@ double world_per_px(const Camera& camera, const glm::dvec3& p_world)
 double full_share(const NamedIncision& incision, const SeenCut& seen)
 {
     constexpr double least = 0.15; // nearer to an end a small drag would be a large opening
-    const double x =
-        static_cast<double>(seen.widest_at) / static_cast<double>(SeenCut::steps);
+    const double x = static_cast<double>(seen.widest_at) / static_cast<double>(SeenCut::steps);
     IncisionOpening quite = incision.opening;
     quite.share = 1;
     return std::max(least, value_at(incision.cut.opening_profile, x) * share_at(quite, x)) *
@@ -68,9 +67,9 @@ std::vector<SurfacePoint> on_the_skin(const IncisedSkin& skin,
 
 void move_end(const IncisionDrag& drag, const SurfacePoint& to, Incision& cut)
 {
-    std::vector<SurfacePoint> points =
-        cut.stroke.size() < fewest_points ? at_equal_steps(cut.stroke, 2 * fewest_points)
-                                          : cut.stroke;
+    std::vector<SurfacePoint> points = cut.stroke.size() < fewest_points
+                                           ? at_equal_steps(cut.stroke, 2 * fewest_points)
+                                           : cut.stroke;
     const bool start = drag.held.hold == IncisionHold::start;
     if (start) std::ranges::reverse(points);
     const glm::dvec3 way = to.p - points.back().p;
@@ -215,8 +214,7 @@ EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap)
     case IncisionHold::none: return out;
     case IncisionHold::start:
     case IncisionHold::end: {
-        const CutEnd* other =
-            end_near(drag.ends, drag.camera, moved_px, end_reach_px * drag.scale);
+        const CutEnd* other = end_near(drag.ends, drag.camera, moved_px, end_reach_px * drag.scale);
         if (other) {
             move_end(drag, other->at_rest, to.cut);
         } else {
@@ -255,8 +253,8 @@ EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap)
         to.cut.stroke.clear();
         const auto near = near_cut(drag.seen, drag.camera, moved_px);
         if (!near) return out;
-        to.opening.to = snap ? std::round(near->share * 20) / 20
-                             : std::round(near->share * 1000) / 1000;
+        to.opening.to =
+            snap ? std::round(near->share * 20) / 20 : std::round(near->share * 1000) / 1000;
         return out;
     }
     }

@@ -7,8 +7,8 @@
 namespace trivar {
 namespace {
 
-constexpr double reach_in_widths = 3;   // where an incision does not say it
-constexpr double skin_reach = 0.02;     // of the diagonal: points are looked for so far off the skin
+constexpr double reach_in_widths = 3; // where an incision does not say it
+constexpr double skin_reach = 0.02;   // of the diagonal: points are looked for so far off the skin
 
 std::vector<double> lengths_along(std::span<const SurfacePoint> stroke)
 {
@@ -59,17 +59,17 @@ void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<Surfac
         beside.push_back({even[i].p + step * rights[i], even[i].normal});
     const auto found = skin.seen(beside, reach + step);
     for (std::size_t i = 0; i < even.size(); ++i)
-        cut.across.push_back(
-            found[i] ? unit_or_zero(found[i]->p_world - cut.line[i].p_world) : glm::dvec3(0));
+        cut.across.push_back(found[i] ? unit_or_zero(found[i]->p_world - cut.line[i].p_world)
+                                      : glm::dvec3(0));
 }
 
 // The net over what gives way: its sides turn more slowly than the cut, so that they do not cross.
 void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
                const std::vector<glm::dvec3>& rights, double reach)
 {
-    constexpr int across = 8;            // points from the cut to a rim
+    constexpr int across = 8;             // points from the cut to a rim
     constexpr std::size_t rung_every = 8; // steps of a cut
-    constexpr double lifted = 0.004;     // share of its length, so that no face hides it
+    constexpr double lifted = 0.004;      // share of its length, so that no face hides it
     const double window = std::clamp(reach / std::max(cut.length, 1e-12), 0.1, 1.0);
     const auto wide = static_cast<long>(window * static_cast<double>(SeenCut::steps));
     const auto last = static_cast<long>(even.size()) - 1;
@@ -89,8 +89,7 @@ void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfaceP
     std::size_t k = 0;
     const auto point = [&](std::size_t i, std::vector<glm::dvec3>& line) {
         if (found[i])
-            line.push_back(found[i]->p_world +
-                           lifted * cut.length_world * found[i]->normal_world);
+            line.push_back(found[i]->p_world + lifted * cut.length_world * found[i]->normal_world);
     };
     for (std::size_t i = 0; i < even.size(); ++i) {
         const bool rung = i % rung_every == 0;
@@ -118,9 +117,8 @@ std::vector<SurfacePoint> at_equal_steps(std::span<const SurfacePoint> stroke, s
     if (stroke.size() < 2) return out;
     const std::vector<double> lengths = lengths_along(stroke);
     for (std::size_t i = 0; i <= steps; ++i)
-        out.push_back(at_length(stroke, lengths,
-                                lengths.back() * static_cast<double>(i) /
-                                    static_cast<double>(steps)));
+        out.push_back(at_length(
+            stroke, lengths, lengths.back() * static_cast<double>(i) / static_cast<double>(steps)));
     return out;
 }
 
@@ -168,8 +166,8 @@ SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
     std::vector<glm::dvec3> rights; // at rest
     double most = -1;
     for (std::size_t i = 0; i <= last; ++i) {
-        const glm::dvec3 along = out.line[std::min(i + 1, last)].at_rest.p -
-                                 out.line[i > 0 ? i - 1 : 0].at_rest.p;
+        const glm::dvec3 along =
+            out.line[std::min(i + 1, last)].at_rest.p - out.line[i > 0 ? i - 1 : 0].at_rest.p;
         rights.push_back(unit_or_zero(glm::cross(along, even[i].normal)));
         const double x = static_cast<double>(i) / static_cast<double>(last);
         const double b = value_at(cut.opening_profile, x);
@@ -177,8 +175,7 @@ SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
         // Where several are as wide, the middle; where it is shut, where it would be widest
         const double wish = (open + 1e-3 * cut.width * b) * (1 - 0.02 * std::abs(x - 0.5));
         if (wish > most) most = wish, out.widest_at = i;
-        if (i > 0)
-            out.length_world += glm::distance(out.line[i - 1].p_world, out.line[i].p_world);
+        if (i > 0) out.length_world += glm::distance(out.line[i - 1].p_world, out.line[i].p_world);
     }
     out.scale = out.length > 0 ? out.length_world / out.length : 1;
     find_across(out, skin, even, rights, reach);
@@ -200,12 +197,11 @@ std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::d
         if (follows) {
             const glm::dvec2 way = at.p_px - before;
             const double far = glm::dot(way, way);
-            const double t =
-                far > 0 ? std::clamp(glm::dot(p_px - before, way) / far, 0.0, 1.0) : 0;
+            const double t = far > 0 ? std::clamp(glm::dot(p_px - before, way) / far, 0.0, 1.0) : 0;
             const double away = glm::distance(p_px, before + t * way);
             if (!out || away < out->away_px)
-                out = NearCut{(static_cast<double>(i) - 1 + t) / static_cast<double>(SeenCut::steps),
-                              away};
+                out = NearCut{
+                    (static_cast<double>(i) - 1 + t) / static_cast<double>(SeenCut::steps), away};
         }
         before = at.p_px;
         follows = true;

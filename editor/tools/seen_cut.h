@@ -10,16 +10,16 @@ namespace trivar {
 // shut skin and in the world.
 struct SeenCut {
     static constexpr std::size_t steps = 64;
-    std::vector<SurfaceHit> line;                    // steps + 1 of them; empty: it is not seen
+    std::vector<SurfaceHit> line; // steps + 1 of them; empty: it is not seen
     // How far the skin gives way, lifted off it a little: both rims along it, and rungs over it.
     std::vector<std::vector<glm::dvec3>> rims, rungs;
-    std::vector<glm::dvec3> across;                  // to the right of each, world, unit
-    double length = 0, length_world = 0;             // metres
-    double widest = 1;                               // share of its width that its walls let open
-    double depth = 0;                                // metres on the model, after the body's limits
-    double scale = 1;                                // metres in the world per metre on the model
-    glm::dvec3 at(double share) const;               // of the line, world
-    std::size_t widest_at = steps / 2;               // the step where it stands open most
+    std::vector<glm::dvec3> across;      // to the right of each, world, unit
+    double length = 0, length_world = 0; // metres
+    double widest = 1;                   // share of its width that its walls let open
+    double depth = 0;                    // metres on the model, after the body's limits
+    double scale = 1;                    // metres in the world per metre on the model
+    glm::dvec3 at(double share) const;   // of the line, world
+    std::size_t widest_at = steps / 2;   // the step where it stands open most
 };
 
 // Points and normals at equal steps of a polyline's length.

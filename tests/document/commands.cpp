@@ -226,9 +226,7 @@ std::vector<Command> fitting_commands()
             RemoveCut{.object = 5, .number = 1},
             ClearCuts{.objects = {1}},
             Incise{.object = 2, .incision = an_incision()},
-            EditIncision{.object = 5,
-                         .number = 1,
-                         .incision = a_wider_incision()},
+            EditIncision{.object = 5, .number = 1, .incision = a_wider_incision()},
             LayerIncisions{.objects = {5}, .incising = {.cuts = {}, .layers = {{.name = "Fat"}}}},
             RemoveIncision{.object = 5, .number = 1},
             ClearIncisions{.objects = {5}}};

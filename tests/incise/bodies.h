@@ -8,6 +8,6 @@ namespace trivar::testing {
 CutSkin skin_of(Mesh mesh); // vertices at one place are one point
 Mesh icosphere(int halvings);
 Mesh shell_mesh(int halvings, double inner); // a hollow ball of radius 1, in two skins
-Mesh any_closed_primitive(std::size_t i); // 0, 1, ...: sphere, torus, box, cylinder, icosphere
+Mesh any_closed_primitive(std::size_t i);    // 0, 1, ...: sphere, torus, box, cylinder, icosphere
 
 } // namespace trivar::testing

@@ -34,8 +34,7 @@ TEST_P(RealDataIncise, SetsThatCrossLeaveTheSkinAsClosedAsItWasAndShutAreTheMode
     EXPECT_GE(cut, 3 * cut_kinds.size() - 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, RealDataIncise,
-                         ::testing::Values("face.obj", "spot.obj", "camel.off"),
+INSTANTIATE_TEST_SUITE_P(Of, RealDataIncise, ::testing::Values("face.obj", "spot.obj", "camel.off"),
                          [](const auto& name) {
                              return std::string(name.param, std::strchr(name.param, '.'));
                          });

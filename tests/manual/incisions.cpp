@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes random incisions, single ones and sets that cross in ten ways, and counts what is open,
 // doubled, pinched or lost, what was refused, and how often the guard narrowed an opening.
-// Arguments: sets, a seed, the share of single ones, the number of a set to look at alone (-1: all),
-// a folder of real models, where there is one, and the share of those that are to go through.
+// Arguments: sets, a seed, the share of single ones, the number of a set to look at alone (-1:
+// all), a folder of real models, where there is one, and the share of those that are to go through.
 #include "core/base/rejected.h"
 #include "core/files/read_model.h"
 #include "tests/incise/bodies.h"
@@ -21,8 +21,8 @@ namespace {
 
 struct Counts {
     long sets = 0, incisions = 0, refused = 0, faulty = 0, off = 0, narrowed = 0, narrowed_sets = 0,
-         held = 0, drawn = 0, shut = 0, apart = 0, thrown = 0, pierced = 0,
-         asked_through = 0, through = 0;
+         held = 0, drawn = 0, shut = 0, apart = 0, thrown = 0, pierced = 0, asked_through = 0,
+         through = 0;
     double volume = 0, least = 1;
     std::map<std::string, long> refusals;
 };
@@ -110,8 +110,7 @@ void print(const std::string& kind, const Counts& c)
         kind, c.sets, c.incisions, c.refused, c.faulty, c.thrown, c.apart, c.off, c.volume,
         c.narrowed, 100.0 * static_cast<double>(c.narrowed) / static_cast<double>(c.incisions),
         c.narrowed_sets, c.least, c.shut, c.held, c.drawn, c.pierced);
-    if (c.asked_through > 0)
-        fmt::print("  {} of {} go through\n", c.through, c.asked_through);
+    if (c.asked_through > 0) fmt::print("  {} of {} go through\n", c.through, c.asked_through);
     for (const auto& [why, count] : c.refusals) fmt::print("  {} {}\n", count, why);
 }
 

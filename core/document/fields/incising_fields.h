@@ -21,8 +21,7 @@ template <> struct FieldsOf<SurfacePoint> {
     static constexpr std::string_view told_as = "[surface point](#surface-point)";
     static void fields(auto& s, auto&& field)
     {
-        field("p", s.p, "a point of the object's model at rest, metres",
-              required.in(Unit::metres));
+        field("p", s.p, "a point of the object's model at rest, metres", required.in(Unit::metres));
         field("normal", s.normal, "the normal there", required);
     }
 };
@@ -49,10 +48,11 @@ template <> struct FieldsOf<NamedIncision> {
               positive.called("Depth").in(Unit::metres));
         field("depth_profile", i.cut.depth_profile, "how the depth goes along it",
               any_value.called("Depth profile").without_keys());
-        field("floor", i.cut.floor,
-              "v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on "
-              "the other side, which opens too, or where that fails has a sharp floor at its depth",
-              any_value.called("Floor").without_keys());
+        field(
+            "floor", i.cut.floor,
+            "v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on "
+            "the other side, which opens too, or where that fails has a sharp floor at its depth",
+            any_value.called("Floor").without_keys());
         field("floor_width", i.cut.floor_width,
               "of a flat floor, as a share of the width at the skin",
               in_range(0, 1).called("Floor width").in(Unit::share));

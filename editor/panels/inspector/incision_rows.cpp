@@ -60,9 +60,8 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
     const std::string label = label_of(facts.name, facts.rule);
     const CutProfile before = profile;
     rows.choice(label, static_cast<int>(profile.shape), static_cast<int>(rest),
-                {"Lens", "Even", "Custom"}, RowWords(without_unit(facts.help)), [&](int shape) {
-                    profile.shape = static_cast<CutProfile::Shape>(shape);
-                });
+                {"Lens", "Even", "Custom"}, RowWords(without_unit(facts.help)),
+                [&](int shape) { profile.shape = static_cast<CutProfile::Shape>(shape); });
     if (profile.shape != CutProfile::Shape::custom) return;
     if (before.shape != CutProfile::Shape::custom || profile.points.size() < 2)
         profile.points = custom_points(before);
@@ -80,7 +79,8 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
                                .color = color,
                                .ends = {"start", "end"}},
                               width));
-    ui::tooltip({label, {},
+    ui::tooltip({label,
+                 {},
                  "Drag a point. Ctrl click adds a point or removes one, Del removes the selected "
                  "point."});
     ui::gap(theme, 8);
@@ -113,8 +113,7 @@ void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
         choice_row(rows, "piece", cut.piece, rest.cut.piece, {"Kept", "Left out"});
     number_row(rows, "lean_deg", number, cut.lean_deg, rest.cut.lean_deg);
     number_row(rows, "bevel", number, cut.bevel, rest.cut.bevel);
-    if (cut.bevel > 0)
-        number_row(rows, "roundness", number, cut.roundness, rest.cut.roundness);
+    if (cut.bevel > 0) number_row(rows, "roundness", number, cut.roundness, rest.cut.roundness);
     number_row(rows, "reach", number, cut.reach, rest.cut.reach);
     number_row(rows, "from", number, incision.opening.from, rest.opening.from);
     number_row(rows, "to", number, incision.opening.to, rest.opening.to);

@@ -60,7 +60,8 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
     ImGui::PushID(number);
     if (ImGui::InvisibleButton("incision", {width, side}))
         session.incision = open ? ChosenIncision{} : own;
-    ui::tooltip({open ? "Close" : "Select this incision", {},
+    ui::tooltip({open ? "Close" : "Select this incision",
+                 {},
                  open ? "" : "Its numbers are shown here, and its handles in the picture."});
     const ui::Color color = incision.hidden ? theme.color.text_3 : theme.color.text;
     const ui::Rect row = ui::rect_at({at.x + edge, at.y}, {width - edge, side});
@@ -71,13 +72,13 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
                   {row.lo + glm::vec2(theme.px(16), 0), row.hi - glm::vec2(mark, 0)}, color,
                   name_of_incision(incision, number));
     if (trouble)
-        ui::paint_text(theme.font.body, row, theme.color.warn, ui::icon::warning,
-                       ui::Align::right);
+        ui::paint_text(theme.font.body, row, theme.color.warn, ui::icon::warning, ui::Align::right);
     bool changed = false;
     ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
     if (ui::icon_button(theme, "incision off", incision.hidden ? ui::icon::hidden : ui::icon::eye,
                         {side, side},
-                        {incision.hidden ? "Turn this incision on" : "Turn this incision off", {},
+                        {incision.hidden ? "Turn this incision on" : "Turn this incision off",
+                         {},
                          "The skin is as if it were not there."})) {
         NamedIncision other = incision;
         other.hidden = !other.hidden;
@@ -185,8 +186,7 @@ bool incision_buttons(Session& session, const ui::Theme& theme, Id id, int numbe
     ui::tooltip({"Reverse", {}, "Its end becomes its start; it looks the same."});
     ImGui::SetCursorScreenPos({at.x + edge + half + gap, at.y});
     if (ui::button(theme, "Mirror copy", ui::ButtonKind::plain, {half, theme.size.row})) {
-        const auto count =
-            static_cast<int>(object(session.committed(), id).incising->cuts.size());
+        const auto count = static_cast<int>(object(session.committed(), id).incising->cuts.size());
         changed = session.run(Incise{id, mirrored(incision)});
         if (changed) session.incision = {id, count + 1};
     }
@@ -225,9 +225,9 @@ bool layer_rows(ValueRows& rows, IncisionLayer& layer, std::size_t k, bool last)
     rows.take(ui::text_field(theme, "layer name", layer.name, fmt::format("Layer {}", k + 1),
                              width - edge));
     ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
-    const bool removed = ui::icon_button(
-        theme, "remove layer", ui::icon::trash, {side, side},
-        {"Remove this layer", {}, "The layers below it begin where it began."});
+    const bool removed =
+        ui::icon_button(theme, "remove layer", ui::icon::trash, {side, side},
+                        {"Remove this layer", {}, "The layers below it begin where it began."});
     ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
     ImGui::Dummy({1, 0});
     FieldRows<IncisionLayer> fields(rows, layer, "");
@@ -301,8 +301,7 @@ void draw_incisions(Editor& editor, const ui::Theme& theme, Id id)
             if (incision_row(editor, theme, id, number, incising.cuts[k])) return;
             if (session.incision != ChosenIncision{id, number}) continue;
             ImGui::PushID(number);
-            const bool changed =
-                chosen_incision(editor, theme, id, number, incising.cuts[k], keys);
+            const bool changed = chosen_incision(editor, theme, id, number, incising.cuts[k], keys);
             ImGui::PopID();
             if (changed) return;
         }

@@ -11,10 +11,10 @@
 namespace trivar {
 namespace {
 
-constexpr float section_height = 148;  // at scale 1
-constexpr double above_share = 0.3;    // of the height, over the skin
+constexpr float section_height = 148;     // at scale 1
+constexpr double above_share = 0.3;       // of the height, over the skin
 constexpr std::size_t profile_cells = 20; // of a profile that a hand draws
-constexpr double deeper = 1.35;        // that is shown below the greatest depth
+constexpr double deeper = 1.35;           // that is shown below the greatest depth
 
 // Between the picture and the wound.
 struct SectionPlot {
@@ -113,12 +113,11 @@ void paint_section(const ui::Theme& theme, const ui::Rect& box, const SectionPlo
     for (std::size_t k = 0; k < layers.size(); ++k) {
         const bool last = k + 1 == layers.size();
         const double to = last ? 1e9 : layers[k].first;
-        const ui::Color color = section.layers.empty() ? ui::faded(c.incision, 0.3f)
-                                                       : wall_color(layers[k].second);
-        fill_between(plot, color, [&](double x) { return std::min(plot.depth(from), floor(x)); },
-                     [&](double x) {
-                         return last ? floor(x) : std::min(plot.depth(to), floor(x));
-                     });
+        const ui::Color color =
+            section.layers.empty() ? ui::faded(c.incision, 0.3f) : wall_color(layers[k].second);
+        fill_between(
+            plot, color, [&](double x) { return std::min(plot.depth(from), floor(x)); },
+            [&](double x) { return last ? floor(x) : std::min(plot.depth(to), floor(x)); });
         from = to;
     }
     fill_between(plot, ui::faded(c.incision, 0.22f), lips, skin);
@@ -207,7 +206,8 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
 {
     ImGui::PushID("section");
     ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y"), part_id = ImGui::GetID("part");
+    const ImGuiID x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y"),
+                  part_id = ImGui::GetID("part");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ui::Rect box = ui::rect_at({at.x, at.y}, {width, theme.px(section_height)});
     ImGui::InvisibleButton("wound", {std::max(1.0f, width), box.height()});
@@ -222,8 +222,8 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
     if (active) {
         if (begun) kept.SetBool(part_id, mouse.y < plot.skin());
         const bool gap = kept.GetBool(part_id);
-        const double value = gap ? plot.gap_at(mouse.y) / cut.width
-                                 : plot.depth_at(mouse.y) / cut.depth;
+        const double value =
+            gap ? plot.gap_at(mouse.y) / cut.width : plot.depth_at(mouse.y) / cut.depth;
         const glm::dvec2 now(plot.share(mouse.x), std::clamp(value, 0.0, 1.0));
         const glm::dvec2 before =
             begun ? now : glm::dvec2(kept.GetFloat(x_id), kept.GetFloat(y_id));
@@ -238,7 +238,8 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
     edit = ui::after_drag(edit, active);
     paint_section(theme, box, plot, section, cut);
     paint_section_words(theme, box, plot, section, cut, hovered);
-    ui::tooltip({"Section along the incision", {},
+    ui::tooltip({"Section along the incision",
+                 {},
                  "Draw above the skin how wide it gapes, and below it how deep it goes; the grey "
                  "is the body with its real thickness."});
     ImGui::PopID();

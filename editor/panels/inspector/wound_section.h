@@ -11,7 +11,7 @@ namespace trivar {
 // its walls show. Lengths in metres on the model.
 struct WoundSection {
     double length = 0;
-    std::vector<double> thickness;              // at equal steps of its length; 0: not known
+    std::vector<double> thickness;                    // at equal steps of its length; 0: not known
     std::vector<std::pair<double, glm::vec4>> layers; // down to which depth, linear colour
 };
 

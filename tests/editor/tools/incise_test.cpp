@@ -14,8 +14,8 @@ namespace {
 struct InciseRig : testing::Rig {
     explicit InciseRig(const Transform& transform = {}) : Rig({900, 640})
     {
-        EXPECT_TRUE(editor.session.run(
-            AddSphere{.shape = {.radius = 1, .segments = 64, .rings = 32}, .transform = transform}));
+        EXPECT_TRUE(editor.session.run(AddSphere{
+            .shape = {.radius = 1, .segments = 64, .rings = 32}, .transform = transform}));
         editor.session.selected = 1;
         editor.session.view.camera.eye = {0, -5, 0.5};
         editor.session.view.camera.target = {0, 0, 0};
@@ -144,11 +144,9 @@ TEST(InciseTool, FindsTheModelAtRestUnderATurnedAndScaledObject)
     InciseRig rig(transform);
     rig.cut();
     ASSERT_TRUE(rig.incising());
-    for (const SurfacePoint& each : rig.one().cut.stroke)
-        EXPECT_NEAR(glm::length(each.p), 1, 0.01);
+    for (const SurfacePoint& each : rig.one().cut.stroke) EXPECT_NEAR(glm::length(each.p), 1, 0.01);
     // and what is seen of it lies under the hand
-    const glm::dvec3 end =
-        transform.matrix() * glm::dvec4(rig.one().cut.stroke.back().p, 1);
+    const glm::dvec3 end = transform.matrix() * glm::dvec4(rig.one().cut.stroke.back().p, 1);
     EXPECT_LT(glm::distance(rig.seen_at(end), rig.layout().view.center() + glm::vec2(90, 10)), 3);
 }
 
@@ -254,13 +252,14 @@ TEST(IncisionHandles, ShowWhatLettingGoMakes)
 TEST(SeenCut, IsReversedAndMirroredWithoutChangingItsLook)
 {
     NamedIncision one;
-    one.cut.stroke = {{{-0.5, 0, 1}, {0, 0, 1}}, {{0.1, 0.2, 1}, {0, 0, 1}}, {{0.5, 0, 1}, {0, 0, 1}}};
+    one.cut.stroke = {
+        {{-0.5, 0, 1}, {0, 0, 1}}, {{0.1, 0.2, 1}, {0, 0, 1}}, {{0.5, 0, 1}, {0, 0, 1}}};
     one.cut.opening_profile = {CutProfile::Shape::custom, {{0, 0.2}, {0.3, 1}, {1, 0.4}}};
     one.opening = {0.7, 0.1, 0.6};
     const NamedIncision other = reversed(one);
     for (const double x : {0.1, 0.3, 0.55, 0.9}) {
-        EXPECT_NEAR(value_at(other.cut.opening_profile, 1 - x), value_at(one.cut.opening_profile, x),
-                    1e-12);
+        EXPECT_NEAR(value_at(other.cut.opening_profile, 1 - x),
+                    value_at(one.cut.opening_profile, x), 1e-12);
         EXPECT_NEAR(share_at(other.opening, 1 - x), share_at(one.opening, x), 1e-12);
     }
     EXPECT_EQ(other.cut.stroke.front(), one.cut.stroke.back());
