@@ -24,12 +24,11 @@ public:
             if (!there->value) there->value = std::move(*value_back);
         });
     }
-    // Replaces a value by one that came back, whatever that is, if one did.
-    void take_back(T& value)
+    // The value of a Ref that nobody has any more; none: all are in use.
+    std::optional<T> take_back()
     {
         const std::scoped_lock lock(returned_->mutex);
-        if (returned_->value) value = std::move(*returned_->value);
-        returned_->value.reset();
+        return std::exchange(returned_->value, std::nullopt);
     }
 
 private:

@@ -19,6 +19,20 @@ struct NamedIncision {
     bool operator==(const NamedIncision&) const = default;
 };
 
+// The incision with its stroke from end to start, and all that runs along it.
+inline NamedIncision reversed(NamedIncision incision)
+{
+    incision.cut = reversed(std::move(incision.cut));
+    incision.opening = reversed(incision.opening);
+    return incision;
+}
+// Its mirror image in the plane X = 0 of the model.
+inline NamedIncision mirrored(NamedIncision incision)
+{
+    incision.cut = mirrored(std::move(incision.cut));
+    return incision;
+}
+
 // An IncisionLayer is what walls show down to a depth, from that of the layer before.
 struct IncisionLayer {
     std::string name = {};

@@ -72,7 +72,8 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
         const Mesh& world = mesh_in_world(part, memory[i]);
         if (of_tiles && splitting.inside == Filling::none)
             options.material = world.face_material.empty() ? 0 : world.face_material.front();
-        memory[i].made.take_back(memory[i].split.mesh);
+        if (std::optional<Mesh> back = memory[i].made.take_back())
+            memory[i].split.mesh = *std::move(back);
         std::optional<SplitMesh> made = split(world, *field, options, memory[i].split);
         if (!made) continue;
         any = true;

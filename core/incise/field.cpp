@@ -11,7 +11,6 @@
 namespace trivar {
 namespace {
 
-constexpr double widths_of_reach = 3;
 constexpr double wrong_side = -0.2; // cosine: a front that came round the end of a cut
 
 // How a piece runs through a node: which sectors lie left (1) and right (-1) of it; 0: it ends.
@@ -145,14 +144,9 @@ struct FieldOfPiece {
     }
 
 private:
-    double reach() const
-    {
-        return incision.reach > 0 ? incision.reach
-                                  : widths_of_reach * (incision.width + 2 * incision.bevel);
-    }
     double fade(double distance) const
     {
-        const double x = distance / reach();
+        const double x = distance / reach_of(incision);
         return (1 - x * x) * (1 - x * x);
     }
     double opening(double s) const
@@ -194,7 +188,7 @@ private:
             int side;
         };
         std::vector<Open> open;
-        const double limit = reach(), slack = 1e-12 * run.length;
+        const double limit = reach_of(incision), slack = 1e-12 * run.length;
         const auto accept = [&](std::uint32_t point, std::size_t near, int side, bool at_slit) {
             if (seen.contains(point)) return;
             const glm::dvec3 p = drawing.position(point);

@@ -6,8 +6,9 @@
 namespace trivar {
 namespace {
 
-constexpr double cut_taper = 0.15;  // share of the length at each end over which a profile rises
-constexpr double blade_taper = 0.1; // share of the length over which a wound closes at the blade
+constexpr double cut_taper = 0.15;    // share of the length at each end over which a profile rises
+constexpr double widths_of_reach = 3; // where an incision does not say it
+constexpr double blade_taper = 0.1;   // share of the length over which a wound closes at the blade
 
 double smooth_step(double x)
 {
@@ -24,6 +25,13 @@ double on_polyline(const std::vector<glm::dvec2>& points, double x)
         if (x <= b.x) return b.x > a.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : b.y;
     }
     return points.back().y;
+}
+
+CutProfile turned_round(CutProfile profile)
+{
+    std::ranges::reverse(profile.points);
+    for (glm::dvec2& p : profile.points) p.x = 1 - p.x;
+    return profile;
 }
 
 } // namespace
@@ -44,6 +52,35 @@ double value_round(const CutProfile& profile, double x)
 {
     if (profile.shape != CutProfile::Shape::custom) return 1;
     return std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
+}
+
+double reach_of(const Incision& cut)
+{
+    return cut.reach > 0 ? cut.reach : widths_of_reach * (cut.width + 2 * cut.bevel);
+}
+
+Incision reversed(Incision cut)
+{
+    std::ranges::reverse(cut.stroke);
+    cut.depth_profile = turned_round(std::move(cut.depth_profile));
+    cut.opening_profile = turned_round(std::move(cut.opening_profile));
+    cut.lean_deg = -cut.lean_deg; // what was left of it is right of it
+    return cut;
+}
+
+Incision mirrored(Incision cut)
+{
+    for (SurfacePoint& each : cut.stroke) {
+        each.p.x = -each.p.x;
+        each.normal.x = -each.normal.x;
+    }
+    cut.lean_deg = -cut.lean_deg;
+    return cut;
+}
+
+IncisionOpening reversed(const IncisionOpening& opening)
+{
+    return {opening.share, 1 - opening.to, 1 - opening.from};
 }
 
 double share_at(const IncisionOpening& opening, double x)

@@ -44,6 +44,13 @@ struct Incision {
     bool operator==(const Incision&) const = default;
 };
 
+// How far beside a cut the skin gives way, units of the mesh: what it says, or three widths.
+double reach_of(const Incision& cut);
+// The same cut with its stroke from end to start.
+Incision reversed(Incision cut);
+// Its mirror image in the plane x = 0.
+Incision mirrored(Incision cut);
+
 // An IncisionOpening is the state of an incision at a time; nothing of the topology depends on it.
 struct IncisionOpening {
     double share = 1;        // of the width: 0 shut, 1 quite open
@@ -51,6 +58,8 @@ struct IncisionOpening {
     bool operator==(const IncisionOpening&) const = default;
 };
 
+// The opening of the reversed cut.
+IncisionOpening reversed(const IncisionOpening& opening);
 // What of the opening there is at x, the share of the length: from 0 to 1, with soft ends.
 double share_at(const IncisionOpening& opening, double x);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/box.h"
+#include "core/base/lender.h"
 #include "core/incise/incised.h"
 
 namespace trivar {
@@ -21,10 +22,9 @@ public:
     Frame operator()(std::span<const IncisionOpening> openings) const;
 
 private:
-    struct Spare; // meshes that nobody holds
     Ref<IncisedMesh> incised_;
     Box shut_, still_; // of the original, and of the vertices that nothing moves
-    std::shared_ptr<Spare> spare_;
+    std::shared_ptr<Lender<Mesh>> meshes_ = std::make_shared<Lender<Mesh>>();
 };
 
 } // namespace trivar

@@ -7,8 +7,7 @@
 namespace trivar {
 namespace {
 
-constexpr double reach_in_widths = 3; // where an incision does not say it
-constexpr double skin_reach = 0.02;   // of the diagonal: points are looked for so far off the skin
+constexpr double skin_reach = 0.02; // of the diagonal: points are looked for so far off the skin
 
 std::vector<double> lengths_along(std::span<const SurfacePoint> stroke)
 {
@@ -34,13 +33,6 @@ SurfacePoint at_length(std::span<const SurfacePoint> stroke, const std::vector<d
     const double step = lengths[i] - lengths[i - 1];
     return between(stroke[i - 1], stroke[i],
                    step > 0 ? std::clamp((s - lengths[i - 1]) / step, 0.0, 1.0) : 0);
-}
-
-CutProfile turned_round(CutProfile profile)
-{
-    std::ranges::reverse(profile.points);
-    for (glm::dvec2& p : profile.points) p.x = 1 - p.x;
-    return profile;
 }
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v)
@@ -134,11 +126,6 @@ std::vector<SurfacePoint> part_of(std::span<const SurfacePoint> stroke, double f
     return out;
 }
 
-double reach_of(const Incision& cut)
-{
-    return cut.reach > 0 ? cut.reach : reach_in_widths * cut.width;
-}
-
 glm::dvec3 SeenCut::at(double share) const
 {
     const double s = std::clamp(share, 0.0, 1.0) * static_cast<double>(steps);
@@ -207,26 +194,6 @@ std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::d
         follows = true;
     }
     return out;
-}
-
-NamedIncision reversed(NamedIncision incision)
-{
-    std::ranges::reverse(incision.cut.stroke);
-    incision.cut.depth_profile = turned_round(std::move(incision.cut.depth_profile));
-    incision.cut.opening_profile = turned_round(std::move(incision.cut.opening_profile));
-    const IncisionOpening before = incision.opening;
-    incision.opening.from = 1 - before.to;
-    incision.opening.to = 1 - before.from;
-    return incision;
-}
-
-NamedIncision mirrored(NamedIncision incision)
-{
-    for (SurfacePoint& each : incision.cut.stroke) {
-        each.p.x = -each.p.x;
-        each.normal.x = -each.normal.x;
-    }
-    return incision;
 }
 
 } // namespace trivar

@@ -30,9 +30,6 @@ double length_of(std::span<const SurfacePoint> stroke);
 SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
                  const IncisingEffects::OfIncision* told);
 
-// How far the skin gives way beside it, metres on the model.
-double reach_of(const Incision& cut);
-
 // The share of a seen cut's length that is nearest to a pixel, and how far that is, in pixels.
 // Nothing: it is behind the eye.
 struct NearCut {
@@ -42,10 +39,5 @@ std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::d
 
 // The stroke between two shares of its length, as its points are.
 std::vector<SurfacePoint> part_of(std::span<const SurfacePoint> stroke, double from, double to);
-
-// The incision with its stroke from end to start, and all that runs along it.
-NamedIncision reversed(NamedIncision incision);
-// Its mirror image in the plane X = 0 of the model.
-NamedIncision mirrored(NamedIncision incision);
 
 } // namespace trivar

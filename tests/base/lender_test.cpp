@@ -14,19 +14,16 @@ TEST(Lender, GetsTheMemoryOfOneBackWhenNobodyHasIt)
     Lender<Numbers> lender;
     Ref<Numbers> first = lender.lend(Numbers(1000, 1)), second = lender.lend(Numbers(10, 2));
     const int* const memory = first->data();
-    Numbers value;
-    lender.take_back(value);
-    EXPECT_TRUE(value.empty());
+    EXPECT_FALSE(lender.take_back());
     Ref<Numbers> also = first;
     first = nullptr;
-    lender.take_back(value);
-    EXPECT_TRUE(value.empty());
+    EXPECT_FALSE(lender.take_back());
     also = nullptr;
     second = nullptr; // one is enough
-    lender.take_back(value);
-    EXPECT_EQ(value.data(), memory);
-    lender.take_back(value);
-    EXPECT_EQ(value.data(), memory);
+    const std::optional<Numbers> back = lender.take_back();
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->data(), memory);
+    EXPECT_FALSE(lender.take_back());
 }
 
 TEST(Lender, MayEndBeforeWhatItLent)

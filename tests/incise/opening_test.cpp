@@ -128,6 +128,7 @@ TEST_F(OpenSphere, FramesAreWhatIsOpenedAndUseMemoryAgain)
     };
     EXPECT_EQ((*frames)(std::vector(2, IncisionOpening{0, 0, 1})).mesh, made->original);
     Ref<Mesh> held = (*frames)(openings(7)).mesh, last;
+    const glm::vec3* memory = nullptr; // of the mesh before the last, which nobody holds
     const Mesh before = *held;
     for (int i = 1; i < 6; ++i) {
         const OpenedFrames::Frame frame = (*frames)(openings(i));
@@ -136,11 +137,10 @@ TEST_F(OpenSphere, FramesAreWhatIsOpenedAndUseMemoryAgain)
         EXPECT_EQ(frame.box.lo, box.lo);
         EXPECT_EQ(frame.box.hi, box.hi);
         EXPECT_NE(frame.mesh, last);
+        if (last) memory = last->positions.data();
         last = frame.mesh;
     }
     EXPECT_EQ(*held, before);
-    const glm::vec3* const memory = last->positions.data();
-    last = nullptr;
     EXPECT_EQ((*frames)(openings(3)).mesh->positions.data(), memory);
     frames = nullptr; // meshes outlive it
     held = nullptr;

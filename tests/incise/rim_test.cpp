@@ -56,6 +56,31 @@ std::vector<double> across_at(const Mesh& mesh, double z)
     return out;
 }
 
+TEST_F(OnABlock, ACutThatLeansStaysWhereItIsWhenReversedAndGoesToTheOtherSideWhenMirrored)
+{
+    Incision cut = along({0.3, -0.4}, {0.35, 0.4});
+    cut.lean_deg = 30;
+    const auto floor_of = [&](const Incision& one) { // the mean of its deepest points
+        const Ref<Mesh> open = cut_open({one});
+        glm::dvec3 sum(0);
+        double count = 0, lowest = 1;
+        const std::size_t first = block.mesh()->vertex_count();
+        for (std::size_t v = first; v < open->vertex_count(); ++v)
+            lowest = std::min(lowest, double{open->positions[v].z});
+        for (std::size_t v = first; v < open->vertex_count(); ++v)
+            if (open->positions[v].z < lowest + 0.01) {
+                sum += glm::dvec3(open->positions[v]);
+                ++count;
+            }
+        return sum / count;
+    };
+    const glm::dvec3 here = floor_of(cut), turned = floor_of(reversed(cut)),
+                     there = floor_of(mirrored(cut));
+    EXPECT_LT(here.x, 0.25); // to the left of a stroke along y
+    EXPECT_NEAR(turned.x, here.x, 0.01);
+    EXPECT_NEAR(there.x, -here.x, 0.01);
+}
+
 TEST_F(OnABlock, ALeanTakesTheFloorToTheLeft)
 {
     for (const double lean : {-30.0, 0.0, 40.0}) {
