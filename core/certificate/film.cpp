@@ -132,7 +132,7 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
     film.kept = film.moments.size();
     check_kept(film.kept, film.moments.size());
     const Document plain = unrefined(document);
-    Evaluator evaluator(assets);
+    Evaluator evaluator(assets, ShutIncisions::stay);
     PatternColors patterns;
     for (std::size_t i = 0; i < film.moments.size(); ++i) {
         report(progress, static_cast<double>(i) / static_cast<double>(film.moments.size()),

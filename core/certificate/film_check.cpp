@@ -67,7 +67,7 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
 {
     const FilmCertificate& claims = exported.certificate;
     const Document plain = unrefined(document);
-    Evaluator evaluator(assets);
+    Evaluator evaluator(assets, ShutIncisions::stay);
     const std::vector<double>& moments = exported.film.moments;
     const std::vector<double> rate = moments_of({claims.first_frame, claims.last_frame}, per_frame);
     std::vector<double> frames = rate;

@@ -116,7 +116,12 @@ struct Evaluator::Cache {
         std::vector<std::unique_ptr<Step>> steps = all_steps();
         Recent<std::pair<Ref<Stage>, std::optional<Surfacing>>, Ref<EvaluatedObject>> finished;
     };
-    explicit Cache(Ref<AssetStore> store) : assets(store), shapes(std::move(store)) {}
+    Cache(Ref<AssetStore> store, ShutIncisions shut)
+        : assets(store),
+          shapes(std::move(store)),
+          shut_incisions(shut)
+    {
+    }
     // Forgets what neither the document nor a kept result uses. An object that undo brings back is
     // computed again.
     void forget_unused(const Document& document)
@@ -130,9 +135,13 @@ struct Evaluator::Cache {
     Shapes shapes;
     RayMeshes ray_meshes;
     std::map<Id, ObjectCache> objects;
+    ShutIncisions shut_incisions;
 };
 
-Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(std::move(assets))) {}
+Evaluator::Evaluator(Ref<AssetStore> assets, ShutIncisions shut)
+    : cache_(std::make_unique<Cache>(std::move(assets), shut))
+{
+}
 
 Evaluator::~Evaluator() = default;
 
@@ -152,9 +161,16 @@ Evaluation Evaluator::operator()(const Document& still, double frame, const Prog
             kept.shape->empty()) // a missing file may have come back
             kept.shape = cache_->shapes(ref->source, result.timings, progress);
         kept.object = ref;
-        const StepInput input{document,       id,       *ref,
-                              frame,          done,     cache_->ray_meshes,
-                              result.timings, progress, *cache_->assets};
+        const StepInput input{document,
+                              id,
+                              *ref,
+                              frame,
+                              done,
+                              cache_->ray_meshes,
+                              result.timings,
+                              progress,
+                              *cache_->assets,
+                              cache_->shut_incisions};
         Ref<Stage> stage = kept.begun(kept.shape, [&] { return make_ref(begun(kept.shape)); });
         for (const std::unique_ptr<Step>& step : kept.steps) stage = (*step)(stage, input);
         const Ref<EvaluatedObject>& object = kept.finished(

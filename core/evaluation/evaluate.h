@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
 #include "core/evaluation/evaluated.h"
+#include "core/evaluation/step.h"
 
 #include <memory>
 
@@ -18,7 +19,7 @@ namespace trivar {
 // Cancelled; trouble with single objects is in their notices.
 class Evaluator {
 public:
-    explicit Evaluator(Ref<AssetStore> assets);
+    explicit Evaluator(Ref<AssetStore> assets, ShutIncisions shut = ShutIncisions::vanish);
     ~Evaluator();
     // Evaluates at a frame of the document's time, which may lie between two frames; without a
     // frame, at the first one. The result does not depend on earlier evaluations.

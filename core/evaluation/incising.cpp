@@ -48,6 +48,16 @@ struct ToMesh {
     double metres; // on the model, of a unit of the mesh
 };
 
+// Whether any of these incisions has keys.
+bool change_in_time(const Tracks& tracks, const std::vector<std::size_t>& incisions)
+{
+    return std::ranges::any_of(incisions, [&](std::size_t i) {
+        const std::string of_incision = fmt::format("incising.cuts.{}.", i);
+        return std::ranges::any_of(
+            tracks, [&](const Track& t) { return t.parameter.starts_with(of_incision); });
+    });
+}
+
 // What of an object's incisions the topology depends on, and how walls are numbered.
 Incising without_openings(Incising incising)
 {
@@ -216,6 +226,10 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
                 openings.push_back(incising->cuts[i].opening);
             const OpenMesh& open = open_({wound.incised, openings}, [&] {
                 return timed(input.timings, "incise", [&] {
+                    if (!is_open(*wound.incised, openings) &&
+                        input.shut_incisions == ShutIncisions::stay &&
+                        change_in_time(input.object.tracks, wound.incisions))
+                        return OpenMesh{wound.incised->rest, wound.rest};
                     const OpenedFrames::Frame frame = (*wound.frames)(openings);
                     return OpenMesh{frame.mesh, std::make_shared<const Extent>(
                                                     frame.mesh, *wound.rest, frame.box)};

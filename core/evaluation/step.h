@@ -6,10 +6,16 @@
 #include "core/evaluation/evaluated.h"
 #include "core/evaluation/ray_meshes.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace trivar {
+
+// What an object is while all its incisions are shut. They `vanish`: it is the model before, to the
+// bit. Or those that open in time `stay` as walls without area, so that the triangles of a film are
+// the same in all frames.
+enum class ShutIncisions : std::uint8_t { vanish, stay };
 
 // A StepInput is what a step may read beside the stage before it: the object at one frame, and the
 // results of the objects on which it depends.
@@ -23,6 +29,7 @@ struct StepInput {
     Timings& timings;
     const Progress& progress;
     const AssetStore& assets; // for pictures
+    ShutIncisions shut_incisions;
 
     double seconds_since(int start_frame) const
     {

@@ -4,6 +4,8 @@
 #include "core/certificate/film_check.h"
 #include "core/commands/text.h"
 #include "core/export/animated_files.h"
+#include "core/mesh/closed_body.h"
+#include "tests/document/incised_ball.h"
 #include "tests/export/scenes.h"
 
 #include <gmock/gmock.h>
@@ -98,6 +100,36 @@ TEST_F(ChangingTriangles, StayWhereOnlyTheirVerticesMove)
     ASSERT_NE(at, text.npos);
     EXPECT_THAT(text.substr(at, text.find("def Mesh", at + 1) - at),
                 HasSubstr("points.timeSamples"));
+}
+
+// A ball 1 with an incision at some opening, in the time of the other scenes.
+Document incised_scene(double opening)
+{
+    Document document = testing::incised_ball(opening);
+    document.time = {.first_frame = 1, .last_frame = 7, .frames_per_second = 12};
+    return document;
+}
+
+TEST_F(ChangingTriangles, AreNoneWhereAnIncisionOpensInTime)
+{
+    const Document opens = keyed(incised_scene(0), 1, "incising.cuts.0.opening",
+                                 {{.frame = 1}, {.frame = 3}, {.frame = 7, .value = 1}});
+    const AnimatedExport made = exported(opens, 5e-3);
+    ASSERT_EQ(made.film.strips.size(), 1u);
+    EXPECT_EQ(made.certificate.parts.at(0).way, "targets");
+    const Ref<Mesh> shut = made.film.strips[0].shown.front()->mesh();
+    EXPECT_TRUE(is_closed_body(*shut));
+    EXPECT_GT(shut->face_count(), testing::ball_in(opens, 1)->parts.at(0).mesh()->face_count());
+    expect_holds(opens, made, 1);
+}
+
+TEST_F(ChangingTriangles, AreNoneWhereAnIncisionStaysShut)
+{
+    const Document shut = incised_scene(0);
+    const AnimatedExport made = exported(shut);
+    ASSERT_EQ(made.film.strips.size(), 1u);
+    EXPECT_EQ(made.film.strips[0].shown.front()->mesh()->corners,
+              testing::ball_in(shut, 1)->parts.at(0).mesh()->corners);
 }
 
 } // namespace
