@@ -71,12 +71,21 @@ std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted
         p[term.vertex] += share *
                           admitted[term.incision].at(double{term.share}, double{term.below}) *
                           glm::dvec3(term.move);
-    return trivar::piercings(p, triangles_);
+    std::vector<char> moved(triangles_.size());
+    for (std::size_t t = 0; t < moved.size(); ++t)
+        for (int i = 0; i < 3; ++i) moved[t] |= p[triangles_[t][i]] != rest_[triangles_[t][i]];
+    std::vector<PiercingPair> out = trivar::piercings(p, triangles_, moved);
+    std::erase_if(out, [&](const PiercingPair& pair) {
+        return pierce(rest_, triangles_[pair.a], triangles_[pair.b]);
+    });
+    return out;
 }
 
 std::vector<PiercingPair> CutGuard::piercings_when_shut() const
 {
-    return trivar::piercings(rest_, triangles_);
+    std::vector<char> walls(triangles_.size(), 0);
+    std::fill_n(walls.begin() + static_cast<std::ptrdiff_t>(first_wall_), walls_.size(), 1);
+    return trivar::piercings(rest_, triangles_, walls);
 }
 
 // How much the incisions change the place of two triangles to each other: the greatest distance
@@ -155,9 +164,7 @@ std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
                                                          std::span<const Incision> incisions)
 {
     const CutGuard guard(shape);
-    const std::vector<PiercingPair> shut = guard.piercings_when_shut(); // the model's own
-    for (const PiercingPair& pair : shut)
-        if (guard.is_wall(pair.a) || guard.is_wall(pair.b)) return {};
+    if (!guard.piercings_when_shut().empty()) return {};
     std::vector<Admitted> admitted(incisions.size());
     std::vector<double> radius(incisions.size(), 1);
     const double edge = shape.drawing.skin().usual_edge();
@@ -166,10 +173,7 @@ std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
             std::max(edges_of_dent * edge, widths_of_dent * incisions[run.incision].width) /
             run.length;
     const auto pierce_at = [&](double share) {
-        std::vector<PiercingPair> pairs = guard.piercings(admitted, share);
-        std::erase_if(pairs, [&](const PiercingPair& pair) {
-            return std::ranges::binary_search(shut, pair);
-        });
+        const std::vector<PiercingPair> pairs = guard.piercings(admitted, share);
         if (pairs.empty()) return false;
         guard.narrow(pairs, radius, admitted);
         return true;

@@ -15,8 +15,10 @@ class CutGuard {
 public:
     explicit CutGuard(const CutShape& shape);
 
-    // With each incision open by a share of what it is let have, or all of them shut. Ascending.
+    // With each incision open by a share of what it is let have: those that are not when all of
+    // them are shut. Ascending.
     std::vector<PiercingPair> piercings(std::span<const Admitted> admitted, double share) const;
+    // Those of walls, with all of them shut.
     std::vector<PiercingPair> piercings_when_shut() const;
     bool is_wall(std::uint32_t triangle) const
     {

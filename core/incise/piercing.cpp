@@ -1,31 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/piercing.h"
 
-#include "core/base/box.h"
 #include "core/base/parallel.h"
+#include "core/incise/box_sweep.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace trivar {
 namespace {
 
 constexpr double least_certain = 1e-14; // of the largest determinant with such edges
-constexpr std::size_t entries_per_block = 4096;
-
-int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
-{
-    const glm::dvec3 x = b - a, y = c - a, z = d - a;
-    const double det = glm::dot(x, glm::cross(y, z));
-    const auto size = [](const glm::dvec3& v) {
-        return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-    };
-    const double bound = least_certain * size(x) * size(y) * size(z);
-    return det > bound ? 1 : det < -bound ? -1 : 0;
-}
+constexpr std::size_t triangles_per_block = 2048, entries_per_block = 1024;
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
+using CornerSides = std::array<int, 3>; // of a plane; 0: not certain
+
+double size_of(const glm::dvec3& v)
+{
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+// The plane through three points.
+class CertainPlane {
+public:
+    CertainPlane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+        : a_(a),
+          normal_(glm::cross(b - a, c - a)),
+          bound_(least_certain * size_of(b - a) * size_of(c - a))
+    {
+    }
+    int side(const glm::dvec3& p) const
+    {
+        const glm::dvec3 x = p - a_;
+        const double det = glm::dot(normal_, x), bound = bound_ * size_of(x);
+        return int{det > bound} - int{det < -bound};
+    }
+
+private:
+    glm::dvec3 a_, normal_;
+    double bound_;
+};
 
 // Whether the line from p to q, whose ends lie on those sides of a triangle's plane, goes through
 // its inside.
@@ -33,17 +50,17 @@ bool goes_through(const glm::dvec3& p, const glm::dvec3& q, int side_p, int side
                   const TriangleCorners& t)
 {
     if (side_p * side_q >= 0) return false;
-    const int u = side_of(p, q, t[0], t[1]);
-    return u != 0 && u == side_of(p, q, t[1], t[2]) && u == side_of(p, q, t[2], t[0]);
+    const auto turn = [&](std::size_t i, std::size_t k) {
+        return CertainPlane(p, q, t[i]).side(t[k]);
+    };
+    const int u = turn(0, 1);
+    return u != 0 && u == turn(1, 2) && u == turn(2, 0);
 }
 
-// Whether a side of `t` goes through the inside of `other`; `common`: the corner of t that is one
-// of the other's, or -1.
-bool goes_through(const TriangleCorners& t, int common, const TriangleCorners& other)
+// Whether a side of `t`, whose corners lie on those sides of the other's plane, goes through its
+// inside.
+bool goes_through(const TriangleCorners& t, const CornerSides& side, const TriangleCorners& other)
 {
-    std::array<int, 3> side{};
-    for (std::size_t i = 0; i < 3; ++i)
-        side[i] = static_cast<int>(i) == common ? 0 : side_of(other[0], other[1], other[2], t[i]);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t k = (i + 1) % 3;
         if (goes_through(t[i], t[k], side[i], side[k], other)) return true;
@@ -51,105 +68,69 @@ bool goes_through(const TriangleCorners& t, int common, const TriangleCorners& o
     return false;
 }
 
-class PiercingSearch {
-public:
-    PiercingSearch(const std::vector<glm::dvec3>& p, const std::vector<glm::uvec3>& triangles)
-        : p_(p),
-          triangles_(triangles)
-    {
-        double sizes = 0;
-        Box all;
-        for (const glm::uvec3& t : triangles) {
-            Box box;
-            for (int i = 0; i < 3; ++i) box.add(p[t[i]]);
-            sizes += glm::length(box.size());
-            all.add(box);
-            boxes_.push_back(box);
-        }
-        origin_ = all.lo;
-        const double most = glm::length(all.size()) / (1 << 19); // cells have 20 bits an axis
-        cell_ = std::max(
-            {sizes / static_cast<double>(std::max<std::size_t>(1, boxes_.size())), most, 1e-300});
-    }
+// The corner `common` of t, or -1, is one of the other's.
+CornerSides sides_of(const TriangleCorners& t, int common, const TriangleCorners& other)
+{
+    const CertainPlane plane(other[0], other[1], other[2]);
+    CornerSides out{plane.side(t[0]), plane.side(t[1]), plane.side(t[2])};
+    if (common >= 0) out[static_cast<std::size_t>(common)] = 0;
+    return out;
+}
 
-    std::vector<PiercingPair> operator()()
-    {
-        enter_cells();
-        std::vector<std::vector<PiercingPair>> found(entries_.size() / entries_per_block + 1);
-        parallel_blocks(entries_.size(), entries_per_block,
-                        [&](std::size_t begin, std::size_t end) {
-                            for (std::size_t i = begin; i < end; ++i)
-                                compare_with_next(i, found[begin / entries_per_block]);
-                        });
-        std::vector<PiercingPair> all;
-        for (const auto& each : found) all.insert(all.end(), each.begin(), each.end());
-        std::ranges::sort(all);
-        return all;
-    }
+// Whether all but a common corner are, for certain, on the same side, so that nothing pierces.
+bool on_one_side(const CornerSides& side, int common)
+{
+    const int sum = side[0] + side[1] + side[2];
+    return std::abs(sum) == (common < 0 ? 3 : 2);
+}
 
-private:
-    struct Entry {
-        std::uint64_t cell;
-        std::uint32_t triangle;
-        auto operator<=>(const Entry&) const = default;
+// A bit for each pair of corners: the lowest three are those of the first one of s.
+unsigned common_corners(const glm::uvec3& s, const glm::uvec3& t)
+{
+    const auto with = [&](std::uint32_t p) {
+        return unsigned{p == t.x} | unsigned{p == t.y} << 1 | unsigned{p == t.z} << 2;
     };
-    glm::u64vec3 cell_at(const glm::dvec3& x) const { return glm::u64vec3((x - origin_) / cell_); }
-    static std::uint64_t key(const glm::u64vec3& c) { return c.x << 42 | c.y << 21 | c.z; }
-
-    void enter_cells()
-    {
-        for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
-            const glm::u64vec3 lo = cell_at(boxes_[t].lo), hi = cell_at(boxes_[t].hi);
-            glm::u64vec3 c;
-            for (c.x = lo.x; c.x <= hi.x; ++c.x)
-                for (c.y = lo.y; c.y <= hi.y; ++c.y)
-                    for (c.z = lo.z; c.z <= hi.z; ++c.z) entries_.push_back({key(c), t});
-        }
-        std::ranges::sort(entries_);
-    }
-
-    void compare_with_next(std::size_t i, std::vector<PiercingPair>& found) const
-    {
-        for (std::size_t j = i + 1; j < entries_.size() && entries_[j].cell == entries_[i].cell;
-             ++j) {
-            const std::uint32_t s = entries_[i].triangle, t = entries_[j].triangle;
-            if (boxes_[s].apart(boxes_[t])) continue;
-            // A pair that meets in several cells is looked at in the first of them
-            if (key(cell_at(glm::max(boxes_[s].lo, boxes_[t].lo))) != entries_[i].cell) continue;
-            if (pierce(triangles_[s], triangles_[t]))
-                found.push_back({std::min(s, t), std::max(s, t)});
-        }
-    }
-    bool pierce(const glm::uvec3& s, const glm::uvec3& t) const
-    {
-        int common = 0, at_s = 0, at_t = 0;
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k)
-                if (s[i] == t[k]) {
-                    ++common;
-                    at_s = i;
-                    at_t = k;
-                }
-        if (common > 1) return false;
-        const TriangleCorners a{p_[s.x], p_[s.y], p_[s.z]}, b{p_[t.x], p_[t.y], p_[t.z]};
-        return goes_through(a, common == 1 ? at_s : -1, b) ||
-               goes_through(b, common == 1 ? at_t : -1, a);
-    }
-
-    const std::vector<glm::dvec3>& p_;
-    const std::vector<glm::uvec3>& triangles_;
-    std::vector<Box> boxes_;
-    glm::dvec3 origin_{0};
-    double cell_ = 1;
-    std::vector<Entry> entries_;
-};
+    return with(s.x) | with(s.y) << 3 | with(s.z) << 6;
+}
 
 } // namespace
 
-std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& p,
-                                    const std::vector<glm::uvec3>& triangles)
+bool pierce(const std::vector<glm::dvec3>& p, const glm::uvec3& s, const glm::uvec3& t)
 {
-    return PiercingSearch(p, triangles)();
+    const unsigned common = common_corners(s, t);
+    if ((common & (common - 1)) != 0) return false; // more than one
+    const int pair = std::countr_zero(common), at_s = common == 0 ? -1 : pair / 3,
+              at_t = common == 0 ? -1 : pair % 3;
+    const TriangleCorners a{p[s.x], p[s.y], p[s.z]}, b{p[t.x], p[t.y], p[t.z]};
+    const CornerSides of_a = sides_of(a, at_s, b);
+    if (on_one_side(of_a, at_s)) return false;
+    const CornerSides of_b = sides_of(b, at_t, a);
+    if (on_one_side(of_b, at_t)) return false;
+    return goes_through(a, of_a, b) || goes_through(b, of_b, a);
+}
+
+std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& p,
+                                    const std::vector<glm::uvec3>& triangles,
+                                    std::span<const char> asked)
+{
+    std::vector<Box> boxes(triangles.size());
+    parallel_blocks(triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (int i = 0; i < 3; ++i) boxes[t].add(p[triangles[t][i]]);
+    });
+    const BoxSweep sweep(boxes, asked);
+    std::vector<std::vector<PiercingPair>> found(sweep.entry_count() / entries_per_block + 1);
+    parallel_blocks(
+        sweep.entry_count(), entries_per_block, [&](std::size_t begin, std::size_t end) {
+            sweep.pairs(begin, end, [&](std::uint32_t s, std::uint32_t t) {
+                if (pierce(p, triangles[s], triangles[t]))
+                    found[begin / entries_per_block].push_back({std::min(s, t), std::max(s, t)});
+            });
+        });
+    std::vector<PiercingPair> all;
+    for (const auto& each : found) all.insert(all.end(), each.begin(), each.end());
+    std::ranges::sort(all);
+    return all;
 }
 
 } // namespace trivar

@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace trivar {
@@ -13,10 +14,15 @@ struct PiercingPair {
     auto operator<=>(const PiercingPair&) const = default;
 };
 
-// Finds the triangles that pierce each other and have at most one vertex in common, ascending. It
-// decides with doubles: what they cannot tell from touching is no piercing. Costs O(#triangles log)
-// where they are of like size. In parallel; the same for any number of threads.
+// Whether two triangles pierce each other and have at most one vertex in common. It decides with
+// doubles: what they cannot tell from touching is no piercing.
+bool pierce(const std::vector<glm::dvec3>& positions, const glm::uvec3& a, const glm::uvec3& b);
+
+// Finds the pairs that do, ascending; where triangles are `asked` for, those with one of them.
+// Costs O(#triangles + #pairs whose boxes meet) where they are of like size. In parallel; the same
+// for any number of threads.
 std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& positions,
-                                    const std::vector<glm::uvec3>& triangles);
+                                    const std::vector<glm::uvec3>& triangles,
+                                    std::span<const char> asked = {});
 
 } // namespace trivar

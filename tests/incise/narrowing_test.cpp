@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/narrowing.h"
-#include "core/incise/piercing.h"
 
 #include <gtest/gtest.h>
 
@@ -37,16 +36,6 @@ TEST(Narrowings, DrawTogetherBelowWithoutTheSkin)
     EXPECT_EQ(admitted.at(0.5, 0), 1);
     EXPECT_NEAR(admitted.at(0.5, 0.25), 0.5, 1e-12);
     EXPECT_EQ(admitted.at(0.5, 1), 0);
-}
-
-TEST(Piercings, AreFoundButNotWhereTrianglesTouchOrShareAnEdge)
-{
-    const std::vector<glm::dvec3> p{{0, 0, 0},      {2, 0, 0},     {0, 2, 0},
-                                    {0.5, 0.5, -1}, {0.5, 0.5, 1}, {3, 0.5, 0},
-                                    {0.5, 0, 0},    {0, -1, 0.5},  {1, -1, 0.5}};
-    const std::vector<glm::uvec3> all{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {0, 1, 4}};
-    const std::vector<PiercingPair> found = piercings(p, all);
-    EXPECT_EQ(found, (std::vector<PiercingPair>{{0, 1}}));
 }
 
 } // namespace
