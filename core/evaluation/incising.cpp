@@ -183,7 +183,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
             options_for(incising, shape.materials->size(), ways[m].metres);
         try {
             const Ref<IncisedMesh> incised = timed(input.timings, "incise", [&] {
-                return make_ref(incise(*skins[m], cuts, options));
+                return make_ref(incise(*skins[m], cuts, options, made_));
             });
             for (std::size_t k = 0; k < cuts.size(); ++k) {
                 const IncisedMesh::Outcome& outcome = incised->outcomes[k];

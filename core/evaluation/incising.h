@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/lender.h"
 #include "core/base/recent.h"
 #include "core/evaluation/step.h"
 #include "core/incise/incise.h"
@@ -37,6 +38,7 @@ private:
     Wounds wounds_in(const Shape& shape, const Incising& incising, const StepInput& input);
     Ref<CutSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
 
+    Lender<Mesh> made_; // meshes of cuts at rest
     Recent<Ref<Mesh>, Ref<CutSkin>> skins_;
     Recent<std::pair<Ref<Shape>, Incising>, Ref<Wounds>> wounds_; // all open, of no look
     Recent<std::pair<Ref<IncisedMesh>, std::vector<IncisionOpening>>, OpenMesh> open_;

@@ -21,7 +21,7 @@ constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
 CutGuard::CutGuard(const CutShape& shape)
 {
     const CutSkin& skin = shape.drawing.skin();
-    KeyNumbers local;
+    KeyNumbers local(shape.walls.skin.size() + shape.walls.made.size()); // about
     std::vector<std::uint32_t> vertices;
     const auto number = [&](std::uint32_t vertex) {
         const auto [n, fresh] = local.number(vertex);

@@ -37,7 +37,8 @@ double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> inc
 // The cuts of a layout, or none where one more of them cannot go through the body.
 std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision> all,
                                const InciseOptions& options,
-                               std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls)
+                               std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls,
+                               Lender<Mesh>& made)
 {
     IncisedMesh out;
     const CutDrawing& drawing = layout.drawing;
@@ -128,7 +129,7 @@ std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision
                 has_walls[shape.runs[pieces[pass.piece].run].incision] = 1;
         for (const CutRun& run : shape.runs)
             if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
-        make_rest(out, shape, all, borders, options.layers);
+        make_rest(out, shape, all, borders, options.layers, made);
         return out;
     }
     return out;
@@ -137,6 +138,13 @@ std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision
 } // namespace
 
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
+{
+    Lender<Mesh> none;
+    return incise(skin, all, options, none);
+}
+
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options,
+                   Lender<Mesh>& made)
 {
     Shortfalls shortfalls(all.size());
     for (;;) { // ends as every turn without a result adds a shortfall
@@ -147,8 +155,9 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
             laid_out(skin, all, options.reach, options.rows, none.outcomes, shortfalls);
         if (!layout) continue;
         if (layout->runs.empty()) return none;
-        if (std::optional<IncisedMesh> made = cut(*layout, all, options, none.outcomes, shortfalls))
-            return *std::move(made);
+        if (std::optional<IncisedMesh> whole =
+                cut(*layout, all, options, none.outcomes, shortfalls, made))
+            return *std::move(whole);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/lender.h"
 #include "core/incise/cut_skin.h"
 #include "core/incise/incised.h"
 
@@ -21,5 +22,8 @@ struct InciseOptions {
 // [Schein, thesis, 6.8]; docs/incise.md tells the steps.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
+// The same; `made` lends the mesh, in the memory of one that nobody has any more.
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
+                   const InciseOptions& options, Lender<Mesh>& made);
 
 } // namespace trivar

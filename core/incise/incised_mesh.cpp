@@ -24,9 +24,10 @@ public:
     {
     }
 
-    void make(IncisedMesh& out, std::span<const int> borders, std::span<const WallLayer> layers)
+    void make(IncisedMesh& out, std::span<const int> borders, std::span<const WallLayer> layers,
+              Lender<Mesh>& made)
     {
-        Mesh rest = copied();
+        Mesh rest = copied(made.take_back().value_or(Mesh()));
         if (!layers.empty() && rest.face_material.empty())
             rest.face_material.assign(rest.face_count(), 0);
         out.has_hole = !shape_.left_out.none();
@@ -57,7 +58,7 @@ public:
         set_wall_tangents(rest, out);
         keep_creases(rest);
         take_terms(out);
-        out.rest = make_ref(std::move(rest));
+        out.rest = made.lend(std::move(rest));
     }
 
 private:
@@ -73,8 +74,9 @@ private:
         if (!rest.face_group.empty()) rest.face_group.push_back(mesh_.face_group[face]);
     }
 
-    // The original without the faces of the patch, with room for more.
-    Mesh copied() const
+    // The original without its creases and the faces of the patch, with room for more, in the
+    // memory of `out`.
+    Mesh copied(Mesh out) const
     {
         std::vector<std::uint32_t> faces;
         for (const std::uint32_t t : shape_.patch.replaced)
@@ -85,8 +87,8 @@ private:
         faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
         const std::size_t triangles = shape_.patch.triangles.size() + shape_.walls.walls.size();
         const std::size_t more = room_per_triangle * triangles;
-        Mesh out;
         copy_others(out, mesh_, faces, more, triangles);
+        out.creases.clear();
         return out;
     }
 
@@ -297,9 +299,9 @@ private:
 } // namespace
 
 void make_rest(IncisedMesh& incised, const CutShape& shape, std::span<const Incision> incisions,
-               std::span<const int> borders, std::span<const WallLayer> layers)
+               std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made)
 {
-    RestMesh(shape, incisions, *incised.original).make(incised, borders, layers);
+    RestMesh(shape, incisions, *incised.original).make(incised, borders, layers, made);
 }
 
 } // namespace trivar

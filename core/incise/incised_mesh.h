@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/lender.h"
 #include "core/incise/cut_shape.h"
 #include "core/incise/incised.h"
 
@@ -9,8 +10,8 @@ namespace trivar {
 // The mesh of cuts that are shut: the original's faces but those of the patch, then the pieces of
 // skin, then the walls. New vertices of the skin have the blended attributes of the face that they
 // lie on; walls have vertices of their own, with texture coordinates (length along the cut, depth)
-// in units of the mesh. Fills `rest`, the terms and what moves.
+// in units of the mesh. Fills `rest`, which `made` lends, the terms and what moves.
 void make_rest(IncisedMesh& incised, const CutShape& shape, std::span<const Incision> incisions,
-               std::span<const int> borders, std::span<const WallLayer> layers);
+               std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made);
 
 } // namespace trivar

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t gathered_per_block = 1 << 14;
+constexpr std::size_t gathered_per_block = 1 << 14, numbers_per_piece = 1 << 12;
 
 // NumberSet is a set of numbers that says how many of its members are less than one.
 class NumberSet {
@@ -78,13 +78,23 @@ void append_values(std::vector<std::uint32_t>& out, const std::vector<std::uint3
     out.insert(out.end(), more.begin(), more.end());
 }
 
+// Appends value(i) for every i < count: in pieces, as resizing clears what is then written.
+void append_numbers(std::vector<std::uint32_t>& out, std::size_t count, const auto& value)
+{
+    for (std::size_t begin = 0; begin < count; begin += numbers_per_piece) {
+        const std::size_t end = std::min(count, begin + numbers_per_piece), at = out.size();
+        out.resize(at + end - begin);
+        for (std::size_t i = begin; i < end; ++i) out[at + i - begin] = value(i);
+    }
+}
+
 // A point for every vertex, with room for more.
 void copy_points(const Mesh& mesh, std::size_t more, std::vector<std::uint32_t>& out)
 {
     if (!mesh.points.empty()) return copy_with_room(mesh.points, more, out);
     empty_with_room(out, mesh.vertex_count() + more, more);
-    out.resize(mesh.vertex_count());
-    std::iota(out.begin(), out.end(), 0u);
+    append_numbers(out, mesh.vertex_count(),
+                   [](std::size_t v) { return static_cast<std::uint32_t>(v); });
 }
 
 // Makes the faces of `out` those of a mesh but for some (ascending), in their order, with room for
@@ -114,10 +124,8 @@ void take_other_faces(Mesh& out, const Mesh& mesh, const std::vector<std::uint32
         out.face_begin.push_back(0);
         for_runs([&](std::size_t begin, std::size_t end) {
             const std::uint32_t shift = out.face_begin.back() - mesh.face_begin[begin];
-            const std::size_t at = out.face_begin.size();
-            out.face_begin.resize(at + end - begin);
-            for (std::size_t f = begin; f < end; ++f)
-                out.face_begin[at + f - begin] = mesh.face_begin[f + 1] + shift;
+            append_numbers(out.face_begin, end - begin,
+                           [&](std::size_t f) { return mesh.face_begin[begin + f + 1] + shift; });
         });
     });
     for (const auto member : {&Mesh::face_material, &Mesh::face_group})

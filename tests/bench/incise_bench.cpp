@@ -71,8 +71,9 @@ std::vector<Incision> large_cuts(int count, double length, double width)
 void incise_cuts(benchmark::State& state, const CutSkin& skin, const std::vector<Incision>& cuts,
                  bool guarded)
 {
+    Lender<Mesh> meshes; // as while a cut is changed, frame by frame
     IncisedMesh made;
-    for (auto _ : state) made = incise(skin, cuts, {.guarded = guarded});
+    for (auto _ : state) made = incise(skin, cuts, {.guarded = guarded}, meshes);
     state.counters["triangles"] = static_cast<double>(skin.triangle_count());
     state.counters["terms"] = static_cast<double>(made.terms.size());
     state.counters["widest"] = made.outcomes[0].widest; // share of the width that the guard admits

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 
 namespace trivar::testing {
 namespace {
@@ -25,6 +26,10 @@ Mesh rich_sphere()
     }
     mesh.morph_targets = {target};
     mesh.face_material.assign(mesh.face_count(), 3);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const std::uint32_t* const corner = mesh.corners.data() + mesh.face_begin[f];
+        mesh.creases.push_back({corner[0], corner[1], 2});
+    }
     return mesh;
 }
 
@@ -109,6 +114,30 @@ TEST_F(RichSphere, ACutOverASeamKeepsItAndStaysClosed)
             EXPECT_LT(glm::distance(mesh.uvs[0][mesh.corners[c]],
                                     mesh.uvs[0][mesh.corners[mesh.face_begin[f]]]),
                       0.2f);
+}
+
+TEST_F(RichSphere, EdgesThatStayWholeKeepTheirCrease)
+{
+    const IncisedMesh made = incise(skin, crossing_cuts_on_sphere());
+    const Mesh& mesh = *made.rest;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t f = 0; f < made.first_wall_face; ++f)
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const std::uint32_t next = c + 1 < mesh.face_begin[f + 1] ? c + 1 : mesh.face_begin[f];
+            edges.insert(std::minmax(mesh.point(mesh.corners[c]), mesh.point(mesh.corners[next])));
+        }
+    for (const Mesh::Crease& crease : mesh.creases)
+        EXPECT_TRUE(edges.contains(std::minmax(mesh.point(crease.a), mesh.point(crease.b))));
+    EXPECT_LT(mesh.creases.size(), before.creases.size());
+    EXPECT_GT(mesh.creases.size(), before.creases.size() / 2);
+}
+
+TEST_F(RichSphere, IsTheSameInTheMemoryOfAnother)
+{
+    Lender<Mesh> meshes;
+    incise(skin_of(icosphere(3)), crossing_cuts_on_sphere(), {}, meshes);
+    EXPECT_EQ(*incise(skin, crossing_cuts_on_sphere(), {}, meshes).rest,
+              *incise(skin, crossing_cuts_on_sphere()).rest);
 }
 
 TEST_F(RichSphere, WallsHaveTheMaterialOfTheirLayer)
