@@ -222,10 +222,14 @@ private:
                      ++k)
                     accept(neighbours.of[k], at.segment, at.side, false);
             if (at.point >= skin.point_count()) continue;
+            // All round a point the end of a triangle is the beginning of the next one
+            const bool all_round =
+                local == KeyNumbers::none && skin.soundness(at.point) == CutSkin::Soundness::sound;
             skin.around(at.point, [&](std::uint32_t side) {
                 if (local != KeyNumbers::none && patch.replaces(side / 3)) return;
                 accept(skin.to(side), at.segment, at.side, false);
-                accept(skin.from(CutSkin::previous(side)), at.segment, at.side, false);
+                if (!all_round)
+                    accept(skin.from(CutSkin::previous(side)), at.segment, at.side, false);
             });
         }
     }

@@ -21,7 +21,7 @@ constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
 CutGuard::CutGuard(const CutShape& shape)
 {
     const CutSkin& skin = shape.drawing.skin();
-    KeyNumbers local(shape.walls.skin.size() + shape.walls.made.size()); // about
+    KeyNumbers local(shape.terms.size() + shape.walls.skin.size()); // about
     std::vector<std::uint32_t> vertices;
     const auto number = [&](std::uint32_t vertex) {
         const auto [n, fresh] = local.number(vertex);
@@ -50,12 +50,12 @@ CutGuard::CutGuard(const CutShape& shape)
         terms_.back().vertex = number(term.vertex);
     }
     std::ranges::stable_sort(terms_, {}, &CutTerm::vertex);
-    KeyNumbers taken; // triangles of the skin round all these vertices
+    KeyNumbers taken(2 * shape.terms.size()); // triangles of the skin round all these vertices
     const std::size_t inner = vertices.size();
     for (std::size_t i = 0; i < inner; ++i) {
         if (vertices[i] >= skin.point_count()) continue;
         skin.around(vertices[i], [&](std::uint32_t side) {
-            if (shape.patch.replaces(side / 3) || !taken.number(side / 3).second) return;
+            if (!taken.number(side / 3).second || shape.patch.replaces(side / 3)) return;
             if (std::ranges::binary_search(shape.left_out.skin, side / 3)) return;
             const glm::uvec3& t = skin.triangle(side / 3);
             triangles_.emplace_back(number(t.x), number(t.y), number(t.z));

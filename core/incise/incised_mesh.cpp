@@ -261,12 +261,12 @@ private:
 
     void take_terms(IncisedMesh& out) const
     {
-        KeyNumbers slots; // by vertex of the cut
+        KeyNumbers slots(shape_.terms.size()); // by vertex of the cut
         for (const CutTerm& term : shape_.terms)
             out.terms.push_back(
                 {slots.number(term.vertex).first, term.incision, term.share, term.move});
         out.slots = slots.size();
-        KeyNumbers listed;
+        KeyNumbers listed(shape_.terms.size() + births_.size());
         const auto list = [&](std::uint32_t vertex, std::uint32_t cut_vertex) {
             const std::uint32_t slot = slots.find(cut_vertex);
             if (slot == KeyNumbers::none || !listed.number(vertex).second) return;
