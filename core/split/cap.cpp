@@ -145,7 +145,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
             if (options.coarseness && rim.gaps.contains({from, to})) {
                 std::vector<glm::dvec2> between;
                 add_between(options.places[from], options.places[to], options.coarseness,
-                            size / 1000, between);
+                            size / 8000, between);
                 for (const glm::dvec2& each : between) {
                     const int point = put_aside(plane, on_grid(each), last, number.size());
                     if (point < 0) return false;
@@ -166,7 +166,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
     for (const Triangulation::Corners& t : plane.inside())
         flat.corners.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
                                 static_cast<std::uint32_t>(t[2])});
-    if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 1000);
+    if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 8000);
     const std::size_t from_rim = number.size(), refined = first_inside + inside.size();
     const auto number_of = [&](std::uint32_t point) {
         return point < from_rim ? number[point]

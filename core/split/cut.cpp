@@ -85,7 +85,7 @@ class Crossings {
 public:
     Crossings(const Mesh& mesh, const std::vector<char>& above,
               const std::vector<CutTriangle>& across)
-        : mesh_(mesh)
+        : mesh_(&mesh)
     {
         edges_.reserve(2 * across.size());
         for (const CutTriangle& t : across)
@@ -106,21 +106,52 @@ public:
         return index_of(edges_, ordered(a, b));
     }
     std::uint32_t place(const CutEdge& edge) const { return index_of(places_, by_points(edge)); }
+    std::uint32_t place(std::uint32_t a, std::uint32_t b) const { return place(ordered(a, b)); }
 
 private:
     CutEdge ordered(std::uint32_t a, std::uint32_t b) const
     {
-        return mesh_.point(a) < mesh_.point(b) ? CutEdge{a, b} : CutEdge{b, a};
+        return mesh_->point(a) < mesh_->point(b) ? CutEdge{a, b} : CutEdge{b, a};
     }
-    CutEdge by_points(const CutEdge& e) const { return {mesh_.point(e.a), mesh_.point(e.b)}; }
+    CutEdge by_points(const CutEdge& e) const { return {mesh_->point(e.a), mesh_->point(e.b)}; }
     static std::uint32_t index_of(const std::vector<CutEdge>& sorted, const CutEdge& edge)
     {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(sorted, edge) - sorted.begin());
     }
 
-    const Mesh& mesh_;
+    const Mesh* mesh_;
     std::vector<CutEdge> edges_, places_; // places: edges between points
 };
+
+// Whether all loops of the cut are closed: each place is passed as often as left.
+bool all_closed(const std::vector<CutTriangle>& across, const std::vector<char>& above,
+                const Crossings& crossings)
+{
+    std::vector<char> odd(crossings.place_count(), 0);
+    for (const CutTriangle& t : across)
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t a = t.vertices[i], b = t.vertices[(i + 1) % 3];
+            if (above[a] != above[b]) odd[crossings.place(a, b)] ^= 1;
+        }
+    return std::ranges::find(odd, 1) == odd.end();
+}
+
+// Takes out the triangles that need not be cut. Where a loop is open, so that a cap may go across a
+// gap, all are cut. Returns whether there were any.
+bool leave_whole(std::vector<CutTriangle>& across, const Mesh& mesh, const std::vector<char>& above,
+                 const Crossings& crossings, const CutNeed& need)
+{
+    std::vector<glm::uvec3> vertices;
+    vertices.reserve(across.size());
+    for (const CutTriangle& t : across) vertices.push_back(t.vertices);
+    const std::vector<char> cut = needed(vertices, mesh, need);
+    if (cut.empty() || !all_closed(across, above, crossings)) return false;
+    std::size_t to = 0;
+    for (std::size_t k = 0; k < across.size(); ++k)
+        if (cut[k]) across[to++] = across[k];
+    across.resize(to);
+    return true;
+}
 
 // The faces that a triangle across the cut becomes: one on the side of its single corner, two on
 // the other side.
@@ -185,7 +216,7 @@ private:
 
 } // namespace
 
-CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
+CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, const CutNeed* need)
 {
     assert(heights.size() == mesh.vertex_count());
     CutMesh out;
@@ -196,14 +227,19 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory)
                     [&](std::size_t begin, std::size_t end) {
                         for (std::size_t v = begin; v < end; ++v) out.above[v] = heights[v] >= 0;
                     });
-    const std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
+    std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
+    std::vector<CutTriangle> across = triangles_of(mesh, faces);
+    Crossings crossings(mesh, out.above, across);
+    if (need && leave_whole(across, mesh, out.above, crossings, *need)) {
+        faces.clear();
+        for (const CutTriangle& t : across) faces.push_back(t.face);
+        crossings = Crossings(mesh, out.above, across);
+    }
     out.first_new_face = mesh.face_count() - faces.size();
     if (faces.empty()) {
         out.mesh = mesh;
         return out;
     }
-    const std::vector<CutTriangle> across = triangles_of(mesh, faces);
-    const Crossings crossings(mesh, out.above, across);
 
     // Copies on both halves, and the rims of both caps
     const std::size_t more = 5 * crossings.edges().size() + 64;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
+#include "core/split/needed_cut.h"
 
 namespace trivar {
 
@@ -44,7 +45,9 @@ struct CutMesh {
 // vertices are blended. Faces that are cut become triangles.
 // O(#V + #C), and O(k log k) for k faces that are cut. The same bits for any number of threads.
 // `memory` is a result that is not needed any more, of an earlier place of a cut that moves: its
-// memory is used again. [Schein, thesis, chapter 6]
-CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory = {});
+// memory is used again. `need` says where the halves part: loops beside that are left whole (see
+// needed()); the mesh then consists of triangles. [Schein, thesis, chapter 6]
+CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory = {},
+            const CutNeed* need = nullptr);
 
 } // namespace trivar

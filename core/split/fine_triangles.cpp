@@ -268,7 +268,8 @@ private:
                             c = corners_[t][(i + 2) % 3], d = corners_[other][(j + 2) % 3];
         const double now = std::min(slimness(a, b, c), slimness(b, a, d)),
                      then = std::min(slimness(a, d, c), slimness(d, b, c));
-        if (then < std::min(least_slimness, now) || then <= no_slimness) return;
+        const bool line = now <= no_slimness; // then one is as good as another
+        if (line ? then <= 0 : then < std::min(least_slimness, now) || then <= no_slimness) return;
         if (coarseness(c, d) >= least_gain * coarseness(a, b)) return;
         const std::uint32_t bc = neighbours_[t][(i + 1) % 3], ca = neighbours_[t][(i + 2) % 3];
         const std::uint32_t ad = neighbours_[other][(j + 1) % 3],

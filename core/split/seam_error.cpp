@@ -42,9 +42,11 @@ EdgeMotion motion_of(const JetBound& f, double v, const EdgeMotion& w)
 
 } // namespace
 
-void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
-                              const std::array<double, 3>& heights, EdgeErrors& edges) const
+SplitError::SideErrors SplitError::drawn_in_by_sides(std::size_t opening,
+                                                     const std::array<glm::dvec3, 3>& uvw,
+                                                     const std::array<double, 3>& heights) const
 {
+    SideErrors out{};
     const Opening& each = field_.openings[opening];
     const OpeningBounds& bounds = *each.bounds;
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
@@ -80,9 +82,10 @@ void SplitError::add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 
             const double u = phi_ee + motion_of(phi, std::abs(e[i].x), w).second +
                              kernel.value * wall_w.second + 2 * slope * wall_w.first * a +
                              wall.value * (curve * a * a + slope * phi_ee);
-            edges[i] += share_of_edge * (std::hypot(u, w.second) + (across ? phi_ee : 0));
+            out[side][i] = share_of_edge * (std::hypot(u, w.second) + (across ? phi_ee : 0));
         }
     }
+    return out;
 }
 
 EdgeErrors SplitError::drawn_in_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const

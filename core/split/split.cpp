@@ -48,6 +48,14 @@ glm::dvec2 parameters_of(const SplitFrame& frame, const glm::vec3& p_world)
     return {uvw.y, uvw.z};
 }
 
+CutNeed need_of(const Mesh& mesh, const SplitField& field, std::size_t opening)
+{
+    const OpeningWall& wall = field.openings[opening].walls[0];
+    return {{wall.lo(), wall.hi()}, [&](std::uint32_t vertex) {
+                return parameters_of(field.frame, mesh.positions[vertex]);
+            }};
+}
+
 // The seam of each opening; none unless the mesh is to be stitched.
 std::vector<Seam> seams_of(const Mesh& mesh, const SplitField& field, SplitClosing closing)
 {
@@ -98,9 +106,10 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
     out.coarseness = [&error, opening, tolerance, alone](const std::array<glm::dvec2, 3>& vw) {
         EdgeErrors edges = error.cap(opening, vw);
         for (double& each : edges) each /= tolerance;
-        if (alone) return TriangleCoarseness{edges, whole_error(edges)};
-        // Where another opening cuts it, a cap should not be far out of the body
+        // Beyond the walls the halves only touch, but a cap should not be far out of the body: it
+        // would be seen, or cross the rim of another opening
         constexpr double far = 32; // tolerances
+        if (alone && edges != EdgeErrors{}) return TriangleCoarseness{edges, whole_error(edges)};
         const EdgeErrors bends = error.surface(opening, vw);
         for (std::size_t i = 0; i < 3; ++i)
             edges[i] = std::max(edges[i], bends[i] / (far * tolerance));
@@ -299,7 +308,11 @@ SplitMesh split_all(FineMesh fine, const Parting& parting)
         std::vector<double> heights(out.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v)
             heights[v] = fine.heights[openings * v + i];
-        CutMesh cut_mesh = cut(out.mesh, heights, std::move(before));
+        // A cap of a later opening may run through the surface beside the walls, where it must be
+        // cut
+        const CutNeed need = need_of(out.mesh, field, i);
+        CutMesh cut_mesh =
+            cut(out.mesh, heights, std::move(before), i + 1 == openings ? &need : nullptr);
         const double moved = beside(cut_mesh, field, i);
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();

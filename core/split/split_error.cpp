@@ -44,21 +44,24 @@ EdgeErrors SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
 {
     EdgeErrors out{};
     for (std::size_t k = 0; k < field_.openings.size(); ++k)
-        add(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}, out);
+        for (const EdgeErrors& side :
+             by_sides(k, uvw, {heights[0][k], heights[1][k], heights[2][k]}))
+            for (std::size_t i = 0; i < 3; ++i) out[i] += side[i];
     return out;
 }
 
-// Adds what opening k makes of the triangle.
-void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
-                     const std::array<double, 3>& heights, EdgeErrors& edges) const
+// What opening k makes of the triangle.
+SplitError::SideErrors SplitError::by_sides(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
+                                            const std::array<double, 3>& heights) const
 {
+    SideErrors out{};
     const Opening& each = field_.openings[k];
     const OpeningBounds& bounds = *each.bounds;
     const glm::dvec3 lo = glm::min(glm::min(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec3 hi = glm::max(glm::max(uvw[0], uvw[1]), uvw[2]);
     const glm::dvec2 lo2(lo.y, lo.z), hi2(hi.y, hi.z);
-    if (apart(lo2, hi2, each.walls[0].lo(), each.walls[0].hi())) return;
-    if (draws(k)) return add_drawn_in(k, uvw, heights, edges);
+    if (apart(lo2, hi2, each.walls[0].lo(), each.walls[0].hi())) return out;
+    if (draws(k)) return drawn_in_by_sides(k, uvw, heights);
     std::array<glm::dvec2, 3> e; // edges, by (v, w)
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& from = uvw[i];
@@ -84,9 +87,10 @@ void SplitError::add(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
             const double second = kernel.value * w.second(e[i]) + 2 * slope * w.first(e[i]) * a +
                                   w.value * (curve * a * a + slope * phi_ee[i]);
             // Where the cut goes through, the chord of the surface counts as well
-            edges[i] += share_of_edge * (second + (across ? phi_ee[i] : 0));
+            out[side][i] = share_of_edge * (second + (across ? phi_ee[i] : 0));
         }
     }
+    return out;
 }
 
 double SplitError::within(const Box& uvw) const
@@ -145,7 +149,10 @@ EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>&
         if (k == opening) continue;
         std::array<double, 3> heights{};
         for (std::size_t i = 0; i < 3; ++i) heights[i] = field_.openings[k].height(uvw[i]);
-        add(k, uvw, heights, out);
+        const SideErrors sides = by_sides(k, uvw, heights);
+        // What an earlier opening has cut is on one side of it
+        for (std::size_t i = 0; i < 3; ++i)
+            out[i] += k < opening ? std::max(sides[0][i], sides[1][i]) : sides[0][i] + sides[1][i];
     }
     return out;
 }

@@ -49,11 +49,13 @@ public:
     EdgeErrors surface(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
 
 private:
-    void add(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
-             const std::array<double, 3>& heights, EdgeErrors& edges) const;
+    // What a side makes of the edges; one of both where it may be on either.
+    using SideErrors = std::array<EdgeErrors, 2>;
+    SideErrors by_sides(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
+                        const std::array<double, 3>& heights) const;
     // The same where a seam draws in.
-    void add_drawn_in(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
-                      const std::array<double, 3>& heights, EdgeErrors& edges) const;
+    SideErrors drawn_in_by_sides(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
+                                 const std::array<double, 3>& heights) const;
     EdgeErrors drawn_in_cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
     bool draws(std::size_t opening) const { return !seams_.empty() && seams_[opening].draws(); }
 

@@ -2,7 +2,7 @@
 // Lets models pass random obstacles and looks at a few frames of each pass: whether the parts are
 // closed and right side out, whether vertices and points of flat triangles stay clear of the
 // obstacles, and whether the model behind them is as it was. Arguments: passes, a seed, the folder
-// of real models, where there is one, and "stitched", where they are to be.
+// of real models, where there is one, or "", "stitched" or "capped", and frames of each pass.
 #include "core/base/rejected.h"
 #include "core/files/read_model.h"
 #include "core/mesh/primitives.h"
@@ -272,7 +272,8 @@ void look_at_clearance(const SplitMesh& parted, const Mesh& before, const SplitF
     tally.samples += at.size();
 }
 
-void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, Tally& tally)
+void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, int frames,
+          Tally& tally)
 {
     Random random(seed);
     const Model& model = all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(random)];
@@ -318,9 +319,11 @@ void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, Ta
                 if (wall.clear < 0.002) fmt::print("{}: {:.3g} m are certain\n", what, wall.clear);
             }
         const SplitOptions options{.tolerance = 2e-3, .closing = closing};
-        constexpr int frames = 3;
+        std::vector<double>
+            places; // before the samples, so that none hangs on what comes of others
+        for (int k = 0; k < frames; ++k) places.push_back(between(random, -1.2, 1.2));
         for (int k = 0; k < frames; ++k) {
-            const Mesh before = at(between(random, -1.2, 1.2));
+            const Mesh before = at(places[static_cast<std::size_t>(k)]);
             const std::optional<SplitMesh> parted = split(before, field, options);
             if (!parted) continue;
             ++tally.frames;
@@ -341,7 +344,8 @@ void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, Ta
                         "{} frame {}: {} open edges, {} twice, least volume {:.3g}, {} fans\n",
                         what, k, edges.open, edges.twice, volume, parted->fans);
             }
-            look_at_clearance(*parted, before, frame, obstacles, 100000 / frames, random, tally,
+            look_at_clearance(*parted, before, frame, obstacles,
+                              100000 / static_cast<std::size_t>(frames), random, tally,
                               fmt::format("{} frame {}", what, k));
         }
         // Behind all of them
@@ -364,6 +368,7 @@ int main(int argc, char** argv)
     const std::vector<Model> all = models(argc > 3 ? argv[3] : "");
     const bool stitched = argc > 4 && std::string_view(argv[4]) == "stitched";
     const SplitClosing closing = stitched ? SplitClosing::stitched : SplitClosing::capped;
+    const int frames = argc > 5 ? std::max(1, std::atoi(argv[5])) : 3;
     Tally tally;
     const auto report = [&] {
         fmt::print(
@@ -376,7 +381,7 @@ int main(int argc, char** argv)
         std::fflush(stdout);
     };
     for (unsigned i = 0; i < passes; ++i) {
-        pass(all, seed + i, closing, tally);
+        pass(all, seed + i, closing, frames, tally);
         if (i % 100 == 99) report();
     }
     report();

@@ -73,6 +73,19 @@ TEST(FineTriangles, AreLongWhereLittleChanges)
     EXPECT_LT(flat.corners.size(), 500u);
 }
 
+// Along a line where a cap runs through one that is there already
+TEST(FineTriangles, TurnOverEdgesOfTrianglesThatAreALine)
+{
+    FlatTriangles all;
+    all.points = {{0, 0}, {1, 0}, {0.55, 2e-9}, {0.45, -1e-9}, {0.5, 1}, {0.5, -1}};
+    all.corners = {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}, {0, 5, 3}, {5, 1, 3}};
+    const Coarseness coarseness = by_squares(3, 0);
+    make_fine_enough(all, coarseness, 1e-3);
+    EXPECT_EQ(all.points.size(), 6u);
+    for (std::size_t t = 0; t < all.corners.size(); ++t)
+        EXPECT_LE(coarseness(places(all, t)).whole, 1);
+}
+
 TEST(FineTriangles, EndBesideARimThatIsTooCoarse)
 {
     FlatTriangles all = disc(7);

@@ -317,6 +317,26 @@ TEST(Split, ClosesEveryFrameAndClearsTheObstacle)
     }
 }
 
+// A ring round u and v is cut where the bar is, and not on its other side, where nothing parts
+TEST(Split, CutsOnlyWhereHalvesPart)
+{
+    const SplitField field = split_field(scenes()[0].obstacles, {});
+    for (const double v : {-1.0, 1.0}) {
+        Mesh ring = welded(torus_mesh(1, 0.3, {96, 48}));
+        for (glm::vec3& p : ring.positions) p.y += static_cast<float>(v);
+        const std::optional<SplitMesh> parted = split(ring, field, {.tolerance = 2e-3});
+        ASSERT_TRUE(parted);
+        const Closedness closed = closedness(parted->mesh);
+        EXPECT_EQ(closed.open + closed.twice, 0u);
+        EXPECT_EQ(closed.euler, 2);
+        EXPECT_LE(parted->off, 2e-3);
+        for (std::size_t i = 0; i < ring.vertex_count(); ++i)
+            if (v * ring.positions[i].y > 1) {
+                EXPECT_EQ(parted->mesh.positions[i], ring.positions[i]);
+            }
+    }
+}
+
 TEST(Split, LeavesAModelBeforeAndBehindAsItIs)
 {
     const SplitField field = split_field(scenes()[0].obstacles, {});

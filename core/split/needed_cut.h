@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/split/cut_surface.h"
+
+#include <functional>
+#include <span>
+
+namespace trivar {
+
+// Where a cut must be made: its halves part over a rectangle of (v, w) alone.
+struct CutNeed {
+    SplitRectangle over;
+    std::function<glm::dvec2(std::uint32_t vertex)> at; // (v, w) of a vertex
+};
+
+// Tells which of the triangles of a mesh that a cut goes through must be cut: not those of loops
+// all of which lies beside the rectangle, in a box that is apart from it and from those of all
+// loops that must be cut. So no cap reaches over what is left whole. `across` holds their vertices.
+// Empty: all must be. O(n) for n triangles, and O(k^2) for k loops.
+std::vector<char> needed(std::span<const glm::uvec3> across, const Mesh& mesh, const CutNeed& need);
+
+} // namespace trivar
