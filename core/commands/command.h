@@ -55,7 +55,7 @@ using AnyCommand =
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
                  MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap,
                  Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision,
-                 LayerIncisions, RemoveIncision, ClearIncisions>;
+                 LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

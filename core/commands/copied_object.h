@@ -70,6 +70,7 @@ struct CopiedObject {
     std::optional<Simplifying> simplifying;
     std::optional<Unwrapping> unwrapping = {};
     std::optional<Incising> incising = {};
+    std::vector<KnownObject> blades = {}; // of its incisions
     std::optional<CopiedTiling> tiling = {};
     std::optional<Cutting> cutting = {};
     std::optional<CopiedSplitting> splitting = {};
@@ -132,6 +133,8 @@ template <> struct FieldsOf<CopiedObject> {
         field("simplifying", c.simplifying, "how its triangles are reduced");
         field("unwrapping", c.unwrapping, "how its texture coordinates are made");
         field("incising", c.incising, "where its skin is cut open");
+        field("blades", c.blades,
+              "the blades of its incisions: other copies, or objects of the scene", later);
         field("tiling", c.tiling, "how copies of it are painted on another object");
         field("cutting", c.cutting, "where it is cut in pieces");
         field("splitting", c.splitting, "what parts it, and how its halves are closed");

@@ -9,5 +9,8 @@ namespace trivar {
 // other entries keep theirs, which has another number now.
 std::vector<Track> without_entries(const Tracks& tracks, std::string_view list,
                                    const std::vector<char>& gone);
+// The tracks of an object two entries of whose list have changed places.
+std::vector<Track> with_swapped_entries(const Tracks& tracks, std::string_view list, std::size_t a,
+                                        std::size_t b);
 
 } // namespace trivar

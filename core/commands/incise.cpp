@@ -5,6 +5,7 @@
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
 #include "core/commands/entry_tracks.h"
+#include "core/commands/field_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::string_view incision_tracks = "incising.cuts.";
+constexpr std::string_view incision_tracks = "incising.cuts.", flap_tracks = "incising.flaps.";
 
 const Incising& incising_of(const Document& document, Id id)
 {
@@ -56,8 +57,40 @@ Document without_incisions(Document document, Id id)
         if (!o.incising) return;
         o.tracks = without_entries(o.tracks, incision_tracks,
                                    std::vector<char>(o.incising->cuts.size(), 1));
+        o.tracks =
+            without_entries(o.tracks, flap_tracks, std::vector<char>(o.incising->flaps.size(), 1));
         o.incising.reset();
     });
+}
+
+void check_blade(const Document& document, Id id, const NamedIncision& incision)
+{
+    if (incision.blade == 0) return;
+    const Object& blade = object(document, incision.blade); // throws where there is none
+    if (depending_on(document, {id}).contains(incision.blade))
+        throw Rejected(named(incision.blade, blade) + " cannot open an incision of " +
+                       named(document, id) + ", on which it depends");
+}
+
+// Drops or renumbers flaps; now(number) is 0 where an incision is gone.
+void renumber_flaps(Object& o, const auto& now)
+{
+    std::vector<PeeledFlap>& flaps = o.incising->flaps;
+    std::vector<char> gone(flaps.size(), 0);
+    for (std::size_t k = 0; k < flaps.size(); ++k) {
+        flaps[k].first = now(flaps[k].first);
+        flaps[k].second = now(flaps[k].second);
+        gone[k] = flaps[k].first == 0 || flaps[k].second == 0;
+        flaps[k] = in_order(flaps[k]);
+    }
+    o.tracks = without_entries(o.tracks, flap_tracks, gone);
+    std::size_t k = 0;
+    std::erase_if(flaps, [&](const PeeledFlap&) { return gone[k++] != 0; });
+}
+
+IncisionSide other_side(IncisionSide side)
+{
+    return side == IncisionSide::left ? IncisionSide::right : IncisionSide::left;
 }
 
 } // namespace
@@ -91,6 +124,15 @@ void check(const Incising& incising)
         if (incising.layers[i + 1].depth < incising.layers[i].depth)
             throw Rejected("field \"layers\": each layer must go deeper than the one before");
     for (const NamedIncision& each : incising.cuts) check(each);
+    if (incising.flaps.size() > most_peeled_flaps)
+        throw Rejected(fmt::format("field \"flaps\" has {} entries but at most {} are taken",
+                                   incising.flaps.size(), most_peeled_flaps));
+    for (const PeeledFlap& each : incising.flaps)
+        if (each.first < 1 || each.first >= each.second ||
+            static_cast<std::size_t>(each.second) > incising.cuts.size())
+            throw Rejected(fmt::format("field \"flaps\" names incisions {} and {}; a flap lies "
+                                       "between two of the {}, the lower number first",
+                                       each.first, each.second, incising.cuts.size()));
 }
 
 Document applied(Document document, const Incise& command)
@@ -104,8 +146,10 @@ Document applied(Document document, const Incise& command)
         throw Rejected(fmt::format("{} has {} incisions already; at most {} are taken",
                                    named(command.object, own), own.incising->cuts.size(),
                                    most_incisions));
+    check_blade(document, command.object, command.incision);
+    check(Incising{.cuts = {}, .layers = command.layers});
     return with_changed(std::move(document), command.object, [&](Object& o) {
-        if (!o.incising) o.incising.emplace();
+        if (!o.incising) o.incising = Incising{.cuts = {}, .layers = command.layers};
         o.incising->cuts.push_back(command.incision);
     });
 }
@@ -122,8 +166,19 @@ Document applied(Document document, const EditIncision& command)
     if (changed.cut.stroke.empty())
         changed.cut.stroke = incising_of(document, command.object).cuts[index].cut.stroke;
     check(changed);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.incising->cuts[index] = std::move(changed); });
+    check_blade(document, command.object, changed);
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        // What was left of a stroke that runs the other way round is right of it now
+        if (changed.cut.stroke != o.incising->cuts[index].cut.stroke &&
+            changed.cut.stroke == reversed(o.incising->cuts[index]).cut.stroke)
+            for (PeeledFlap& each : o.incising->flaps) {
+                if (each.first == command.number)
+                    each.side_of_first = other_side(each.side_of_first);
+                if (each.second == command.number)
+                    each.side_of_second = other_side(each.side_of_second);
+            }
+        o.incising->cuts[index] = std::move(changed);
+    });
 }
 
 StepTitle title(const EditIncision& c, const StepDocuments& step)
@@ -140,6 +195,7 @@ Document applied(Document document, const LayerIncisions& command)
     for (const Id id : distinct(document, command.objects)) incising_of(document, id);
     Incising layers = command.incising;
     layers.cuts.clear();
+    layers.flaps.clear();
     check(layers);
     return with_all_changed(std::move(document), command.objects, [&](Object& o) {
         o.incising->layers = layers.layers;
@@ -152,6 +208,83 @@ StepTitle title(const LayerIncisions& c, const StepDocuments& step)
     return {"Layers in the incisions of " + names_in(step.before, c.objects), {}};
 }
 
+Document applied(Document document, const SwapIncisions& command)
+{
+    const std::size_t a = incision_index(document, command.object, command.first),
+                      b = incision_index(document, command.object, command.second);
+    if (a == b) throw Rejected("fields \"first\" and \"second\" must name two different incisions");
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        std::swap(o.incising->cuts[a], o.incising->cuts[b]);
+        o.tracks = with_swapped_entries(o.tracks, incision_tracks, a, b);
+        renumber_flaps(o, [&](int number) {
+            return number == command.first    ? command.second
+                   : number == command.second ? command.first
+                                              : number;
+        });
+    });
+}
+
+StepTitle title(const SwapIncisions& c, const StepDocuments& step)
+{
+    const auto name = [&](int number) {
+        return called(
+            incising_of(step.before, c.object).cuts[incision_index(step.before, c.object, number)],
+            number);
+    };
+    return {fmt::format("Swap {} and {} of {}", name(c.first), name(c.second),
+                        names_in(step.before, {c.object})),
+            {}};
+}
+
+Document applied(Document document, const PeelFlap& command)
+{
+    const PeeledFlap flap = in_order(command.flap);
+    incision_index(document, command.object, flap.first);
+    incision_index(document, command.object, flap.second);
+    if (flap.first == flap.second)
+        throw Rejected("fields \"first\" and \"second\" must name two different incisions");
+    const std::vector<PeeledFlap>& before = incising_of(document, command.object).flaps;
+    const auto same = [&](const PeeledFlap& each) { return each.same_place(flap); };
+    const auto found = std::ranges::find_if(before, same) - before.begin();
+    const auto index = static_cast<std::size_t>(found);
+    if (index == before.size() && index >= most_peeled_flaps)
+        throw Rejected(fmt::format("{} has {} peeled flaps already; at most {} are taken",
+                                   named(document, command.object), index, most_peeled_flaps));
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        std::vector<PeeledFlap>& flaps = o.incising->flaps;
+        if (index == flaps.size())
+            flaps.push_back(flap);
+        else
+            flaps[index] = flap;
+    });
+}
+
+StepTitle title(const PeelFlap& c, const StepDocuments& step)
+{
+    return {"Peel a flap of " + names_in(step.before, {c.object}),
+            with_unit(c.flap.lift, Unit::metres)};
+}
+
+Document applied(Document document, const LayFlap& command)
+{
+    const std::size_t count = incising_of(document, command.object).flaps.size();
+    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
+        throw Rejected(fmt::format("{} has {} peeled flaps, and none of number {}",
+                                   named(document, command.object), count, command.number));
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        const auto index = static_cast<std::size_t>(command.number) - 1;
+        std::vector<char> gone(count, 0);
+        gone[index] = 1;
+        o.tracks = without_entries(o.tracks, flap_tracks, gone);
+        o.incising->flaps.erase(o.incising->flaps.begin() + static_cast<long>(index));
+    });
+}
+
+StepTitle title(const LayFlap& c, const StepDocuments& step)
+{
+    return {fmt::format("Lay flap {} of {} back", c.number, names_in(step.before, {c.object})), {}};
+}
+
 Document applied(Document document, const RemoveIncision& command)
 {
     const std::size_t index = incision_index(document, command.object, command.number);
@@ -161,6 +294,9 @@ Document applied(Document document, const RemoveIncision& command)
         std::vector<char> gone(count, 0);
         gone[index] = 1;
         o.tracks = without_entries(o.tracks, incision_tracks, gone);
+        renumber_flaps(o, [&](int number) {
+            return number == command.number ? 0 : number - (number > command.number);
+        });
         o.incising->cuts.erase(o.incising->cuts.begin() + static_cast<long>(index));
     });
 }

@@ -8,7 +8,8 @@ namespace trivar {
 
 // The largest numbers of incisions and layers of one object, and of points of one stroke.
 inline constexpr int most_incisions = 64;
-inline constexpr std::size_t most_incision_layers = 16, most_incision_points = 10'000;
+inline constexpr std::size_t most_incision_layers = 16, most_incision_points = 10'000,
+                             most_peeled_flaps = 256;
 
 // Throws Rejected where a skin cannot be cut like that.
 void check(const NamedIncision& incision);
@@ -22,11 +23,15 @@ struct Incise {
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     NamedIncision incision;
+    std::vector<IncisionLayer> layers = {};
     bool operator==(const Incise&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of an object with a shape", required);
         FieldsOf<NamedIncision>::fields(c.incision, field);
+        field("layers", c.layers,
+              "what walls show, where this is the first incision of the object; else they stay",
+              later);
     }
 };
 Document applied(Document document, const Incise& command);
@@ -69,6 +74,59 @@ struct LayerIncisions {
 };
 Document applied(Document document, const LayerIncisions& command);
 StepTitle title(const LayerIncisions& c, const StepDocuments& step);
+
+struct SwapIncisions {
+    static constexpr std::string_view
+        verb = "swap_incisions",
+        summary = "Exchange two incisions of an object in their order: where they cross, the one "
+                  "that comes first is cut first.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    Id object = 0;
+    int first = 1, second = 2;
+    bool operator==(const SwapIncisions&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of an object with incisions", required);
+        field("first", c.first, "number of one of them", in_range(1, most_incisions));
+        field("second", c.second, "number of the other one", in_range(1, most_incisions));
+    }
+};
+Document applied(Document document, const SwapIncisions& command);
+StepTitle title(const SwapIncisions& c, const StepDocuments& step);
+
+struct PeelFlap {
+    static constexpr std::string_view
+        verb = "peel_flap",
+        summary = "Bend the flap between two incisions that cross outward, or let it down to 0.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    Id object = 0;
+    PeeledFlap flap;
+    bool operator==(const PeelFlap&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of an object with incisions", required);
+        FieldsOf<PeeledFlap>::fields(c.flap, field);
+    }
+};
+Document applied(Document document, const PeelFlap& command);
+StepTitle title(const PeelFlap& c, const StepDocuments& step);
+
+struct LayFlap {
+    static constexpr std::string_view
+        verb = "lay_flap",
+        summary = "Lay a flap that was peeled back for good; keys of the others stay with them.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    Id object = 0;
+    int number = 1;
+    bool operator==(const LayFlap&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of an object with peeled flaps", required);
+        field("number", c.number, "which of them, the first is 1", in_range(1, most_peeled_flaps));
+    }
+};
+Document applied(Document document, const LayFlap& command);
+StepTitle title(const LayFlap& c, const StepDocuments& step);
 
 struct RemoveIncision {
     static constexpr std::string_view

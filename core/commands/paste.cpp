@@ -207,6 +207,19 @@ Document parted(Document document, Id id, const CopiedSplitting& copied, const D
     return applied(std::move(document), Split{{id}, std::move(splitting)});
 }
 
+// Gives the incisions of a copy those of their blades that were copied too or are in the scene.
+Document with_blades(Document document, Id id, const CopiedObject& copy, const Document& before,
+                     const CopiedIds& made)
+{
+    return with_changed(std::move(document), id, [&](Object& o) {
+        for (NamedIncision& each : o.incising->cuts) {
+            const auto known = std::ranges::find(copy.blades, each.blade, &KnownObject::object);
+            each.blade =
+                each.blade == 0 || known == copy.blades.end() ? 0 : here(*known, before, made);
+        }
+    });
+}
+
 // Adds tracks, except those of parameters that the copy does not have.
 Document animated(Document document, Id id, std::vector<Track> tracks)
 {
@@ -262,6 +275,10 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                 copy.tiling->others.push_back(
                     {{mixed.object, object(document, mixed.object).name}, mixed.weight});
     }
+    if (each.incising)
+        for (const NamedIncision& cut : each.incising->cuts)
+            if (cut.blade != 0 && document.objects.contains(cut.blade))
+                copy.blades.push_back({cut.blade, object(document, cut.blade).name});
     if (each.splitting) {
         copy.splitting = CopiedSplitting{*each.splitting, {}};
         for (const ObstacleUse& by : each.splitting->obstacles)
@@ -314,6 +331,9 @@ Document applied(Document document, const Paste& command)
         if (copy.splitting)
             document =
                 parted(std::move(document), made.at(copy.object), *copy.splitting, before, made);
+    for (const CopiedObject& copy : command.copies)
+        if (copy.incising)
+            document = with_blades(std::move(document), made.at(copy.object), copy, before, made);
     for (const auto& [copied_id, id] : made)
         if (const Object& o = object(document, id);
             o.refining && !o.stroke && lattices_round(document, id).empty())

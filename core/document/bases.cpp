@@ -9,6 +9,9 @@ std::vector<Id> bases_of(const Object& object)
     if (object.stroke) out = object.stroke->onto;
     if (object.splitting)
         for (const ObstacleUse& each : object.splitting->obstacles) out.push_back(each.object);
+    if (object.incising)
+        for (const NamedIncision& each : object.incising->cuts)
+            if (each.blade != 0) out.push_back(each.blade);
     if (!object.tiles) return out;
     if (object.tiles->base != 0) out.push_back(object.tiles->base);
     for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
@@ -35,6 +38,9 @@ Object with_bases(Object object, const std::function<Id(Id)>& other)
         std::erase_if(obstacles, [](const ObstacleUse& each) { return each.object == 0; });
         if (obstacles.empty()) object.splitting.reset();
     }
+    if (object.incising)
+        for (NamedIncision& each : object.incising->cuts)
+            if (each.blade != 0) each.blade = other(each.blade);
     if (!object.stroke) return object;
     std::vector<Id>& onto = object.stroke->onto;
     for (Id& id : onto) id = other(id);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/document/surfacing.h"
+#include "core/incise/flap_place.h"
 #include "core/incise/incision.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -16,6 +18,9 @@ struct NamedIncision {
     bool hidden = false; // as if it were not there
     Incision cut = {};
     IncisionOpening opening = {};
+    // An object that opens it: up to the place nearest to its origin, and no further than
+    // `opening.to`. 0: none does.
+    int blade = 0;
     bool operator==(const NamedIncision&) const = default;
 };
 
@@ -33,6 +38,29 @@ inline NamedIncision mirrored(NamedIncision incision)
     return incision;
 }
 
+// A PeeledFlap is a flap between two incisions that cross, bent outward. The incisions are named by
+// their numbers, the first is 1.
+struct PeeledFlap {
+    int first = 1, second = 2; // the lower number first
+    IncisionSide side_of_first = IncisionSide::left, side_of_second = IncisionSide::left;
+    // metres on the model by which its tip is raised while both incisions are quite open
+    double lift = 0;
+    bool same_place(const PeeledFlap& other) const
+    {
+        return first == other.first && second == other.second &&
+               side_of_first == other.side_of_first && side_of_second == other.side_of_second;
+    }
+    bool operator==(const PeeledFlap&) const = default;
+};
+// The same flap with the lower number first.
+inline PeeledFlap in_order(PeeledFlap flap)
+{
+    if (flap.first < flap.second) return flap;
+    std::swap(flap.first, flap.second);
+    std::swap(flap.side_of_first, flap.side_of_second);
+    return flap;
+}
+
 // An IncisionLayer is what walls show down to a depth, from that of the layer before.
 struct IncisionLayer {
     std::string name = {};
@@ -46,6 +74,7 @@ struct Incising {
     std::vector<NamedIncision> cuts;
     std::vector<IncisionLayer> layers = {}; // from the skin down; none: walls look as the skin
     int rows = 4;                           // of faces from the skin to the deepest floor
+    std::vector<PeeledFlap> flaps = {};
     bool operator==(const Incising&) const = default;
 };
 

@@ -64,7 +64,9 @@ Incising without_openings(Incising incising)
     for (NamedIncision& each : incising.cuts) {
         each.name.clear();
         each.opening = {};
+        each.blade = 0;
     }
+    incising.flaps.clear();
     for (IncisionLayer& layer : incising.layers) layer = {.depth = layer.depth};
     return incising;
 }
@@ -113,6 +115,70 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
                 fmt::format("{} opens less at a place, because its walls would meet there",
                             told_as(incising, i)));
     }
+}
+
+// Where a flap lies, by the incisions of a wound; nothing: not in that wound.
+std::optional<FlapPlace> place_of(const PeeledFlap& flap, const std::vector<std::size_t>& incisions)
+{
+    const auto first = std::ranges::find(incisions, static_cast<std::size_t>(flap.first) - 1),
+               second = std::ranges::find(incisions, static_cast<std::size_t>(flap.second) - 1);
+    if (first == incisions.end() || second == incisions.end()) return {};
+    return FlapPlace{static_cast<std::uint32_t>(first - incisions.begin()),
+                     static_cast<std::uint32_t>(second - incisions.begin()), flap.side_of_first,
+                     flap.side_of_second};
+}
+
+void tell_of_flaps(Stage& stage, const Incising& incising, const std::vector<char>& lifted)
+{
+    for (std::size_t k = 0; k < lifted.size(); ++k) {
+        const PeeledFlap& flap = incising.flaps[k];
+        const auto a = static_cast<std::size_t>(flap.first) - 1,
+                   b = static_cast<std::size_t>(flap.second) - 1;
+        if (!lifted[k] && !incising.cuts[a].hidden && !incising.cuts[b].hidden)
+            stage.notices.push_back(fmt::format("flap {} is not raised: {} and {} do not cross",
+                                                k + 1, told_as(incising, a), told_as(incising, b)));
+    }
+}
+
+// Where the origin of an object is at the frame; of one that a stroke lays, where its middle is.
+glm::dvec3 place_of_blade(Id id, const StepInput& input)
+{
+    const auto found = input.done.find(id);
+    if (found != input.done.end() && found->second->stroke_placement() &&
+        !found->second->shows_nothing())
+        return found->second->bounds->center();
+    return glm::dvec3(to_world(input.document, id)[3]);
+}
+
+// The share of a stroke's length at its place nearest to p.
+double share_near(const std::vector<SurfacePoint>& stroke, const glm::dvec3& p)
+{
+    double length = 0, at = 0, nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        const glm::dvec3 a = stroke[i - 1].p, way = stroke[i].p - a;
+        const double far = glm::dot(way, way);
+        const double t = far > 0 ? std::clamp(glm::dot(p - a, way) / far, 0.0, 1.0) : 0;
+        if (const double away = glm::distance(a + t * way, p); away < nearest) {
+            nearest = away;
+            at = length + t * std::sqrt(far);
+        }
+        length += std::sqrt(far);
+    }
+    return length > 0 ? at / length : 1;
+}
+
+// The incisions as their blades open them. The object is taken where its transform puts it.
+Incising opened_by_blades(Incising incising, const StepInput& input)
+{
+    std::optional<glm::dmat4> to_own;
+    for (NamedIncision& each : incising.cuts) {
+        if (each.blade == 0 || !input.document.objects.contains(each.blade)) continue;
+        if (!to_own) to_own = glm::inverse(to_world(input.document, input.id));
+        const glm::dvec3 at =
+            glm::dvec3(*to_own * glm::dvec4(place_of_blade(each.blade, input), 1));
+        each.opening.to = std::min(each.opening.to, share_near(each.cut.stroke, at));
+    }
+    return incising;
 }
 
 } // namespace
@@ -196,8 +262,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
                                            outcome.notice};
             }
             if (incised->rest != incised->original)
-                out.all.push_back({m, incised, of_mesh[m],
-                                   std::make_shared<const OpenedFrames>(incised),
+                out.all.push_back({m, incised, of_mesh[m], cuts, ways[m].metres,
                                    std::make_shared<const Extent>(incised->rest)});
         } catch (const Rejected& error) {
             for (const std::size_t i : of_mesh[m]) out.told[i].refusal = error.what();
@@ -206,10 +271,23 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
     return out;
 }
 
+const IncisingStep::Frames& IncisingStep::frames_of(const Wound& wound,
+                                                    const std::vector<FlapPlace>& places,
+                                                    const StepInput& input)
+{
+    return frames_({wound.incised, places}, [&] {
+        return timed(input.timings, "incise", [&] {
+            Ref<IncisedFlaps> flaps;
+            if (!places.empty()) flaps = make_ref(flaps_of(*wound.incised, wound.cuts, places));
+            return Frames{flaps, std::make_shared<const OpenedFrames>(wound.incised, flaps)};
+        });
+    });
+}
+
 Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    const std::optional<Incising>& incising = input.object.incising;
-    if (!incising || before->shape->meshes.empty()) return before;
+    if (!input.object.incising || before->shape->meshes.empty()) return before;
+    const std::optional<Incising> incising = opened_by_blades(*input.object.incising, input);
     return known_({before, *incising}, [&] {
         const Shape& whole = *before->shape;
         const Incising cut = without_openings(*incising);
@@ -220,17 +298,31 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
         tell_of_incisions(out, *incising);
         Shape shape = whole;
         open_.keep(3 * (wounds->all.size() + 1));
+        frames_.keep(2 * (wounds->all.size() + 1));
+        std::vector<char> lifted(incising->flaps.size(), 0);
         for (const Wound& wound : wounds->all) {
             std::vector<IncisionOpening> openings;
             for (const std::size_t i : wound.incisions)
                 openings.push_back(incising->cuts[i].opening);
-            const OpenMesh& open = open_({wound.incised, openings}, [&] {
+            std::vector<FlapPlace> places;
+            std::vector<double> lifts;
+            std::vector<std::size_t> numbers;
+            for (std::size_t k = 0; k < incising->flaps.size(); ++k)
+                if (const auto place = place_of(incising->flaps[k], wound.incisions)) {
+                    places.push_back(*place);
+                    lifts.push_back(incising->flaps[k].lift / wound.metres);
+                    numbers.push_back(k);
+                }
+            const Frames& made = frames_of(wound, places, input);
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                lifted[numbers[k]] = made.flaps->lengths[k] > 0;
+            const OpenMesh& open = open_({made.frames, openings, lifts}, [&] {
                 return timed(input.timings, "incise", [&] {
                     if (!is_open(*wound.incised, openings) &&
                         input.shut_incisions == ShutIncisions::stay &&
                         change_in_time(input.object.tracks, wound.incisions))
                         return OpenMesh{wound.incised->rest, wound.rest};
-                    const OpenedFrames::Frame frame = (*wound.frames)(openings);
+                    const OpenedFrames::Frame frame = (*made.frames)(openings, lifts);
                     return OpenMesh{frame.mesh, std::make_shared<const Extent>(
                                                     frame.mesh, *wound.rest, frame.box)};
                 });
@@ -246,6 +338,7 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
                 hung.bounds = *box;
             out.uncut = before;
         }
+        tell_of_flaps(out, *incising, lifted);
         if (!out.uncut) return make_ref(std::move(out)); // the shape is the same value
         if (!incising->layers.empty()) {
             std::vector<Material> materials = *whole.materials;

@@ -4,6 +4,7 @@
 #include "core/base/lender.h"
 #include "core/base/recent.h"
 #include "core/evaluation/step.h"
+#include "core/incise/flaps.h"
 #include "core/incise/incise.h"
 #include "core/incise/opened_frames.h"
 
@@ -22,12 +23,18 @@ public:
         std::size_t mesh;
         Ref<IncisedMesh> incised;
         std::vector<std::size_t> incisions; // by those of `incised`
-        Ref<OpenedFrames> frames;
-        Ref<Extent> rest; // of `incised->rest`
+        std::vector<Incision> cuts;         // the same, in the mesh's space
+        double metres;                      // on the model, of a unit of the mesh
+        Ref<Extent> rest;                   // of `incised->rest`
     };
     struct Wounds {
         std::vector<Wound> all; // by mesh
         std::vector<IncisingEffects::OfIncision> told;
+    };
+    // What bends the flaps of a wound, and gives its mesh at openings and lifts.
+    struct Frames {
+        Ref<IncisedFlaps> flaps; // null: none
+        Ref<OpenedFrames> frames;
     };
     struct OpenMesh {
         Ref<Mesh> mesh;
@@ -36,12 +43,21 @@ public:
 
 private:
     Wounds wounds_in(const Shape& shape, const Incising& incising, const StepInput& input);
+    const Frames& frames_of(const Wound& wound, const std::vector<FlapPlace>& places,
+                            const StepInput& input);
     Ref<CutSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
 
     Lender<Mesh> made_; // meshes of cuts at rest
     Recent<Ref<Mesh>, Ref<CutSkin>> skins_;
     Recent<std::pair<Ref<Shape>, Incising>, Ref<Wounds>> wounds_; // all open, of no look
-    Recent<std::pair<Ref<IncisedMesh>, std::vector<IncisionOpening>>, OpenMesh> open_;
+    Recent<std::pair<Ref<IncisedMesh>, std::vector<FlapPlace>>, Frames> frames_;
+    struct OpenKey {
+        Ref<OpenedFrames> frames;
+        std::vector<IncisionOpening> openings;
+        std::vector<double> lifts;
+        bool operator==(const OpenKey&) const = default;
+    };
+    Recent<OpenKey, OpenMesh> open_;
     Recent<std::pair<Ref<Stage>, Incising>, Ref<Stage>> known_;
 };
 

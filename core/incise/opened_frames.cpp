@@ -3,8 +3,9 @@
 
 namespace trivar {
 
-OpenedFrames::OpenedFrames(Ref<IncisedMesh> incised)
+OpenedFrames::OpenedFrames(Ref<IncisedMesh> incised, Ref<IncisedFlaps> flaps)
     : incised_(std::move(incised)),
+      flaps_(std::move(flaps)),
       shut_(bounding_box(*incised_->original))
 {
     const Mesh& rest = *incised_->rest;
@@ -14,13 +15,14 @@ OpenedFrames::OpenedFrames(Ref<IncisedMesh> incised)
         if (!moves[v]) still_.add(glm::dvec3(rest.positions[v]));
 }
 
-OpenedFrames::Frame OpenedFrames::operator()(std::span<const IncisionOpening> openings) const
+OpenedFrames::Frame OpenedFrames::operator()(std::span<const IncisionOpening> openings,
+                                             std::span<const double> lifts) const
 {
     if (!is_open(*incised_, openings)) return {incised_->original, shut_};
-    const OpenedVertices vertices = opened_vertices(*incised_, openings);
+    const OpenedVertices vertices = opened_vertices(*incised_, openings, {flaps_.get(), lifts});
     std::optional<Mesh> mesh = meshes_->take_back();
     if (!mesh) mesh = *incised_->rest;
-    put(*incised_, vertices, *mesh);
+    put(*incised_, vertices, *mesh, flaps_.get());
     Frame out{meshes_->lend(*std::move(mesh)), still_};
     for (const glm::vec3& p : vertices.positions) out.box.add(glm::dvec3(p));
     return out;

@@ -13,17 +13,20 @@ namespace trivar {
 // outlive it.
 class OpenedFrames {
 public:
-    explicit OpenedFrames(Ref<IncisedMesh> incised); // O(#V)
+    explicit OpenedFrames(Ref<IncisedMesh> incised, Ref<IncisedFlaps> flaps = {}); // O(#V)
 
     struct Frame {
         Ref<Mesh> mesh; // the original itself while all incisions are shut
         Box box;        // round the mesh's vertices
     };
-    Frame operator()(std::span<const IncisionOpening> openings) const;
+    // `lifts`: of the flaps, units of the mesh.
+    Frame operator()(std::span<const IncisionOpening> openings,
+                     std::span<const double> lifts = {}) const;
 
 private:
     Ref<IncisedMesh> incised_;
-    Box shut_, still_; // of the original, and of the vertices that nothing moves
+    Ref<IncisedFlaps> flaps_; // null: none
+    Box shut_, still_;        // of the original, and of the vertices that nothing moves
     std::shared_ptr<Lender<Mesh>> meshes_ = std::make_shared<Lender<Mesh>>();
 };
 

@@ -116,6 +116,29 @@ NamedIncision an_incision()
     return out;
 }
 
+NamedIncision a_crossing_incision() // over the first one
+{
+    NamedIncision out;
+    for (int i = 0; i < 9; ++i) {
+        const double angle = 0.1 * i - 0.4;
+        const glm::dvec3 n{std::cos(angle), std::sin(angle), 0};
+        out.cut.stroke.push_back({0.4 * n, n});
+    }
+    out.cut.depth = 0.04;
+    out.cut.width = 0.05;
+    out.blade = 2;
+    return out;
+}
+
+PeeledFlap a_flap()
+{
+    return {.first = 1,
+            .second = 2,
+            .side_of_first = IncisionSide::right,
+            .side_of_second = IncisionSide::left,
+            .lift = 0.03};
+}
+
 NamedIncision a_wider_incision() // along the same stroke
 {
     NamedIncision out = an_incision();
@@ -135,7 +158,9 @@ Document fitting_document()
     const Document heights = after(painted, AddHeights{.shape = {.image = "hills.png"}});
     const Document cut =
         after(heights, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.1}}}});
-    return after(cut, Incise{.object = 5, .incision = an_incision()});
+    const Document incised = after(cut, Incise{.object = 5, .incision = an_incision()});
+    return after(after(incised, Incise{.object = 5, .incision = a_crossing_incision()}),
+                 PeelFlap{.object = 5, .flap = a_flap()});
 }
 
 std::vector<Command> fitting_commands()
@@ -225,11 +250,14 @@ std::vector<Command> fitting_commands()
             CutThrough{.objects = {1}, .cutting = {.cuts = {{.point = {0, 0, 0.2}, .gap = 0.1}}}},
             RemoveCut{.object = 5, .number = 1},
             ClearCuts{.objects = {1}},
-            Incise{.object = 2, .incision = an_incision()},
+            Incise{.object = 2, .incision = an_incision(), .layers = {{.name = "Fat"}}},
             EditIncision{.object = 5, .number = 1, .incision = a_wider_incision()},
             LayerIncisions{.objects = {5}, .incising = {.cuts = {}, .layers = {{.name = "Fat"}}}},
             RemoveIncision{.object = 5, .number = 1},
-            ClearIncisions{.objects = {5}}};
+            ClearIncisions{.objects = {5}},
+            SwapIncisions{.object = 5, .first = 1, .second = 2},
+            PeelFlap{.object = 5, .flap = {.side_of_first = IncisionSide::right, .lift = 0.0425}},
+            LayFlap{.object = 5, .number = 1}};
 }
 
 Command random_command(std::mt19937& random)

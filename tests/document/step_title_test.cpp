@@ -107,6 +107,9 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Layers in the incisions of snail",
         "Remove incision 1 of snail",
         "Remove all incisions of snail",
+        "Swap incision 1 and incision 2 of snail",
+        "Peel a flap of snail 0.0425 m",
+        "Lay flap 1 of snail back",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -16,6 +16,8 @@ inline constexpr std::array<std::string_view, 3> choice_words<Incision::Floor>{
     "sharp", "flat", "none: through the body"};
 template <>
 inline constexpr std::array<std::string_view, 2> choice_names<Incision::Piece>{"kept", "left_out"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<IncisionSide>{"left", "right"};
 
 template <> struct FieldsOf<SurfacePoint> {
     static constexpr std::string_view told_as = "[surface point](#surface-point)";
@@ -84,6 +86,10 @@ template <> struct FieldsOf<NamedIncision> {
               in_range(0, 1).called("Shut until").in(Unit::share));
         field("to", i.opening.to, "share of the length from which on it is shut: before the blade",
               in_range(0, 1).called("Open until").in(Unit::share));
+        field("blade", i.blade,
+              "id of an object that opens it: up to the place nearest to the object's origin, and "
+              "no further than `to`; 0: none does",
+              later_in_range(0, 1e9).called("Blade").zero_is("none").without_keys());
     }
     static void fields(auto& i, auto&& field)
     {
@@ -103,12 +109,32 @@ template <> struct FieldsOf<IncisionLayer> {
         FieldsOf<Surfacing>::fields(l.look, field);
     }
 };
+template <> struct FieldsOf<PeeledFlap> {
+    static constexpr std::string_view told_as = "values of [peel_flap](#peel_flap)";
+    static void fields(auto& f, auto&& field)
+    {
+        field("first", f.first, "number of one of the two incisions between which it lies",
+              required_in_range(1, 64).without_keys());
+        field("second", f.second, "number of the other one",
+              required_in_range(1, 64).without_keys());
+        field("side_of_first", f.side_of_first,
+              "on which side of the first one it lies, seen along its stroke from outside",
+              any_value.without_keys());
+        field("side_of_second", f.side_of_second, "on which side of the second one it lies",
+              any_value.without_keys());
+        field("lift", f.lift,
+              "by how much its tip is raised while both incisions are quite open, metres on the "
+              "model",
+              not_negative.called("Peeled").in(Unit::metres));
+    }
+};
 template <> struct FieldsOf<Incising> {
     static constexpr std::string_view told_as = "[incisions](#incisions)";
     static void fields(auto& i, auto&& field)
     {
         field("cuts", i.cuts, "its incisions, the first one first", required);
         layers(i, field);
+        field("flaps", i.flaps, "the flaps between incisions that are bent outward", later);
     }
     static void layers(auto& i, auto&& field)
     {
