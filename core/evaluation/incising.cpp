@@ -48,13 +48,15 @@ struct ToMesh {
     double metres; // on the model, of a unit of the mesh
 };
 
-// Whether any of these incisions has keys.
-bool change_in_time(const Tracks& tracks, const std::vector<std::size_t>& incisions)
+// Whether keys or a blade may open any of these incisions.
+bool change_in_time(const Object& object, const std::vector<std::size_t>& incisions)
 {
     return std::ranges::any_of(incisions, [&](std::size_t i) {
         const std::string of_incision = fmt::format("incising.cuts.{}.", i);
-        return std::ranges::any_of(
-            tracks, [&](const Track& t) { return t.parameter.starts_with(of_incision); });
+        return object.incising->cuts[i].blade != 0 ||
+               std::ranges::any_of(object.tracks, [&](const Track& t) {
+                   return t.parameter.starts_with(of_incision);
+               });
     });
 }
 
@@ -320,7 +322,7 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
                 return timed(input.timings, "incise", [&] {
                     if (!is_open(*wound.incised, openings) &&
                         input.shut_incisions == ShutIncisions::stay &&
-                        change_in_time(input.object.tracks, wound.incisions))
+                        change_in_time(input.object, wound.incisions))
                         return OpenMesh{wound.incised->rest, wound.rest};
                     const OpenedFrames::Frame frame = (*made.frames)(openings, lifts);
                     return OpenMesh{frame.mesh, std::make_shared<const Extent>(
