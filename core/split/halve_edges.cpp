@@ -22,6 +22,12 @@ std::uint32_t corner_of(const Mesh& mesh, std::size_t face, std::size_t i)
 struct HalvedTriangle {
     std::uint32_t face;
     std::array<std::uint32_t, 3> middles;
+
+    bool is_split(std::size_t i) const { return middles[i % 3] != EdgeNumbers::none; }
+    std::size_t split_count() const
+    {
+        return std::size_t{is_split(0)} + std::size_t{is_split(1)} + std::size_t{is_split(2)};
+    }
 };
 
 std::vector<HalvedTriangle> triangles_at(const Mesh& mesh, std::size_t points,
@@ -89,7 +95,7 @@ std::vector<BornVertex> middles_of(std::vector<HalvedTriangle>& halved, const Me
 }
 
 struct TriangleParts {
-    int count = 0;
+    std::size_t count = 0;
     std::array<glm::uvec3, 4> parts;
 };
 
@@ -101,10 +107,9 @@ double distance_between(const Mesh& mesh, std::uint32_t a, std::uint32_t b)
 // The first of the parts takes the triangle's place.
 TriangleParts parts_of(const HalvedTriangle& halved, const Mesh& mesh, std::uint32_t first_vertex)
 {
-    const auto is_split = [&](std::size_t i) { return halved.middles[i % 3] != EdgeNumbers::none; };
-    const int count = is_split(0) + is_split(1) + is_split(2);
+    const std::size_t count = halved.split_count();
     std::size_t turn = 0; // so that the split edges are the first ones
-    while (!is_split(turn) || (count == 2 && !is_split(turn + 1))) ++turn;
+    while (!halved.is_split(turn) || (count == 2 && !halved.is_split(turn + 1))) ++turn;
     const std::uint32_t a = corner_of(mesh, halved.face, turn),
                         b = corner_of(mesh, halved.face, turn + 1),
                         c = corner_of(mesh, halved.face, turn + 2);
@@ -125,18 +130,21 @@ Mesh triangulated(Mesh mesh)
 {
     if (mesh.corners.size() == 3 * mesh.face_count()) return mesh;
     const std::vector<glm::uvec3> all = triangles(mesh);
-    const std::vector<std::uint32_t> begin = std::exchange(mesh.face_begin, {0});
+    const std::vector<std::uint32_t> begin = std::exchange(mesh.face_begin, {});
     const std::vector<std::uint32_t> materials = std::exchange(mesh.face_material, {});
     const std::vector<std::uint32_t> groups = std::exchange(mesh.face_group, {});
-    mesh.corners.clear();
-    mesh.corners.reserve(3 * all.size());
-    mesh.face_begin.reserve(all.size() + 1);
-    for (std::size_t f = 0; f + 1 < begin.size(); ++f)
-        for (std::size_t t = begin[f] - 2 * f; t < begin[f + 1] - 2 * (f + 1); ++t) {
-            add_face(mesh, std::array{all[t].x, all[t].y, all[t].z});
-            if (!materials.empty()) mesh.face_material.push_back(materials[f]);
-            if (!groups.empty()) mesh.face_group.push_back(groups[f]);
-        }
+    mesh.corners.resize(3 * all.size());
+    mesh.face_begin.resize(all.size() + 1);
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        for (int i = 0; i < 3; ++i) mesh.corners[3 * t + static_cast<std::size_t>(i)] = all[t][i];
+        mesh.face_begin[t + 1] = static_cast<std::uint32_t>(3 * (t + 1));
+    }
+    for (std::size_t f = 0; f + 1 < begin.size(); ++f) {
+        const std::size_t count = begin[f + 1] - begin[f] - 2;
+        if (!materials.empty())
+            mesh.face_material.insert(mesh.face_material.end(), count, materials[f]);
+        if (!groups.empty()) mesh.face_group.insert(mesh.face_group.end(), count, groups[f]);
+    }
     return mesh;
 }
 
@@ -146,22 +154,32 @@ std::vector<std::uint32_t> halve_edges(Mesh& mesh, std::size_t points, const Edg
     std::vector<HalvedTriangle> halved = triangles_at(mesh, points, marked);
     const auto first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
     add_vertices(mesh, middles_of(halved, mesh, points, marked.count()));
-    std::vector<std::uint32_t> changed;
-    changed.reserve(4 * halved.size());
-    for (const HalvedTriangle& each : halved) {
-        const std::size_t f = each.face;
-        const TriangleParts made = parts_of(each, mesh, first_vertex);
-        for (std::size_t i = 0; i < 3; ++i)
-            mesh.corners[3 * f + i] = made.parts[0][static_cast<int>(i)];
-        changed.push_back(each.face);
-        for (int k = 1; k < made.count; ++k) {
-            const glm::uvec3& part = made.parts[static_cast<std::size_t>(k)];
-            changed.push_back(static_cast<std::uint32_t>(mesh.face_count()));
-            add_face(mesh, std::array{part.x, part.y, part.z});
-            if (!mesh.face_material.empty()) mesh.face_material.push_back(mesh.face_material[f]);
-            if (!mesh.face_group.empty()) mesh.face_group.push_back(mesh.face_group[f]);
+    // Behind the others, those of each triangle that do not take its place
+    std::vector<std::size_t> first_part(halved.size() + 1, mesh.face_count());
+    for (std::size_t k = 0; k < halved.size(); ++k)
+        first_part[k + 1] = first_part[k] + halved[k].split_count();
+    const std::size_t faces = first_part.back();
+    mesh.corners.resize(3 * faces);
+    for (std::size_t f = mesh.face_count(); f < faces; ++f)
+        mesh.face_begin.push_back(static_cast<std::uint32_t>(3 * (f + 1)));
+    if (!mesh.face_material.empty()) mesh.face_material.resize(faces);
+    if (!mesh.face_group.empty()) mesh.face_group.resize(faces);
+    std::vector<std::uint32_t> changed(halved.size() + faces - first_part[0]);
+    parallel_blocks(halved.size(), halved_per_turn, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::uint32_t face = halved[k].face;
+            const TriangleParts made = parts_of(halved[k], mesh, first_vertex);
+            std::uint32_t* next = changed.data() + k + (first_part[k] - first_part[0]);
+            for (std::size_t i = 0; i < made.count; ++i) {
+                const std::size_t f = i == 0 ? face : first_part[k] + i - 1;
+                for (std::size_t c = 0; c < 3; ++c)
+                    mesh.corners[3 * f + c] = made.parts[i][static_cast<int>(c)];
+                if (!mesh.face_material.empty()) mesh.face_material[f] = mesh.face_material[face];
+                if (!mesh.face_group.empty()) mesh.face_group[f] = mesh.face_group[face];
+                *next++ = static_cast<std::uint32_t>(f);
+            }
         }
-    }
+    });
     return changed;
 }
 

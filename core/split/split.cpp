@@ -165,11 +165,10 @@ void take_sides_of_caps(VertexSides& all, const CutMesh& cut, const Caps& caps, 
     }
 }
 
-// Moves vertex v, which is at `rest`.
-void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const SplitField& field,
-                 std::span<const char> sides, std::span<const char> on)
+// Moves vertex v, which is at `rest`, in uvw as well.
+void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const glm::dvec3& uvw,
+                 const SplitField& field, std::span<const char> sides, std::span<const char> on)
 {
-    const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(rest));
     const SplitField::Moved moved = field.moved(uvw, sides, on);
     if (moved.u == uvw.x && moved.gradient == glm::dvec3(1, 0, 0)) return;
     mesh.positions[v] = glm::vec3(glm::dvec3(rest) + field.frame.axes[0] * (moved.u - uvw.x));
@@ -205,7 +204,7 @@ void move(SplitMesh& out, const SplitField& field, const std::vector<Seam>& seam
                 const std::span<const char> sides(&all.side(v, 0), all.openings);
                 const std::span<const char> on(&all.is_on(v, 0), all.openings);
                 if (seams.empty())
-                    move_vertex(out.mesh, v, out.rest_positions[v], field, sides, on);
+                    move_vertex(out.mesh, v, out.rest_positions[v], uvw, field, sides, on);
                 else
                     move_sewn(out.mesh, v, field, seams, sides, on);
             }
@@ -258,7 +257,8 @@ void move_others(Mesh& out, const Mesh& whole, const MeshRegion& region, const V
                     sides[i] = i < places.surfaces_in_bits
                                    ? (places.bits[v] >> (places.first_above + i)) & 1
                                    : places.above[others * v + i - places.surfaces_in_bits];
-                move_vertex(out, v, whole.positions[v], field, sides, on);
+                move_vertex(out, v, whole.positions[v],
+                            field.frame.uvw(glm::dvec3(whole.positions[v])), field, sides, on);
             }
         });
 }

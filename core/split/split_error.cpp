@@ -76,11 +76,12 @@ SplitError::SideErrors SplitError::by_sides(std::size_t k, const std::array<glm:
     for (std::size_t i = 0; i < 3; ++i) phi_ee[i] = phi.second(e[i]);
     const double bend = share_of_bend * std::max({phi_ee[0], phi_ee[1], phi_ee[2]});
     const bool across = least - bend <= 0 && most + bend >= 0;
+    const SurfaceBounds::Cells cells = bounds.walls[0].cells(lo2, hi2); // of both walls
     for (std::size_t side = 0; side < 2; ++side) {
         const std::optional<SideBound> in_reach = side_bound(each, side, least, most, bend);
         if (!in_reach) continue;
         const auto& [reach, nearest, farthest, kernel, slope, curve] = *in_reach;
-        const JetBound w = bounds.walls[side].over(lo2, hi2);
+        const JetBound w = bounds.walls[side].over(cells);
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
             const double a = std::abs(heights[i == 2 ? 0 : i + 1] - heights[i]) + phi_ee[i];
