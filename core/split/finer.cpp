@@ -65,19 +65,21 @@ public:
                                                   uvw_[corner(f, 2)]};
                 Box box;
                 for (const glm::dvec3& each : p) box.add(each);
-                if (box.apart(reach)) continue;
                 const std::array<const double*, 3> heights{&heights_[openings * corner(f, 0)],
                                                            &heights_[openings * corner(f, 1)],
                                                            &heights_[openings * corner(f, 2)]};
-                const EdgeErrors off = error_.edges(p, heights);
-                const double whole = whole_error(off);
                 const bool cut = is_cut(heights);
+                if (!cut && box.apart(reach)) continue;
+                EdgeErrors off = error_.edges(p, heights);
+                const double whole = whole_error(off);
                 const double allowed = cut ? share_of_cut * tolerance_ : tolerance_;
                 block.of_all.add(whole, cut);
                 const std::size_t before = block.edges.size();
+                if (cut) keep_near(p, heights, off);
+                const double coarse = cut ? whole_error(off) : whole;
                 // All edges that are too coarse, or else the coarsest
                 const double least = std::min(allowed, 0.999 * std::ranges::max(off));
-                for (std::size_t i = 0; i < 3 && whole > allowed; ++i) {
+                for (std::size_t i = 0; i < 3 && coarse > allowed; ++i) {
                     if (off[i] <= least) continue;
                     const std::uint32_t a = mesh_.point(corner(f, i));
                     const std::uint32_t b = mesh_.point(corner(f, i + 1));
@@ -119,13 +121,29 @@ private:
     {
         return mesh_.corners[3 * f + i % 3];
     }
+    static bool is_cut_by(std::size_t i, const std::array<const double*, 3>& heights)
+    {
+        const bool above = heights[0][i] >= 0;
+        return (heights[1][i] >= 0) != above || (heights[2][i] >= 0) != above;
+    }
     bool is_cut(const std::array<const double*, 3>& heights) const
     {
-        for (std::size_t i = 0; i < field_.openings.size(); ++i) {
-            const bool above = heights[0][i] >= 0;
-            if ((heights[1][i] >= 0) != above || (heights[2][i] >= 0) != above) return true;
-        }
+        for (std::size_t i = 0; i < field_.openings.size(); ++i)
+            if (is_cut_by(i, heights)) return true;
         return false;
+    }
+    // Beside the walls, too, the rim is to be near the cut surface, so that the cap can be.
+    void keep_near(const std::array<glm::dvec3, 3>& uvw,
+                   const std::array<const double*, 3>& heights, EdgeErrors& edges) const
+    {
+        for (std::size_t i = 0; i < field_.openings.size(); ++i) {
+            if (!is_cut_by(i, heights)) continue;
+            const EdgeErrors bends =
+                error_.surface(i, {glm::dvec2(uvw[0].y, uvw[0].z), glm::dvec2(uvw[1].y, uvw[1].z),
+                                   glm::dvec2(uvw[2].y, uvw[2].z)});
+            for (std::size_t k = 0; k < 3; ++k)
+                edges[k] = std::max(edges[k], bends[k] / far_from_surface);
+        }
     }
     void take_places(std::size_t first)
     {

@@ -88,6 +88,17 @@ void leave_out_loose(Mesh& mesh, VertexSides& all)
     mesh = without_loose_vertices(std::move(mesh));
 }
 
+// Whether a triangle of an opening's cap lies on both sides of another one's cut surface.
+bool is_across(const SplitField& field, std::size_t opening, std::size_t other,
+               const std::array<glm::dvec2, 3>& vw)
+{
+    int above = 0;
+    for (const glm::dvec2& at : vw)
+        above += field.openings[other].height(
+                     glm::dvec3(field.openings[opening].surface_cells.value(at), at)) >= 0;
+    return above == 1 || above == 2;
+}
+
 CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMesh& cut,
                        const SplitError& error, double tolerance, const SplitOptions& options)
 {
@@ -103,16 +114,19 @@ CapOptions cap_options(const SplitField& field, std::size_t opening, const CutMe
         return field.frame.axes * glm::normalize(glm::dvec3(1, -jet.u, -jet.v));
     };
     const bool alone = field.openings.size() == 1;
-    out.coarseness = [&error, opening, tolerance, alone](const std::array<glm::dvec2, 3>& vw) {
+    out.coarseness = [&error, &field, opening, tolerance,
+                      alone](const std::array<glm::dvec2, 3>& vw) {
         EdgeErrors edges = error.cap(opening, vw);
         for (double& each : edges) each /= tolerance;
-        // Beyond the walls the halves only touch, but a cap should not be far out of the body: it
-        // would be seen, or cross the rim of another opening
-        constexpr double far = 32; // tolerances
         if (alone && edges != EdgeErrors{}) return TriangleCoarseness{edges, whole_error(edges)};
-        const EdgeErrors bends = error.surface(opening, vw);
-        for (std::size_t i = 0; i < 3; ++i)
-            edges[i] = std::max(edges[i], bends[i] / (far * tolerance));
+        const auto keep_near = [&](std::size_t k, double share) {
+            const EdgeErrors bends = error.surface(k, vw);
+            for (std::size_t i = 0; i < 3; ++i)
+                edges[i] = std::max(edges[i], bends[i] / (far_from_surface * share * tolerance));
+        };
+        keep_near(opening, 1);
+        for (std::size_t k = opening + 1; k < field.openings.size(); ++k) // that cut it later
+            if (is_across(field, opening, k, vw)) keep_near(k, share_of_cut);
         return TriangleCoarseness{edges, whole_error(edges)};
     };
     if (options.closing == SplitClosing::stitched)

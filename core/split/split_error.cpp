@@ -125,6 +125,16 @@ EdgeErrors SplitError::surface(std::size_t opening, const std::array<glm::dvec2,
     return out;
 }
 
+double SplitError::surfaces_within(const Box& uvw) const
+{
+    const glm::dvec2 lo(uvw.lo.y, uvw.lo.z), hi(uvw.hi.y, uvw.hi.z);
+    double out = 0;
+    for (const Opening& each : field_.openings)
+        out =
+            std::max(out, share_of_bend * each.bounds->surface_bends.over(lo, hi).second(hi - lo));
+    return out;
+}
+
 EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const
 {
     EdgeErrors out{};

@@ -15,6 +15,11 @@ constexpr double share_of_cut = 0.5;
 // The same for all triangles, so that what is cut of them afterwards keeps within what is allowed.
 constexpr double share_of_whole = 0.6;
 
+// Beyond the walls halves only touch, but neither a cap nor its rim should be further from the cut
+// surface than that, in tolerances: a cap would be out of the body, or cross the rim of another
+// opening.
+constexpr double far_from_surface = 32;
+
 // Bounds of how far a flat triangle is off: on each of its edges (corner i to the next) by itself.
 using EdgeErrors = std::array<double, 3>;
 
@@ -47,6 +52,8 @@ public:
     EdgeErrors cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
     // How far such a triangle is from the cut surface itself, before anything is moved.
     EdgeErrors surface(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
+    // The greatest of these for all triangles in a box of uvw and all openings. O(#openings).
+    double surfaces_within(const Box& uvw) const;
 
 private:
     // What a side makes of the edges; one of both where it may be on either.

@@ -136,14 +136,18 @@ void find_changes(const Mesh& mesh, const VertexPlaces& places, const SplitField
             const FaceBits bits = bits_of(first, last);
             const bool cut_through = is_cut(bits, first, last);
             block.cut = block.cut || cut_through;
-            if (bits.out_of_reach()) continue;
-            block.moves = true;
+            const bool moved = !bits.out_of_reach();
+            if (!moved && !cut_through) continue;
+            block.moves = block.moves || moved;
             Box box;
             for (const std::uint32_t* c = first; c != last; ++c)
                 box.add(to_uvw * (glm::dvec3(mesh.positions[*c]) - field.frame.origin));
             // Of what is cut both sides count
-            const double off = (cut_through ? 2 / share_of_cut : 1) * error.within(box);
-            if (off <= tolerance) {
+            const double off = moved ? (cut_through ? 2 / share_of_cut : 1) * error.within(box) : 0;
+            const bool near_surface =
+                !cut_through || error.surfaces_within(box) <=
+                                    far_from_surface * share_of_cut * share_of_whole * tolerance;
+            if (off <= tolerance && near_surface) {
                 block.off = std::max(block.off, off);
                 continue;
             }
