@@ -14,8 +14,15 @@ namespace {
 
 // A piece is numbered by its sides, by a bit for whole tiles, and in higher bits by what was cut,
 // from 1 on.
-constexpr int sides_bits = 16, tiles_bit = 1 << sides_bits;
-constexpr int numbers_per_part = 2 * tiles_bit;
+constexpr int sides_bits = 16;
+constexpr std::int64_t tiles_bit = 1 << sides_bits, numbers_per_part = 2 * tiles_bit;
+
+// The number of what a piece was cut from, once or several times.
+std::int64_t first_number(std::int64_t piece)
+{
+    while (piece >= numbers_per_part) piece = piece / numbers_per_part - 1;
+    return piece;
+}
 
 bool drops(CutKeep keep, bool above)
 {
@@ -167,8 +174,7 @@ Part baked(const Part& part, Ref<Mesh> mesh, const Ref<Mesh>& rest)
 PartKey key_of(const Part& part, const CuttingStep::Piece& piece)
 {
     PartKey key = part.key;
-    key.piece = (key.piece + 1) * numbers_per_part + (piece.tiles ? tiles_bit : 0) +
-                static_cast<int>(piece.sides);
+    key.piece = (key.piece + 1) * numbers_per_part + (piece.tiles ? tiles_bit : 0) + piece.sides;
     return key;
 }
 
@@ -192,7 +198,7 @@ Part part_for(const Part& part, const CuttingStep::Whole& whole, const CuttingSt
 
 void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting& cutting)
 {
-    stage.cut_off = pieces.off;
+    stage.cut_off = std::max(stage.cut_off, pieces.off);
     stage.pieces = stage.parts.size();
     std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
     if (pieces.off > cutting.tolerance)
@@ -201,22 +207,28 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
                                             pieces.off));
 }
 
-// What cuts an object, and whose space that is in; without cuts nothing does.
+// Cuts of an object or of what its tiles are painted on, and the space that they are in.
 struct CutsOf {
     Cutting cutting;
     glm::dmat4 own_to_world{1};
     bool own = true; // not those of the base of a layer of tiles
 };
 
-CutsOf cuts_of(const Stage& stage, const StepInput& input)
+// What cuts an object, in this order: what cuts the bases of a layer of tiles comes first.
+std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
 {
-    if (input.object.cutting) return {*input.object.cutting, stage.own_to_world, true};
-    const Id base = base_that(input.document, input.object,
-                              [](const Object& o) { return o.cutting.has_value(); });
-    const auto found = input.done.find(base);
-    if (found == input.done.end()) return {};
-    CutsOf out{*object(input.document, base).cutting, found->second->own_to_world, false};
-    out.cutting.inside = Filling::none; // tiles are not made of what their base is made of
+    const auto is_cut = [](const Object& o) { return o.cutting.has_value(); };
+    std::vector<CutsOf> out;
+    if (is_cut(input.object)) out.push_back({*input.object.cutting, stage.own_to_world, true});
+    for (Id base = base_that(input.document, input.object, is_cut); base != 0;
+         base = base_that(input.document, object(input.document, base), is_cut)) {
+        const auto found = input.done.find(base);
+        if (found == input.done.end()) continue;
+        out.push_back({*object(input.document, base).cutting, found->second->own_to_world, false});
+        out.back().cutting.inside =
+            Filling::none; // tiles are not made of what their base is made of
+    }
+    std::ranges::reverse(out);
     return out;
 }
 
@@ -235,31 +247,36 @@ CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bo
     CuttingStep::Whole out;
     if (part.drawn_from_tiles()) {
         out.tiles = part.tiles;
-        out.alone = part.key.piece == 0; // tiles of strands and covers share their borders
+        out.alone =
+            first_number(part.key.piece) == 0; // tiles of strands and covers share their borders
     } else {
         out.mesh = mesh_of(part, timings);
-        if (filled && (part.bent || part.posed)) out.rest = part.rest;
+        if (filled && (part.bent || part.posed))
+            out.rest = part.rest;
+        else if (filled && first_number(part.key.piece) != part.key.piece)
+            out.rest = part.before_split;
     }
     if (part.to_world != own_to_world) out.to_own = glm::inverse(own_to_world) * part.to_world;
     return out;
 }
 
-} // namespace
-
-Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& input)
+// The stage after some cuts; `known` is what the same cuts made before.
+Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, const StepInput& input,
+                     CuttingStep::Known& known)
 {
-    if (before->parts.empty()) return before;
-    CutsOf cuts = cuts_of(*before, input);
+    using Piece = CuttingStep::Piece;
+    using Pieces = CuttingStep::Pieces;
     const glm::dmat4 own_to_world = cuts.own_to_world;
-    if (cuts.cutting.cuts.empty() || !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
+    if (before->parts.empty() || cuts.cutting.cuts.empty() ||
+        !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
         return before;
     const bool filled = is_filled(*before, cuts.cutting.inside, input.object.surfacing);
-    return known_({before, cuts.cutting, own_to_world, filled}, [&] {
+    return known.stages({before, cuts.cutting, own_to_world, filled}, [&] {
         Stage out = *before;
         leave_out_blunt(cuts, out);
         const Cutting& cutting = cuts.cutting;
         const InsideMaterial inside = inside_material(*before, cutting.inside);
-        PiecesKey key{{}, cutting, 1, inside.number};
+        CuttingStep::PiecesKey key{{}, cutting, 1, inside.number};
         if (input.object.tiles && cutting.inside == Filling::none) key.material.reset();
         for (PlainCut& cut : key.cutting.cuts) cut.gap = 0;
         const glm::dmat3 axes(own_to_world);
@@ -267,9 +284,9 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
         for (const Part& part : before->parts)
             key.parts.push_back(whole_of(part, own_to_world, filled, input.timings));
         const Ref<Pieces> pieces = timed(input.timings, "cut", [&] {
-            return pieces_(key, [&] {
+            return known.pieces(key, [&] {
                 Pieces made;
-                for (const Whole& whole : key.parts)
+                for (const CuttingStep::Whole& whole : key.parts)
                     made.of_parts.push_back(cut_pieces(whole, key, made));
                 return make_ref(std::move(made));
             });
@@ -286,12 +303,25 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
             }
         if (is_cut) out.mixed_materials = inside.beside;
         // Tiles are laid on what was there before, and then are cut with it
-        if (out.parts != before->parts) out.whole_parts = before->parts;
+        if (out.parts != before->parts) out.whole_parts = before->whole();
         tell_of_cuts(out, *pieces, cutting);
         if (out.parts.empty() && cuts.own)
             out.notices.emplace_back("its cuts keep nothing of it; keep the other side of one");
         return make_ref(std::move(out));
     });
+}
+
+} // namespace
+
+Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    if (before->parts.empty()) return before;
+    std::vector<CutsOf> all = cuts_of(*before, input);
+    known_.resize(all.size());
+    Ref<Stage> out = before;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        out = cut_stage(out, std::move(all[i]), input, known_[i]);
+    return out;
 }
 
 } // namespace trivar

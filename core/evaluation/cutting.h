@@ -9,9 +9,9 @@ namespace trivar {
 
 // CuttingStep cuts what an object shows into pieces, as it stands at the frame: what was drawn over
 // a bent, posed or tiled model is what is cut. Every piece is a part by itself, so that a gap that
-// opens only moves parts. A layer of tiles without cuts of its own is cut with what it is painted
-// on: tiles that no cut goes through move with their piece or go with it, the others are cut, too.
-// Stage: cut.
+// opens only moves parts. A layer of tiles is cut with what it is painted on, and then by cuts of
+// its own: tiles that no cut goes through move with their piece or go with it, the others are cut,
+// too. Stage: cut.
 class CuttingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
@@ -45,8 +45,6 @@ public:
         std::optional<std::uint32_t> material = 0; // of caps; none: that of a part's first face
         bool operator==(const PiecesKey&) const = default;
     };
-
-private:
     struct StageKey {
         Ref<Stage> before;
         Cutting cutting;
@@ -54,8 +52,13 @@ private:
         bool filled = false;
         bool operator==(const StageKey&) const = default;
     };
-    Recent<PiecesKey, Ref<Pieces>> pieces_;
-    Recent<StageKey, Ref<Stage>> known_;
+    struct Known { // what the cuts of one object made
+        Recent<PiecesKey, Ref<Pieces>> pieces;
+        Recent<StageKey, Ref<Stage>> stages;
+    };
+
+private:
+    std::vector<Known> known_; // of the bases of a layer of tiles, and of its own
 };
 
 } // namespace trivar

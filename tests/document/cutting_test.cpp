@@ -248,6 +248,36 @@ TEST(Cutting, TakesTilesAlongWithWhatTheyArePaintedOn)
     EXPECT_GT(drawn_as_tiles, whole->painted * 3 / 4);
 }
 
+TEST(Cutting, AddsTheCutsOfALayerToThoseOfItsBase)
+{
+    CutThrough own = across(0.2);
+    own.objects = {2};
+    own.cutting.cuts[0].normal = {1, 0, 0};
+    own.cutting.cuts[0].point = {0.1, 0, 0};
+    const Document document = tiled_ball();
+    const Ref<EvaluatedObject> whole = shown_tiles(document);
+    for (const bool base_first : {true, false}) {
+        const Document first = after(document, base_first ? across(0.3) : own);
+        const Ref<EvaluatedObject> tiles =
+            shown_tiles(after(first, base_first ? own : across(0.3)));
+        EXPECT_TRUE(tiles->notices.empty());
+        EXPECT_EQ(tiles->painted, whole->painted);
+        EXPECT_NEAR(volume_of(*tiles), volume_of(*whole), 1e-5);
+        std::set<PartKey> keys;
+        std::set<int> quarters;
+        for (const Part& part : tiles->parts) {
+            keys.insert(part.key);
+            EXPECT_TRUE(is_closed_body(*part.mesh()));
+            const Box box = bounds_in_world(part);
+            EXPECT_TRUE(box.hi.z < 0.2 - 0.1499 || box.lo.z > 0.2 + 0.1499);
+            EXPECT_TRUE(box.hi.x < 0.1 - 0.0999 || box.lo.x > 0.1 + 0.0999);
+            quarters.insert((box.lo.z > 0.2 ? 2 : 0) + (box.lo.x > 0.1 ? 1 : 0));
+        }
+        EXPECT_EQ(keys.size(), tiles->parts.size());
+        EXPECT_EQ(quarters.size(), 4u);
+    }
+}
+
 TEST(Cutting, TakesTilesAwayWithAHalf)
 {
     const Document document = tiled_ball();
