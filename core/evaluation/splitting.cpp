@@ -146,6 +146,8 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
                     const ObstacleUse& use = splitting->obstacles[i];
                     SplitObstacle each{names[i],  {},         use.clearance,
                                        use.reach, use.kernel, {use.object}};
+                    each.ends = splitting->ends;
+                    if (each.ends == SplitEnds::smooth) each.margin = smooth_margin;
                     if (splitting->closing == SplitClosing::stitched) each.margin = sewn_margin;
                     for (const Body& body : key.bodies)
                         if (body.obstacle == i) each.bodies.push_back({body.mesh, body.to_origin});

@@ -41,15 +41,22 @@ std::vector<Need> needs(const ObstacleColumns& columns, const CutSurface& surfac
     return out;
 }
 
-bool fixed(const Surface<double>& wall, int i, int j)
+// Rows of control points that are 0 at either end along v.
+int rows_at_ends(SplitEnds ends)
 {
-    return i == 0 || i == wall.axes[0].count() - 1 || j == 0 || j == wall.axes[1].count() - 1;
+    return ends == SplitEnds::smooth ? 3 : 1;
+}
+
+bool fixed(const Surface<double>& wall, int rows, int i, int j)
+{
+    return i < rows || i >= wall.axes[0].count() - rows || j == 0 || j == wall.axes[1].count() - 1;
 }
 
 // Raises control points, each by as much as the neediest sample asks of it, until none is short.
 // A sample that is short by r would be lifted enough by r b / sum b^2 alone; the largest of these
 // only adds.
-void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t side)
+void lift(Surface<double>& wall, int rows_at_end, const std::vector<Need>& samples,
+          std::size_t side)
 {
     struct Row {
         std::array<double, 16> weight;
@@ -69,7 +76,7 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
                           j = b.first + static_cast<int>(k % 4);
                 row.weight[k] = a.value[k / 4] * b.value[k % 4];
                 row.index[k] = wall.index(i, j);
-                if (!fixed(wall, i, j)) row.squares += row.weight[k] * row.weight[k];
+                if (!fixed(wall, rows_at_end, i, j)) row.squares += row.weight[k] * row.weight[k];
             }
         }
     });
@@ -88,7 +95,7 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
                     std::max(more[row.index[k]], missing * row.weight[k] / row.squares);
         }
         if (!short_of) break;
-        for (int i = 1; i + 1 < wall.axes[0].count(); ++i)
+        for (int i = rows_at_end; i + rows_at_end < wall.axes[0].count(); ++i)
             for (int j = 1; j + 1 < wall.axes[1].count(); ++j)
                 wall.points[wall.index(i, j)] += more[wall.index(i, j)];
     }
@@ -96,7 +103,7 @@ void lift(Surface<double>& wall, const std::vector<Need>& samples, std::size_t s
 
 // Lifts a wall at points of the obstacle that it is too near to, until none is.
 void certify(const ObstacleColumns& columns, const CutSurface& surface, double clearance,
-             OpeningWall& wall, std::size_t side)
+             OpeningWall& wall, int rows_at_end, std::size_t side)
 {
     constexpr int most_lifts = 8;
     constexpr double least_clearance = 1e-4; // metres: with less nothing is made certain
@@ -111,7 +118,7 @@ void certify(const ObstacleColumns& columns, const CutSurface& surface, double c
             const double phi = evaluate(surface, {p.y, p.z}).value;
             samples.push_back({{p.y, p.z}, {phi - p.x + clearance, p.x - phi + clearance}});
         }
-        lift(wall.height, samples, side);
+        lift(wall.height, rows_at_end, samples, side);
     }
 }
 
@@ -127,9 +134,11 @@ SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearanc
 }
 
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
-                                         const SplitRectangle& over, double clearance)
+                                         const SplitRectangle& over, double clearance,
+                                         SplitEnds ends)
 {
     const Box& box = columns.box();
+    const int rows = rows_at_ends(ends);
     const int across = points_across(box);
     const std::array<Knots, 2> axes{Knots::uniform(4, along, over.lo.x, over.hi.x),
                                     Knots::uniform(4, across, over.lo.y, over.hi.y)};
@@ -155,7 +164,7 @@ std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const C
                                    OpeningWall{{axes, std::vector<double>(sites.size())}, 0}};
     for (std::size_t side = 0; side < 2; ++side) {
         Surface<double>& wall = out[side].height;
-        for (int i = 1; i + 1 < along; ++i)
+        for (int i = rows; i + rows < along; ++i)
             for (int j = 1; j + 1 < across; ++j) {
                 const std::size_t k = wall.index(i, j);
                 if (!extents[k]) continue;
@@ -163,8 +172,8 @@ std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const C
                 wall.points[k] = std::max(
                     0.0, (side == 0 ? phi - extents[k]->x : extents[k]->y - phi) + clearance);
             }
-        lift(wall, samples, side);
-        certify(columns, surface, clearance, out[side], side);
+        lift(wall, rows, samples, side);
+        certify(columns, surface, clearance, out[side], rows, side);
         out[side].most = *std::ranges::max_element(wall.points);
     }
     return out;

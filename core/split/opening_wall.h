@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/split/cut_surface.h"
+#include "core/split/split_ends.h"
 
 namespace trivar {
 
@@ -17,8 +18,9 @@ struct OpeningWall {
 };
 
 // Shares of the length of a shadow that an opening begins before it: so that the round ends of an
-// obstacle, of infinite slope, are cleared as well; and so that a skin is drawn in gently.
-constexpr double round_margin = 0.12, sewn_margin = 0.35;
+// obstacle, of infinite slope, are cleared as well; so that a skin is drawn in gently; and so that
+// a wall with smooth ends can rise in time.
+constexpr double round_margin = 0.12, sewn_margin = 0.35, smooth_margin = 0.3;
 
 // Where an obstacle opens a model: its shadow and, along v, `margin` times the length of that on
 // both sides.
@@ -27,9 +29,11 @@ SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearanc
 // The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the
 // Greville points and then lifted until it is at least `clearance` beyond the obstacle at a grid of
 // columns and at the obstacle's vertices, and until it is certain that no triangle of the obstacle
-// is nearer than half of it (see WallCertificate). [Schein, thesis, 6.3, but fitted and lifted
+// is nearer than half of it (see WallCertificate). At the ends along v one row of control points is
+// 0, or three where these are smooth. [Schein, thesis, 6.3, but fitted and lifted
 // instead of control points on the profile.] About 30 ms.
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
-                                         const SplitRectangle& over, double clearance);
+                                         const SplitRectangle& over, double clearance,
+                                         SplitEnds ends);
 
 } // namespace trivar

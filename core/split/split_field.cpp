@@ -46,7 +46,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
         const SplitRectangle over = opening_rectangle(columns, obstacle.clearance, obstacle.margin);
         const CutSurface surface = middle_surface(columns, over);
         Opening out{surface,
-                    opening_walls(columns, surface, over, obstacle.clearance),
+                    opening_walls(columns, surface, over, obstacle.clearance, obstacle.ends),
                     {obstacle.reach, obstacle.reach},
                     obstacle.kernel,
                     obstacle.name,
@@ -73,6 +73,7 @@ SplitObstacle joined(const SplitObstacle& a, const SplitObstacle& b)
     out.clearance = std::max(a.clearance, b.clearance);
     out.reach = std::max(a.reach, b.reach);
     out.margin = std::max(a.margin, b.margin);
+    out.ends = std::max(a.ends, b.ends);
     return out;
 }
 

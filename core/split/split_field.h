@@ -17,8 +17,9 @@ struct SplitObstacle {
     double clearance = 0.005; // metres between the obstacle and the walls, at least
     double reach = 0;         // metres from the cut surface; 0, or too small: what the kernel needs
     SplitKernel kernel = SplitKernel::quadratic;
-    std::vector<int> objects = {}; // ids, for who asks what opened it
-    double margin = round_margin;  // see opening_rectangle()
+    std::vector<int> objects = {};     // ids, for who asks what opened it
+    double margin = round_margin;      // see opening_rectangle()
+    SplitEnds ends = SplitEnds::sharp; // of those that are parted by as one, smooth where any is
 };
 
 struct OpeningBounds;

@@ -3,6 +3,7 @@
 
 #include "core/mesh/model.h"
 #include "core/split/split_closing.h"
+#include "core/split/split_ends.h"
 #include "core/split/split_kernel.h"
 
 #include <glm/glm.hpp>
@@ -27,6 +28,7 @@ struct Splitting {
     SplitClosing closing = SplitClosing::capped;
     Filling inside = Filling::none; // what the caps show; none: the object's first material
     double tolerance = 2e-3;        // metres between flat triangles and the true walls, at most
+    SplitEnds ends = SplitEnds::sharp;
     bool operator==(const Splitting&) const = default;
 };
 

@@ -114,6 +114,24 @@ TEST(Splitting, ReadsTheSwitchOfOlderFiles)
     EXPECT_EQ(digest(after(ball_and_pillar(0), command)), "fa6a0a65944d6555ba9f8ba3cd426e8a");
 }
 
+TEST(Splitting, OpensEarlierWithSmoothEnds)
+{
+    const Document before = ball_and_pillar(-0.2);
+    Split command = by_the_pillar();
+    const Ref<EvaluatedObject> sharp = shown_ball(after(before, command));
+    command.splitting.ends = SplitEnds::smooth;
+    const Document document = after(before, command);
+    EXPECT_NE(digest(document), digest(after(before, by_the_pillar())));
+    const Ref<EvaluatedObject> smooth = shown_ball(document);
+    ASSERT_TRUE(smooth->split_field);
+    EXPECT_LT(smooth->split_field->openings.at(0).walls[0].lo().x,
+              sharp->split_field->openings.at(0).walls[0].lo().x);
+    EXPECT_TRUE(smooth->notices.empty());
+    EXPECT_TRUE(is_closed_body(*smooth->parts.at(0).mesh()));
+    for (const glm::vec3& p : smooth->parts.at(0).mesh()->positions)
+        EXPECT_GT(glm::length(glm::dvec2(p.x, p.y)), 0.25 * 0.998);
+}
+
 TEST(Splitting, IsTheSameWhateverFramesCameBefore)
 {
     auto evaluator = new_evaluator();

@@ -215,6 +215,13 @@ SplitObstacle obstacle(const std::string& name, Mesh mesh)
     return out;
 }
 
+SplitObstacle with_smooth_ends(SplitObstacle obstacle)
+{
+    obstacle.ends = SplitEnds::smooth;
+    obstacle.margin = smooth_margin;
+    return obstacle;
+}
+
 struct Named {
     std::string name;
     std::vector<SplitObstacle> obstacles;
@@ -236,12 +243,16 @@ std::vector<Named> scenes()
                                         },
                                         0.15, 48))}});
     out.push_back({"ball", {obstacle("ball", ball({0.1, 0, 0.05}, 0.3, 48))}});
+    const Named smooth{"smooth ends", {with_smooth_ends(out[1].obstacles[0])}};
+    const Named smooth_ball{"ball, smooth ends", {with_smooth_ends(out[3].obstacles[0])}};
     Named three{"three leaning bars", {}};
     for (int k = -1; k <= 1; ++k)
         three.obstacles.push_back(
             obstacle("bar " + std::to_string(k + 2),
                      bar(leaning({0.75 * k, 0.2 * k, 0}, {0.3, 0.25, 0}), 0.12)));
     out.push_back(three);
+    out.push_back(smooth);
+    out.push_back(smooth_ball);
     return out;
 }
 
@@ -398,6 +409,33 @@ TEST(Split, LeavesWhatIsOutOfReachInPlace)
     }
     EXPECT_GT(far, model.vertex_count() / 3);
     EXPECT_TRUE(parted->rest_positions.empty());
+}
+
+TEST(SplitField, LeavesZeroWithABendOrSmoothly)
+{
+    const SplitObstacle sharp = scenes()[0].obstacles[0];
+    double begin = 0;
+    for (const bool smooth : {false, true}) {
+        const SplitField field = split_field({smooth ? with_smooth_ends(sharp) : sharp}, {});
+        const Opening& opening = field.openings.at(0);
+        EXPECT_GE(opening.walls[0].clear, 0.002);
+        const glm::dvec2 lo = opening.walls[0].lo(), hi = opening.walls[0].hi();
+        if (smooth) EXPECT_LT(lo.x, begin);
+        begin = lo.x;
+        for (const BicubicCells& wall : opening.wall_cells)
+            for (const double way : {1.0, -1.0}) {
+                const double end = way > 0 ? lo.x : hi.x;
+                double most_bent = 0;
+                for (int k = 1; k < 20; ++k) {
+                    const double w = glm::mix(lo.y, hi.y, k / 20.0);
+                    constexpr double h = 1e-5;
+                    EXPECT_NEAR(wall.jet({end, w}).value, 0, 1e-15);
+                    EXPECT_NEAR(wall.jet({end, w}).u, 0, 1e-12);
+                    most_bent = std::max(most_bent, way * wall.jet({end + way * h, w}).u / h);
+                }
+                EXPECT_EQ(most_bent > 0.1, !smooth) << most_bent;
+            }
+    }
 }
 
 TEST(SplitField, TakesInterlockedObstaclesAsOne)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/field.h"
+#include "core/document/fields/inside_field.h"
 #include "core/split/cutting.h"
 
 namespace trivar {
@@ -43,9 +43,7 @@ template <> struct FieldsOf<Cutting> {
         field("cuts", c.cuts, "planes and strokes that cut, one after the other", required);
         field("capped", c.capped, "the pieces are closed, so that they stay solid",
               any_value.called("Closed"));
-        field("inside", c.inside,
-              "a pattern that fills it, seen where it is cut; none: its own material",
-              any_value.called("Inside"));
+        inside_field(c.inside, field);
         field("tolerance", c.tolerance,
               "metres; triangles are split until a curved cut is nowhere further from its stroke",
               in_range(1e-6, 1000).called("Tolerance").in(Unit::metres));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/field.h"
+#include "core/document/fields/inside_field.h"
 #include "core/split/splitting.h"
 
 namespace trivar {
@@ -14,6 +14,9 @@ template <>
 inline constexpr std::array<std::string_view, 3> choice_names<SplitClosing>{"open", "capped",
                                                                             "stitched"};
 template <> inline constexpr bool was_switch<SplitClosing> = true;
+
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<SplitEnds>{"sharp", "smooth"};
 
 template <> struct FieldsOf<ObstacleUse> {
     static constexpr std::string_view told_as = "[obstacle](#obstacle)";
@@ -43,12 +46,14 @@ template <> struct FieldsOf<Splitting> {
               "stitching the skin together beside the obstacle, with nothing inside. false and "
               "true are read as open and capped",
               any_value.called("Closing"));
-        field("inside", s.inside,
-              "a pattern that fills it, seen where it opens; none: its own material",
-              any_value.called("Inside"));
+        inside_field(s.inside, field);
         field("tolerance", s.tolerance,
               "metres; its triangles are split until none is further from the true walls",
               in_range(1e-6, 1000).called("Tolerance").in(Unit::metres));
+        field("ends", s.ends,
+              "how it opens before an obstacle and closes behind it: sharply, close to it; or "
+              "smoothly, over a longer way",
+              later.called("Ends"));
     }
 };
 

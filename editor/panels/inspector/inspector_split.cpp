@@ -57,6 +57,7 @@ void draw_split(Editor& editor, const ui::Theme& theme, Id id)
     ui::gap(theme, 8);
     FieldRows<Splitting> fields(rows, splitting, "splitting");
     fields(&Splitting::closing);
+    fields(&Splitting::ends);
     fields(&Splitting::inside);
     fields(&Splitting::tolerance);
     fields(&Splitting::opening);
