@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/cap.h"
 
+#include "core/base/array_copies.h"
 #include "core/plane/triangulation.h"
 #include "core/split/layered_cap.h"
 
@@ -259,14 +260,9 @@ std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const Flat
     return first;
 }
 
-} // namespace
-
-Caps cap(CutMesh& cut, const CapOptions& options)
+// Triangulates the cap of either half; what is to be told of it goes to `out`.
+FlatCap closed(const CutMesh& cut, const CapOptions& options, Caps& out)
 {
-    Caps out;
-    out.first_vertex = cut.mesh.vertex_count();
-    out.first_face = cut.mesh.face_count();
-    if (cut.rim.empty()) return out;
     RimLoops loops = loops_of(cut.rim, cut.places.size());
     // Where the mesh was open, the cap goes straight across the gap
     for (const RimLoop& way : loops.open) out.open += way.size() - 1;
@@ -298,6 +294,22 @@ Caps cap(CutMesh& cut, const CapOptions& options)
             }
         }
     }
+    return flat;
+}
+
+} // namespace
+
+Caps cap(CutMesh& cut, const CapOptions& options)
+{
+    Caps out;
+    out.first_vertex = cut.mesh.vertex_count();
+    out.first_face = cut.mesh.face_count();
+    FlatCap flat;
+    ArrayCopies both;
+    if (!cut.rim.empty()) both.add([&] { flat = closed(cut, options, out); });
+    if (options.meanwhile) both.add(options.meanwhile);
+    both.run();
+    if (cut.rim.empty()) return out;
     for (const bool up : {false, true}) {
         const auto first = static_cast<std::uint32_t>(add_cap_vertices(cut, options, flat, up));
         for (const auto& [a, b, c] : flat.triangles)

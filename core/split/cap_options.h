@@ -17,6 +17,8 @@ struct CapOptions {
     // longer than 1/1000 of the cap's size stay as they are.
     Coarseness coarseness = nullptr;
     std::uint32_t material = 0; // face_material of the caps
+    // What is done beside the triangulation, which looks at no vertex of the mesh; null: nothing.
+    std::function<void()> meanwhile = nullptr;
 };
 
 } // namespace trivar

@@ -204,25 +204,29 @@ void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const glm::dv
     }
 }
 
-void move(SplitMesh& out, const SplitField& field, const std::vector<Seam>& seams, VertexSides& all)
+// Moves the vertices that have no rest position yet, and gives them theirs.
+void move(Mesh& mesh, std::vector<glm::vec3>& rest, const SplitField& field,
+          const std::vector<Seam>& seams, VertexSides& all)
 {
     const Box reach = field.reach();
-    out.rest_positions = out.mesh.positions;
-    parallel_blocks(
-        out.mesh.vertex_count(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(out.rest_positions[v]));
-                if (glm::any(glm::lessThan(uvw, reach.lo)) ||
-                    glm::any(glm::greaterThan(uvw, reach.hi)))
-                    continue;
-                const std::span<const char> sides(&all.side(v, 0), all.openings);
-                const std::span<const char> on(&all.is_on(v, 0), all.openings);
-                if (seams.empty())
-                    move_vertex(out.mesh, v, out.rest_positions[v], uvw, field, sides, on);
-                else
-                    move_sewn(out.mesh, v, field, seams, sides, on);
-            }
-        });
+    const std::size_t first = rest.size();
+    rest.insert(rest.end(), mesh.positions.begin() + static_cast<long>(first),
+                mesh.positions.end());
+    parallel_blocks(rest.size() - first, vertices_per_block,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = first + begin; v < first + end; ++v) {
+                            const glm::dvec3 uvw = field.frame.uvw(glm::dvec3(rest[v]));
+                            if (glm::any(glm::lessThan(uvw, reach.lo)) ||
+                                glm::any(glm::greaterThan(uvw, reach.hi)))
+                                continue;
+                            const std::span<const char> sides(&all.side(v, 0), all.openings);
+                            const std::span<const char> on(&all.is_on(v, 0), all.openings);
+                            if (seams.empty())
+                                move_vertex(mesh, v, rest[v], uvw, field, sides, on);
+                            else
+                                move_sewn(mesh, v, field, seams, sides, on);
+                        }
+                    });
 }
 
 // The greatest of the bounds of the triangles of caps.
@@ -331,15 +335,23 @@ SplitMesh split_all(FineMesh fine, const Parting& parting)
         Caps caps;
         caps.first_vertex = cut_mesh.mesh.vertex_count();
         caps.first_face = cut_mesh.mesh.face_count();
-        if (options.closing != SplitClosing::open)
-            caps = cap(cut_mesh, cap_options(field, i, cut_mesh, error,
-                                             std::max(tolerance - moved, tolerance / 2), options));
         all.resize(cut_mesh.mesh.vertex_count());
         for (std::size_t v = 0; v < heights.size(); ++v) all.side(v, i) = cut_mesh.above[v];
         for (std::size_t e = 0; e < cut_mesh.edges.size(); ++e)
             for (const std::size_t above : {std::size_t{0}, std::size_t{1}})
                 all.between(cut_mesh.first_vertex + 2 * e + above, cut_mesh.edges[e].x,
                             cut_mesh.edges[e].y, i, above == 1);
+        if (options.closing != SplitClosing::open) {
+            CapOptions closing = cap_options(field, i, cut_mesh, error,
+                                             std::max(tolerance - moved, tolerance / 2), options);
+            // Nothing looks any more at where the vertices of the last cut were
+            if (i + 1 == openings && options.closing == SplitClosing::capped)
+                closing.meanwhile = [&] {
+                    move(cut_mesh.mesh, out.rest_positions, field, seams, all);
+                };
+            caps = cap(cut_mesh, closing);
+            all.resize(cut_mesh.mesh.vertex_count());
+        }
         take_sides_of_caps(all, cut_mesh, caps, i);
         if (options.closing == SplitClosing::stitched) sew(cut_mesh, caps, field, i);
         out.off =
@@ -352,7 +364,7 @@ SplitMesh split_all(FineMesh fine, const Parting& parting)
         before = std::move(cut_mesh);
     }
     if (options.closing == SplitClosing::stitched) leave_out_loose(out.mesh, all);
-    move(out, field, seams, all);
+    move(out.mesh, out.rest_positions, field, seams, all);
     return out;
 }
 
