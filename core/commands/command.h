@@ -15,6 +15,7 @@
 #include "core/commands/material.h"
 #include "core/commands/mix_tiles.h"
 #include "core/commands/paste.h"
+#include "core/commands/peel.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
 #include "core/commands/primitives.h"

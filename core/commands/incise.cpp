@@ -5,7 +5,6 @@
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
 #include "core/commands/entry_tracks.h"
-#include "core/commands/field_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,22 +13,6 @@ namespace trivar {
 namespace {
 
 constexpr std::string_view incision_tracks = "incising.cuts.", flap_tracks = "incising.flaps.";
-
-const Incising& incising_of(const Document& document, Id id)
-{
-    const Object& own = object(document, id);
-    if (!own.incising) throw Rejected(named(id, own) + " has no incisions");
-    return *own.incising;
-}
-
-std::size_t incision_index(const Document& document, Id id, int number)
-{
-    const std::size_t count = incising_of(document, id).cuts.size();
-    if (number < 1 || static_cast<std::size_t>(number) > count)
-        throw Rejected(fmt::format("{} has {} incisions, and none of number {}",
-                                   named(document, id), count, number));
-    return static_cast<std::size_t>(number - 1);
-}
 
 std::string called(const NamedIncision& incision, int number)
 {
@@ -94,6 +77,22 @@ IncisionSide other_side(IncisionSide side)
 }
 
 } // namespace
+
+const Incising& incising_of(const Document& document, Id id)
+{
+    const Object& own = object(document, id);
+    if (!own.incising) throw Rejected(named(id, own) + " has no incisions");
+    return *own.incising;
+}
+
+std::size_t incision_index(const Document& document, Id id, int number)
+{
+    const std::size_t count = incising_of(document, id).cuts.size();
+    if (number < 1 || static_cast<std::size_t>(number) > count)
+        throw Rejected(fmt::format("{} has {} incisions, and none of number {}",
+                                   named(document, id), count, number));
+    return static_cast<std::size_t>(number - 1);
+}
 
 void check(const NamedIncision& incision)
 {
@@ -234,55 +233,6 @@ StepTitle title(const SwapIncisions& c, const StepDocuments& step)
     return {fmt::format("Swap {} and {} of {}", name(c.first), name(c.second),
                         names_in(step.before, {c.object})),
             {}};
-}
-
-Document applied(Document document, const PeelFlap& command)
-{
-    const PeeledFlap flap = in_order(command.flap);
-    incision_index(document, command.object, flap.first);
-    incision_index(document, command.object, flap.second);
-    if (flap.first == flap.second)
-        throw Rejected("fields \"first\" and \"second\" must name two different incisions");
-    const std::vector<PeeledFlap>& before = incising_of(document, command.object).flaps;
-    const auto same = [&](const PeeledFlap& each) { return each.same_place(flap); };
-    const auto found = std::ranges::find_if(before, same) - before.begin();
-    const auto index = static_cast<std::size_t>(found);
-    if (index == before.size() && index >= most_peeled_flaps)
-        throw Rejected(fmt::format("{} has {} peeled flaps already; at most {} are taken",
-                                   named(document, command.object), index, most_peeled_flaps));
-    return with_changed(std::move(document), command.object, [&](Object& o) {
-        std::vector<PeeledFlap>& flaps = o.incising->flaps;
-        if (index == flaps.size())
-            flaps.push_back(flap);
-        else
-            flaps[index] = flap;
-    });
-}
-
-StepTitle title(const PeelFlap& c, const StepDocuments& step)
-{
-    return {"Peel a flap of " + names_in(step.before, {c.object}),
-            with_unit(c.flap.lift, Unit::metres)};
-}
-
-Document applied(Document document, const LayFlap& command)
-{
-    const std::size_t count = incising_of(document, command.object).flaps.size();
-    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
-        throw Rejected(fmt::format("{} has {} peeled flaps, and none of number {}",
-                                   named(document, command.object), count, command.number));
-    return with_changed(std::move(document), command.object, [&](Object& o) {
-        const auto index = static_cast<std::size_t>(command.number) - 1;
-        std::vector<char> gone(count, 0);
-        gone[index] = 1;
-        o.tracks = without_entries(o.tracks, flap_tracks, gone);
-        o.incising->flaps.erase(o.incising->flaps.begin() + static_cast<long>(index));
-    });
-}
-
-StepTitle title(const LayFlap& c, const StepDocuments& step)
-{
-    return {fmt::format("Lay flap {} of {} back", c.number, names_in(step.before, {c.object})), {}};
 }
 
 Document applied(Document document, const RemoveIncision& command)

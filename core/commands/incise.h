@@ -11,6 +11,11 @@ inline constexpr int most_incisions = 64;
 inline constexpr std::size_t most_incision_layers = 16, most_incision_points = 10'000,
                              most_peeled_flaps = 256;
 
+// The incisions of an object, and the place of one among them by its number. Throws Rejected where
+// there are none, and none of that number.
+const Incising& incising_of(const Document& document, Id id);
+std::size_t incision_index(const Document& document, Id id, int number);
+
 // Throws Rejected where a skin cannot be cut like that.
 void check(const NamedIncision& incision);
 void check(const Incising& incising);
@@ -93,40 +98,6 @@ struct SwapIncisions {
 };
 Document applied(Document document, const SwapIncisions& command);
 StepTitle title(const SwapIncisions& c, const StepDocuments& step);
-
-struct PeelFlap {
-    static constexpr std::string_view
-        verb = "peel_flap",
-        summary = "Bend the flap between two incisions that cross outward, or let it down to 0.";
-    static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    Id object = 0;
-    PeeledFlap flap;
-    bool operator==(const PeelFlap&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of an object with incisions", required);
-        FieldsOf<PeeledFlap>::fields(c.flap, field);
-    }
-};
-Document applied(Document document, const PeelFlap& command);
-StepTitle title(const PeelFlap& c, const StepDocuments& step);
-
-struct LayFlap {
-    static constexpr std::string_view
-        verb = "lay_flap",
-        summary = "Lay a flap that was peeled back for good; keys of the others stay with them.";
-    static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    Id object = 0;
-    int number = 1;
-    bool operator==(const LayFlap&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of an object with peeled flaps", required);
-        field("number", c.number, "which of them, the first is 1", in_range(1, most_peeled_flaps));
-    }
-};
-Document applied(Document document, const LayFlap& command);
-StepTitle title(const LayFlap& c, const StepDocuments& step);
 
 struct RemoveIncision {
     static constexpr std::string_view

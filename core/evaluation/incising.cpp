@@ -246,7 +246,12 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
     for (std::size_t m = 0; m < meshes; ++m) {
         if (of_mesh[m].empty()) continue;
         std::vector<Incision> cuts;
-        for (const std::size_t i : of_mesh[m]) cuts.push_back(ways[m](incising.cuts[i].cut));
+        for (const std::size_t i : of_mesh[m]) {
+            cuts.push_back(ways[m](incising.cuts[i].cut));
+            // Rows of all incisions share steps of the deepest one's depth, so that none may be
+            // deeper than any body
+            cuts.back().depth = std::min(cuts.back().depth, 0.5 * skins[m]->diagonal());
+        }
         const InciseOptions options =
             options_for(incising, shape.materials->size(), ways[m].metres);
         try {
@@ -261,7 +266,8 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
                                            outcome.widest,
                                            outcome.least,
                                            outcome.shortfall,
-                                           outcome.notice};
+                                           outcome.notice,
+                                           1};
             }
             if (incised->rest != incised->original)
                 out.all.push_back({m, incised, of_mesh[m], cuts, ways[m].metres,
@@ -297,6 +303,8 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
             wounds_({before->shape, cut}, [&] { return make_ref(wounds_in(whole, cut, input)); });
         Stage out = *before;
         out.incisions = wounds->told;
+        for (std::size_t i = 0; i < incising->cuts.size(); ++i)
+            out.incisions[i].open_to = incising->cuts[i].opening.to;
         tell_of_incisions(out, *incising);
         Shape shape = whole;
         open_.keep(3 * (wounds->all.size() + 1));

@@ -20,6 +20,7 @@ struct IncisingEffects {
         double least = 1;             // and the least share of its opening along it
         std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
         std::string notice = {};      // a sentence where only a part of the stroke is cut
+        double open_to = 1;           // share of its length up to which it or its blade opens it
     };
     std::vector<OfIncision> incisions = {}; // by number
     Ref<Stage> uncut;                       // before it was incised; null: nothing is open

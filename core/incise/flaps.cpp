@@ -183,9 +183,11 @@ IncisedFlaps flaps_of(const IncisedMesh& incised, std::span<const Incision> inci
     return out;
 }
 
-void add_lifts(const IncisedFlaps& flaps, std::span<const double> lifts,
-               std::span<const IncisionOpening> openings, std::vector<glm::dvec3>& moves)
+std::vector<glm::dvec3> lifted_moves(const IncisedMesh& incised, const IncisedFlaps& flaps,
+                                     std::span<const double> lifts,
+                                     std::span<const IncisionOpening> openings)
 {
+    std::vector<glm::dvec3> moves(incised.slots, glm::dvec3(0));
     std::vector<double> backs;
     for (std::size_t f = 0; f < lifts.size(); ++f) {
         const double length = flaps.lengths[f], high = std::min(lifts[f], length);
@@ -201,6 +203,7 @@ void add_lifts(const IncisedFlaps& flaps, std::span<const double> lifts,
         moves[each.slot] += weight * (lift * glm::dvec3(each.up) +
                                       backs[each.flap] * glm::dvec3(flaps.backs[each.flap]));
     }
+    return moves;
 }
 
 std::vector<glm::vec3> turned_normals(const IncisedMesh& incised, const IncisedFlaps& flaps,

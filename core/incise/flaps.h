@@ -35,9 +35,10 @@ struct IncisedFlaps {
 IncisedFlaps flaps_of(const IncisedMesh& incised, std::span<const Incision> incisions,
                       std::span<const FlapPlace> places);
 
-// Adds what flaps do to slots. `lifts`: units of the mesh, by flap.
-void add_lifts(const IncisedFlaps& flaps, std::span<const double> lifts,
-               std::span<const IncisionOpening> openings, std::vector<glm::dvec3>& moves);
+// What flaps do to slots. `lifts`: units of the mesh, by flap.
+std::vector<glm::dvec3> lifted_moves(const IncisedMesh& incised, const IncisedFlaps& flaps,
+                                     std::span<const double> lifts,
+                                     std::span<const IncisionOpening> openings);
 // The normals of the skin on flaps where the vertices that move are at `positions`.
 std::vector<glm::vec3> turned_normals(const IncisedMesh& incised, const IncisedFlaps& flaps,
                                       std::span<const double> lifts,

@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/incised.h"
 
-#include "core/incise/flaps.h"
-
 #include <algorithm>
 #include <cassert>
 
 namespace trivar {
 
 OpenedVertices opened_vertices(const IncisedMesh& incised,
-                               std::span<const IncisionOpening> openings, const FlapLifts& lifts)
+                               std::span<const IncisionOpening> openings,
+                               std::vector<glm::dvec3> more)
 {
     assert(openings.size() == incised.outcomes.size());
+    assert(more.empty() || more.size() == incised.slots);
     const Mesh& rest = *incised.rest;
-    std::vector<glm::dvec3> moves(incised.slots, glm::dvec3(0));
+    std::vector<glm::dvec3> moves = std::move(more);
+    moves.resize(incised.slots, glm::dvec3(0));
     for (const IncisedMesh::Term& term : incised.terms) {
         const IncisionOpening& opening = openings[term.incision];
         const bool whole = opening.from <= 0 && opening.to >= 1;
         const double share = whole ? opening.share : share_at(opening, term.share);
         moves[term.slot] += share * glm::dvec3(term.move);
     }
-    if (lifts.flaps) add_lifts(*lifts.flaps, lifts.lifts, openings, moves);
     OpenedVertices out;
     out.positions.reserve(incised.moved.size());
     for (std::size_t i = 0; i < incised.moved.size(); ++i)
         out.positions.emplace_back(glm::dvec3(rest.positions[incised.moved[i]]) +
                                    moves[incised.slot_of_moved[i]]);
     if (rest.normals.empty()) return out;
-    if (lifts.flaps)
-        out.flap_normals = turned_normals(incised, *lifts.flaps, lifts.lifts, out.positions);
 
     const std::uint32_t first = incised.first_wall_vertex;
     std::vector<glm::dvec3> walls(rest.positions.begin() + first, rest.positions.end());
@@ -57,14 +55,11 @@ bool is_open(const IncisedMesh& incised, std::span<const IncisionOpening> openin
     return false;
 }
 
-void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy,
-         const IncisedFlaps* flaps)
+void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy)
 {
     for (std::size_t i = 0; i < incised.moved.size(); ++i)
         copy.positions[incised.moved[i]] = vertices.positions[i];
     std::ranges::copy(vertices.wall_normals, copy.normals.begin() + incised.first_wall_vertex);
-    for (std::size_t i = 0; i < vertices.flap_normals.size(); ++i)
-        copy.normals[flaps->skin[i]] = vertices.flap_normals[i];
 }
 
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings)

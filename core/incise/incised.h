@@ -41,29 +41,21 @@ struct IncisedMesh {
     std::uint32_t first_wall_vertex = 0, first_wall_face = 0; // in `rest`, where walls come last
 };
 
-// FlapLifts say how far flaps of a mesh are raised; none: all of them lie.
-struct IncisedFlaps;
-struct FlapLifts {
-    const IncisedFlaps* flaps = nullptr;
-    std::span<const double> lifts = {}; // units of the mesh, by flap
-};
-
 // Where the vertices that move are at some openings, one for each incision, and the normals of the
-// walls and of flaps. O(#terms + #walls), whatever the size of the mesh.
+// walls. `more`: by slot, what else moves them; none: nothing does. O(#terms + #walls), whatever
+// the size of the mesh.
 struct OpenedVertices {
     std::vector<glm::vec3> positions;    // by IncisedMesh::moved
     std::vector<glm::vec3> wall_normals; // from first_wall_vertex on
-    std::vector<glm::vec3> flap_normals; // by IncisedFlaps::skin
 };
 OpenedVertices opened_vertices(const IncisedMesh& incised,
                                std::span<const IncisionOpening> openings,
-                               const FlapLifts& lifts = {});
+                               std::vector<glm::dvec3> more = {});
 
 // Whether any incision is open at all, or a piece is left out.
 bool is_open(const IncisedMesh& incised, std::span<const IncisionOpening> openings);
 // Moves the vertices of a copy of `rest`, at whatever openings it is.
-void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy,
-         const IncisedFlaps* flaps = nullptr);
+void put(const IncisedMesh& incised, const OpenedVertices& vertices, Mesh& copy);
 
 // The whole mesh at some openings; the original itself while all are shut and no piece is left out.
 Ref<Mesh> opened(const IncisedMesh& incised, std::span<const IncisionOpening> openings);

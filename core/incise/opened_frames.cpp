@@ -19,10 +19,17 @@ OpenedFrames::Frame OpenedFrames::operator()(std::span<const IncisionOpening> op
                                              std::span<const double> lifts) const
 {
     if (!is_open(*incised_, openings)) return {incised_->original, shut_};
-    const OpenedVertices vertices = opened_vertices(*incised_, openings, {flaps_.get(), lifts});
+    const OpenedVertices vertices = opened_vertices(
+        *incised_, openings,
+        flaps_ ? lifted_moves(*incised_, *flaps_, lifts, openings) : std::vector<glm::dvec3>());
     std::optional<Mesh> mesh = meshes_->take_back();
     if (!mesh) mesh = *incised_->rest;
-    put(*incised_, vertices, *mesh, flaps_.get());
+    put(*incised_, vertices, *mesh);
+    if (flaps_) {
+        const auto normals = turned_normals(*incised_, *flaps_, lifts, vertices.positions);
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            mesh->normals[flaps_->skin[i]] = normals[i];
+    }
     Frame out{meshes_->lend(*std::move(mesh)), still_};
     for (const glm::vec3& p : vertices.positions) out.box.add(glm::dvec3(p));
     return out;

@@ -3,7 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/base/lender.h"
-#include "core/incise/incised.h"
+#include "core/incise/flaps.h"
 
 namespace trivar {
 
