@@ -9,11 +9,12 @@ namespace trivar {
 // it was when the hand began, so that the wound that opens does not swallow the stroke.
 class CutStroke {
 public:
-    // `ends`: to which its own ends are pulled; empty: nothing pulls.
-    CutStroke(IncisedSkin skin, std::vector<CutEnd> ends, const SurfaceHit& from, glm::dvec2 at_px);
+    // `snaps`: to which its own ends are pulled; empty: nothing pulls.
+    CutStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px);
 
     struct CutKeys {
         bool straight = false; // a straight line in the picture from where this began to be held
+        bool along_uv = false; // that of the lines along U and V through its start that is nearer
         double scale = 1;      // of the interface
     };
     // Takes more of the hand's way; what misses the skin is left out. Returns whether it changed.
@@ -30,6 +31,7 @@ public:
         return hits_.front().hit.scale;
     } // metres in the world per metre on the model
     const std::optional<CutEnd>& end() const { return at_end_; } // that it is pulled to
+    bool lacks_uv() const; // it was to go along a UV line, but there is none
     const IncisedSkin& skin() const { return skin_; }
 
 private:
@@ -40,14 +42,16 @@ private:
     void add(const Camera& camera, glm::dvec2 p_px, bool free);
     void go_straight(const Camera& camera, glm::dvec2 to_px);
     void go_freely(const Camera& camera, glm::dvec2 to_px);
+    void go_along_uv(const Camera& camera, glm::dvec2 to_px);
 
     IncisedSkin skin_;
-    std::vector<CutEnd> ends_;
+    CutSnaps snaps_;
     std::vector<CutSample> hits_;
     glm::dvec2 begun_px_{0}, last_px_{0};
     std::size_t corner_ = 0; // from which the straight piece goes
     bool straight_ = false, moved_ = false;
     std::optional<CutEnd> at_end_;
+    std::optional<std::array<IncisedSkin::SeenUvLine, 2>> uv_lines_; // once they are wanted
 };
 
 } // namespace trivar

@@ -3,9 +3,9 @@
 
 #include "core/base/rounded.h"
 #include "editor/session/topics.h"
-#include "editor/tools/handle_drag.h"
 #include "editor/tools/incision_picture.h"
 #include "editor/tools/select.h"
+#include "editor/tools/usual_layers.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
 
@@ -21,7 +21,7 @@ constexpr double cut_reach_px = 7; // of a cut under the mouse, at scale 1
 // What a new incision measures where nobody says it: shares of the model's diagonal, and at most so
 // much of its length.
 constexpr double usual_width = 0.035, usual_depth = 0.07;
-constexpr double widest_of_length = 0.25, deepest_of_length = 0.6;
+constexpr double widest_of_length = 0.16, deepest_of_length = 0.35;
 
 bool can_be_cut(const Session& session, Id id)
 {
@@ -54,6 +54,23 @@ Id InciseTool::base_of(const Session& session, Id under)
     return can_be_cut(session, base) ? base : Id{0};
 }
 
+// Where a step has moved the chosen incision in the list, it stays the chosen one.
+void InciseTool::keep_chosen(Session& session) const
+{
+    const NamedIncision* now = chosen(session);
+    const auto index = static_cast<std::size_t>(session.incision.number) - 1;
+    if (!known_ || known_of_ != session.selected || shown_chosen_ != session.incision ||
+        session.incision.number < 1 || index >= known_->cuts.size())
+        return;
+    const std::vector<SurfacePoint>& stroke = known_->cuts[index].cut.stroke;
+    if (now && now->cut.stroke == stroke) return;
+    const auto there = session.document().objects.find(session.selected);
+    if (there == session.document().objects.end() || !there->second->incising) return;
+    const std::vector<NamedIncision>& cuts = there->second->incising->cuts;
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+        if (cuts[i].cut.stroke == stroke) session.incision.number = static_cast<int>(i) + 1;
+}
+
 void InciseTool::look(const Session& session)
 {
     const Id id = session.selected;
@@ -64,6 +81,7 @@ void InciseTool::look(const Session& session)
         known_.reset();
         known_shown_ = nullptr;
         cuts_.clear();
+        crossings_.clear();
         return;
     }
     skin_.look(session, id);
@@ -71,14 +89,22 @@ void InciseTool::look(const Session& session)
     if (known_shown_ == skin_.shown() && known_ == incising) return;
     known_shown_ = skin_.shown();
     known_ = incising;
+    known_of_ = id;
     const auto& told = skin_.shown()->incisions;
     const int number = session.incision.object == id ? session.incision.number : 0;
     cuts_.resize(incising.cuts.size());
-    for (std::size_t i = 0; i < cuts_.size(); ++i) // in a drag only the one in the hand changes
-        if (!drag_ || static_cast<int>(i) + 1 == number)
-            cuts_[i] = incising.cuts[i].hidden ? SeenCut{}
-                                               : seen_cut(skin_, incising.cuts[i],
-                                                          i < told.size() ? &told[i] : nullptr);
+    open_ = incising;
+    for (std::size_t i = 0; i < std::min(told.size(), open_.cuts.size()); ++i)
+        open_.cuts[i].opening.to = told[i].open_to;
+    const auto see = [&](std::size_t i) {
+        cuts_[i] = incising.cuts[i].hidden
+                       ? SeenCut{}
+                       : seen_cut(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
+    };
+    const int other = crossing_drag_ ? crossing_drag_->held.crossing.other_than(number) : 0;
+    for (int i = 0; i < static_cast<int>(cuts_.size()); ++i) // in a drag only what is in the hand
+        if (!dragging() || i + 1 == number || i + 1 == other) see(static_cast<std::size_t>(i));
+    crossings_ = crossings_of(cuts_);
     looks_ = (looks_ + 1) % 4;
 }
 
@@ -92,19 +118,30 @@ const SeenCut* InciseTool::seen_chosen(const Session& session) const
 std::vector<IncisionHoldPoint> InciseTool::holds(const Session& session, double scale) const
 {
     const SeenCut* seen = seen_chosen(session);
-    return seen ? incision_holds(*chosen(session), *seen, session.view.camera, scale)
-                : std::vector<IncisionHoldPoint>{};
+    if (!seen) return {};
+    std::vector<double> crossed;
+    for (const CutCrossing& each : crossings_)
+        if (each.first == session.incision.number || each.second == session.incision.number)
+            crossed.push_back(each.share_of(session.incision.number));
+    const auto index = static_cast<std::size_t>(session.incision.number) - 1;
+    return incision_holds(open_.cuts[index], *seen, session.view.camera, scale, crossed);
 }
 
-std::vector<CutEnd> InciseTool::ends_but(int number) const
+std::vector<CrossingHold> InciseTool::crossing_holds(const Session& session, double scale) const
 {
-    std::vector<CutEnd> out;
-    for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i) {
-        if (static_cast<int>(i) + 1 == number || cuts_[i].line.empty()) continue;
-        const std::vector<SurfacePoint>& stroke = known_->cuts[i].cut.stroke;
-        out.push_back({stroke.front(), cuts_[i].line.front().p_world});
-        out.push_back({stroke.back(), cuts_[i].line.back().p_world});
-    }
+    if (!seen_chosen(session) || !known_) return {};
+    const Camera& camera = session.view.camera;
+    const glm::dvec2 near_px =
+        crossing_drag_ ? project(camera, crossing_drag_->held.crossing.at.p_world).p_px : mouse_px_;
+    return trivar::crossing_holds({open_, cuts_, crossings_}, session.incision.number, camera,
+                                  near_px, scale);
+}
+
+CutSnaps InciseTool::snaps_but(int number) const
+{
+    CutSnaps out;
+    for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i)
+        if (static_cast<int>(i) + 1 != number) add_snaps(out, cuts_[i], known_->cuts[i].cut.stroke);
     return out;
 }
 
@@ -112,28 +149,37 @@ void InciseTool::use(Session& session, const ViewportInput& input)
 {
     if (finishing_) return tell_how_it_ended(session);
     if (gesture_) return go_on(session, input);
+    mouse_px_ = input.mouse;
+    keep_chosen(session);
     look(session);
     if (shown_chosen_ != session.incision) looks_ = (looks_ + 1) % 4;
     shown_chosen_ = session.incision;
-    if (drag_) {
-        const auto commit = [&](const IncisionDrag&) { session.commit(); };
-        if (!chosen(session)) return cancel(session);
-        return follow(drag_, moved_, session, input, commit);
-    }
+    if (dragging()) return chosen(session) ? drag_on(session, input) : cancel(session);
     hover(session, input);
-    if (input.pressed && !session.committing()) press(session, input);
+    if (session.committing()) return;
+    if (input.pressed)
+        press(session, input);
+    else if (input.hovered)
+        drag_by_key(session, input);
 }
 
 void InciseTool::hover(Session& session, const ViewportInput& input)
 {
     hovered_ = IncisionHold::none;
+    hovered_crossing_.reset();
+    hovered_snap_.reset();
     hovered_cut_ = 0;
     over_ = 0;
     if (!input.hovered && !input.pressed) return;
     const Camera& camera = session.view.camera;
     const bool draws = ImGui::GetIO().KeyShift; // a stroke begins even on a handle
-    if (const auto hold = incision_hold_at(holds(session, input.scale), input.mouse, input.scale);
-        hold && !draws)
+    const auto hold = incision_hold_at(holds(session, input.scale), input.mouse, input.scale);
+    const auto crossings = crossing_holds(session, input.scale);
+    const auto crossing = crossing_hold_at(crossings, input.mouse, input.scale);
+    const auto away = [&](const glm::dvec2& p_px) { return glm::distance(p_px, input.mouse); };
+    if (!draws && crossing && (!hold || away(crossings[*crossing].p_px) < away(hold->p_px)))
+        hovered_crossing_ = crossings[*crossing];
+    else if (!draws && hold)
         hovered_ = hold->hold;
     double nearest = cut_reach_px * input.scale;
     for (std::size_t i = 0; i < cuts_.size(); ++i)
@@ -144,7 +190,10 @@ void InciseTool::hover(Session& session, const ViewportInput& input)
             hovered_at_ = near->share;
         }
     over_ = base_of(session, input.seen_at ? input.seen_at(input.mouse) : Id{0});
-    if (hovers()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (hovers())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    else if (over_ != 0 && over_ == session.selected)
+        hovered_snap_ = snap_near(snaps_but(0), camera, input.mouse, input.scale);
 }
 
 void InciseTool::press(Session& session, const ViewportInput& input)
@@ -152,21 +201,11 @@ void InciseTool::press(Session& session, const ViewportInput& input)
     session.notices.forget(of_a_step);
     const Camera& camera = session.view.camera;
     const glm::dvec2 at_px = input.moves.empty() ? input.mouse : input.moves.front().p_px;
+    if (hovered_crossing_) return begin_crossing_drag(session, *hovered_crossing_, input, at_px);
     if (hovers()) {
         const auto all = holds(session, input.scale);
         const auto held = std::ranges::find(all, hovered_, &IncisionHoldPoint::hold);
-        if (held == all.end()) return;
-        drag_ = IncisionDrag{session.selected,
-                             session.incision.number,
-                             *chosen(session),
-                             *seen_chosen(session),
-                             skin_,
-                             *held,
-                             ends_but(session.incision.number),
-                             camera,
-                             at_px,
-                             input.scale};
-        moved_ = false;
+        if (held != all.end()) begin_drag(session, *held, input, at_px);
         return;
     }
     const Id base = base_of(session, input.under);
@@ -181,18 +220,20 @@ void InciseTool::press(Session& session, const ViewportInput& input)
         session.incision = {};
         return select_by_click(session, input.under);
     }
-    std::vector<CutEnd> ends;
-    if (base == session.selected) ends = ends_but(0);
+    const bool redraws = ImGui::GetIO().KeyCtrl && hovered_cut_ != 0 &&
+                         hovered_cut_ == session.incision.number && chosen(session);
+    CutSnaps snaps;
+    if (base == session.selected) snaps = snaps_but(redraws ? hovered_cut_ : 0);
     SurfaceHit from = *hit;
-    if (const CutEnd* end = end_near(ends, camera, at_px, end_reach_px * input.scale)) {
+    if (const auto end = snap_near(snaps, camera, at_px, input.scale)) {
         from.at_rest = end->at_rest;
         from.p_world = end->p_world;
-        std::erase_if(ends, [&](const CutEnd& each) { return each.p_world == from.p_world; });
+        forget_place(snaps, *end);
     }
-    gesture_.emplace(Gesture{base, input.under, CutStroke(skin, std::move(ends), from, at_px),
+    typed_ = {};
+    gesture_.emplace(Gesture{base, input.under, CutStroke(skin, std::move(snaps), from, at_px),
                              base == session.selected ? hovered_cut_ : 0});
-    if (ImGui::GetIO().KeyCtrl && hovered_cut_ != 0 && hovered_cut_ == session.incision.number &&
-        chosen(session)) {
+    if (redraws) {
         gesture_->redrawn = *chosen(session);
         gesture_->from = hovered_at_;
     }
@@ -205,9 +246,10 @@ NamedIncision InciseTool::drawn(const Gesture& g) const
     out.cut.stroke = g.stroke.points();
     const double length = length_of(out.cut.stroke), scale = g.stroke.scale();
     const double diagonal = g.stroke.skin().diagonal();
-    const double width = width_world_ > 0
-                             ? width_world_ / scale
-                             : std::min(usual_width * diagonal, widest_of_length * length);
+    const std::optional<double> typed = typed_.value(0, Measure::length);
+    const double wish = typed && *typed > 0 ? *typed / g.factor : width_world_;
+    const double width =
+        wish > 0 ? wish / scale : std::min(usual_width * diagonal, widest_of_length * length);
     const double depth = depth_world_ > 0
                              ? depth_world_ / scale
                              : std::min(usual_depth * diagonal, deepest_of_length * length);
@@ -219,7 +261,11 @@ NamedIncision InciseTool::drawn(const Gesture& g) const
 
 Command InciseTool::command_of(const Gesture& g) const
 {
-    if (!g.redrawn) return Incise{g.object, drawn(g)};
+    if (!g.redrawn) {
+        Incise out{g.object, drawn(g)};
+        out.layers = usual_layers(out.incision.cut.depth); // of the first one
+        return out;
+    }
     EditIncision out{g.object, g.clicked, *g.redrawn};
     // The part between where the hand began and the place of the cut that is nearest to where it
     // is; the rest of the cut, where that is far away
@@ -259,7 +305,8 @@ void InciseTool::go_on(Session& session, const ViewportInput& input)
         g.factor *= std::pow(1.1, input.wheel);
         g.changed = true;
     }
-    const CutStroke::CutKeys keys{ImGui::GetIO().KeyShift, input.scale};
+    const CutStroke::CutKeys keys{ImGui::GetIO().KeyShift || way_ == Way::straight, way_ == Way::uv,
+                                  input.scale};
     g.changed = g.stroke.take(session.view.camera, input.moves, keys) || g.changed;
     if (input.released || !input.down) return finish(session);
     // One proposal at a time: the next waits until the last one can be seen.
@@ -283,6 +330,7 @@ void InciseTool::finish(Session& session)
     const int number =
         g.redrawn ? g.clicked : static_cast<int>(before ? before->cuts.size() : 0) + 1;
     if (!session.propose(command_of(g))) return session.cancel();
+    typed_ = {};
     finishing_ = Finishing{g.object, number};
     tell_how_it_ended(session);
 }
@@ -314,9 +362,11 @@ void InciseTool::cancel(Session& session)
         session.commit();
         return;
     }
-    if (!gesture_ && !drag_) return;
+    if (!gesture_ && !dragging()) return;
     gesture_.reset();
     drag_.reset();
+    crossing_drag_.reset();
+    typed_ = {};
     session.cancel();
 }
 
@@ -340,7 +390,13 @@ std::optional<std::vector<std::string>> InciseTool::numbers(const Session& sessi
 {
     if (!chosen(session)) return {};
     const std::string of = fmt::format("incising.cuts.{}.", session.incision.number - 1);
-    return std::vector{of + "opening", of + "from", of + "to"};
+    std::vector out{of + "opening", of + "from", of + "to"};
+    const std::vector<PeeledFlap>& flaps =
+        object(session.document(), session.selected).incising->flaps;
+    for (std::size_t k = 0; k < flaps.size(); ++k)
+        if (flaps[k].first == session.incision.number || flaps[k].second == session.incision.number)
+            out.push_back(fmt::format("incising.flaps.{}.lift", k));
+    return out;
 }
 
 bool InciseTool::choose_parts(Session& session, PartChoice choice)

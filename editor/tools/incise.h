@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/tools/crossing_holds.h"
 #include "editor/tools/cut_stroke.h"
 #include "editor/tools/tool.h"
+#include "editor/tools/typed_amounts.h"
 
 namespace trivar {
 
@@ -19,9 +21,11 @@ public:
     }
     std::string page() const override { return "incise"; }
     std::vector<ui::Chord> keys() const override { return {{'C'}}; }
-    bool crosshair() const override { return gesture_ || (over_ && !hovers() && !drag_); }
+    bool crosshair() const override { return gesture_ || (over_ && !hovers() && !dragging()); }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || drag_ || finishing_; }
+    bool busy() const override { return gesture_ || dragging() || finishing_; }
+    void take_keys(Session& session) override;
+    bool awaits(const ui::Chord& chord) const override;
     bool takes_wheel() const override { return gesture_.has_value(); }
     int mode() const override { return looks_; }
     bool resize(Session& session, double factor) override;
@@ -36,8 +40,11 @@ public:
     std::vector<Hint> hints(const Session& session) const override;
     // The handles of the chosen incision, as they are seen.
     std::vector<IncisionHoldPoint> holds(const Session& session, double scale) const;
+    // Those where it crosses others; of flaps, those at the crossing near the mouse.
+    std::vector<CrossingHold> crossing_holds(const Session& session, double scale) const;
 
 private:
+    enum class Way { free, straight, uv }; // of strokes
     struct Gesture {
         Id object = 0, under = 0;
         CutStroke stroke;
@@ -54,34 +61,58 @@ private:
     };
     static const NamedIncision* chosen(const Session& session);
     static Id base_of(const Session& session, Id under); // what would be cut; 0: nothing
-    bool hovers() const { return hovered_ != IncisionHold::none; }
+    bool hovers() const { return hovered_ != IncisionHold::none || hovered_crossing_; }
+    bool dragging() const { return drag_ || crossing_drag_; }
+    void keep_chosen(Session& session) const;
     void look(const Session& session);
     void hover(Session& session, const ViewportInput& input);
     void press(Session& session, const ViewportInput& input);
+    void drag_by_key(Session& session, const ViewportInput& input);
+    void begin_drag(const Session& session, const IncisionHoldPoint& held,
+                    const ViewportInput& input, glm::dvec2 at_px);
+    void begin_crossing_drag(const Session& session, const CrossingHold& held,
+                             const ViewportInput& input, glm::dvec2 at_px);
+    void drag_on(Session& session, const ViewportInput& input);
+    bool ends_drag(const ViewportInput& input) const;
+    std::optional<Command> typed_command() const;
+    std::string typed_words(const std::string& said) const;
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     void tell_how_it_ended(Session& session);
     NamedIncision drawn(const Gesture& gesture) const;
     Command command_of(const Gesture& gesture) const;
     const SeenCut* seen_chosen(const Session& session) const; // null: it is not seen
-    std::vector<CutEnd> ends_but(int number) const;
+    CutSnaps snaps_but(int number) const;
+    void paint_crossings(const Session& session, const ui::Theme& theme,
+                         const ViewportInput& input) const;
+    std::vector<IncisionHoldPoint> paint_holds(const Session& session, const ui::Theme& theme,
+                                               const ViewportInput& input) const;
     void paint_stroke(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
 
     NamedIncision settings_; // of the next incision; depth and width are those below
     double width_world_ = 0, depth_world_ = 0; // metres; 0: in proportion to object and stroke
     bool opens_ = true, snaps_ = true;
+    Way way_ = Way::free;
     IncisedSkin skin_;              // of the selected object
     std::optional<Incising> known_; // of which the cuts are
+    Id known_of_ = 0;
+    Incising open_; // the same, as far as blades open them now
     Ref<EvaluatedObject> known_shown_;
     std::vector<SeenCut> cuts_; // by number
+    std::vector<CutCrossing> crossings_;
     IncisionHold hovered_ = IncisionHold::none;
+    std::optional<CrossingHold> hovered_crossing_;
+    std::optional<CutEnd> hovered_snap_; // where a stroke from the mouse would begin
+    glm::dvec2 mouse_px_{-1e9};
     int hovered_cut_ = 0;   // the incision under the mouse; 0: none
     double hovered_at_ = 0; // share of its length
     Id over_ = 0;           // what the mouse is over and could be cut
     std::optional<Gesture> gesture_;
     std::optional<IncisionDrag> drag_;
-    bool moved_ = false;
+    std::optional<CrossingDrag> crossing_drag_;
+    bool moved_ = false, by_key_ = false, entered_ = false;
+    TypedAmounts typed_;
     std::optional<Finishing> finishing_;
     ChosenIncision shown_chosen_;
     int looks_ = 0; // counts up, modulo four, when its lines in the scene change

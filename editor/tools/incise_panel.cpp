@@ -48,6 +48,25 @@ const char* drag_words(IncisionHold hold)
     return "";
 }
 
+// Of the handles that are there, the one that was held before something changed.
+const CrossingHold& shown_crossing(const CrossingHold& held, const std::vector<CrossingHold>& now)
+{
+    const CrossingHold* out = &held;
+    double nearest = 1e300;
+    for (const CrossingHold& each : now) {
+        const bool same = each.crossing.first == held.crossing.first &&
+                          each.crossing.second == held.crossing.second &&
+                          each.flap.has_value() == held.flap.has_value() &&
+                          (!each.flap || each.flap->same_place(*held.flap));
+        const double away = glm::distance(each.base_px, held.base_px);
+        if (same && away < nearest) {
+            nearest = away;
+            out = &each;
+        }
+    }
+    return *out;
+}
+
 } // namespace
 
 std::vector<gpu::Line> InciseTool::lines(const Session& session, const ui::Theme& theme) const
@@ -75,8 +94,10 @@ void InciseTool::paint_stroke(const Session& session, const ui::Theme& theme,
             ui::paint_dot(p, theme.px(6), theme.color.selected, theme.color.halo, theme.px(1.5f));
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
-                   {ui::short_number(rounded(stroke.length_world(), 3)) + " m" +
-                    (stroke.end() ? ", joined" : "")});
+                   {typed_words(ui::short_number(rounded(stroke.length_world(), 3)) + " m" +
+                                (stroke.end()        ? ", joined"
+                                 : stroke.lacks_uv() ? ", drawn freely: no UVs here"
+                                                     : ""))});
 }
 
 void InciseTool::overlay(const Session& session, const ui::Theme& theme,
@@ -86,14 +107,69 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
     const Camera& camera = session.view.camera;
     const NamedIncision* one = chosen(session);
     const SeenCut* seen = seen_chosen(session);
-    if (hovered_cut_ != 0 && !hovers() && !drag_ && hovered_cut_ != session.incision.number &&
+    if (hovered_cut_ != 0 && !hovers() && !dragging() && hovered_cut_ != session.incision.number &&
         static_cast<std::size_t>(hovered_cut_) <= cuts_.size()) {
         std::vector<glm::dvec3> line;
         for (const SurfaceHit& each : cuts_[static_cast<std::size_t>(hovered_cut_) - 1].line)
             line.push_back(each.p_world);
         paint_haloed(theme, seen_path(line, camera, input), theme.color.hovered, 2);
     }
+    if (hovered_snap_ && !dragging())
+        for (const glm::vec2& p : seen_path({hovered_snap_->p_world}, camera, input))
+            ui::paint_dot(p, theme.px(hovered_snap_->along ? 4 : 7), 0, theme.color.selected,
+                          theme.px(2));
     if (!one || !seen) return;
+    paint_crossings(session, theme, input);
+    const IncisionHold lit = drag_ ? drag_->held.hold : hovered_;
+    const std::vector<IncisionHoldPoint> points = paint_holds(session, theme, input);
+    std::string words;
+    if (const auto& held = crossing_drag_ ? std::optional(crossing_drag_->held) : hovered_crossing_)
+        words = words_of(shown_crossing(*held, crossing_holds(session, input.scale)), *known_,
+                         *seen, session.incision.number);
+    else if (!points.empty() && lit != IncisionHold::none && points.back().hold == lit)
+        words = words_of(lit, *one, *seen);
+    if (words.empty()) return;
+    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
+    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {typed_words(words)});
+}
+
+void InciseTool::paint_crossings(const Session& session, const ui::Theme& theme,
+                                 const ViewportInput& input) const
+{
+    const ui::Palette& c = theme.color;
+    const std::vector<CrossingHold> all = crossing_holds(session, input.scale);
+    const std::optional<CrossingHold> lit =
+        crossing_drag_ ? std::optional(crossing_drag_->held) : hovered_crossing_;
+    const CrossingHold* const on = lit ? &shown_crossing(*lit, all) : nullptr;
+    for (const CrossingHold& each : all) {
+        const bool is_lit = &each == on;
+        const glm::vec2 p = input.rect.lo + glm::vec2(each.p_px);
+        if (each.flap) {
+            paint_haloed(theme, {input.rect.lo + glm::vec2(each.base_px), p}, c.free_node, 1.4f);
+            paint_arrow_head(theme, p, glm::vec2(each.way_px), theme.scale * (is_lit ? 6.5f : 5),
+                             is_lit ? c.incision : c.free_node);
+            continue;
+        }
+        ui::paint_diamond(p, theme.scale * (is_lit ? 8.0f : 6.5f), is_lit ? c.selected : c.halo,
+                          c.incision, theme.px(2));
+        if (!is_lit) continue;
+        // A bar along the one that is cut first
+        const SeenCut& first = cuts_[static_cast<std::size_t>(each.crossing.first) - 1];
+        const double s = each.crossing.share_of_first;
+        const Camera& camera = session.view.camera;
+        const glm::vec2 way = glm::vec2(project(camera, first.at(s + 0.01)).p_px -
+                                        project(camera, first.at(s - 0.01)).p_px);
+        if (const float length = glm::length(way); length > 0.01f) {
+            const glm::vec2 half = way / length * theme.px(15);
+            paint_haloed(theme, {p - half, p + half}, c.selected, 2);
+        }
+    }
+}
+
+std::vector<IncisionHoldPoint> InciseTool::paint_holds(const Session& session,
+                                                       const ui::Theme& theme,
+                                                       const ViewportInput& input) const
+{
     const IncisionHold lit = drag_ ? drag_->held.hold : hovered_;
     std::vector<IncisionHoldPoint> points = holds(session, input.scale);
     // The one in the hand above the others
@@ -120,7 +196,7 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
             ui::paint_dot(p, radius, on ? c.incision : c.free_node, c.halo, rim);
             break;
         case IncisionHold::place: // hollow: it changes no number
-            ui::paint_dot(p, radius + rim, 0, c.halo, rim + theme.px(1));
+            ui::paint_dot(p, radius, c.halo, c.halo, rim + theme.px(1));
             ui::paint_dot(p, radius - theme.px(0.5f), 0, on ? c.selected : c.incision, theme.px(2));
             break;
         case IncisionHold::depth:
@@ -132,17 +208,14 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
             break;
         }
     }
-    if (points.empty() || lit == IncisionHold::none || points.back().hold != lit) return;
-    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
-    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
-                   {words_of(lit, *one, *seen)});
+    return points;
 }
 
 void InciseTool::options(Session&, const ui::Theme& theme, float width)
 {
     std::vector<ui::Option> options;
     const auto length = [&](const char* words, double& value, const char* help) {
-        options.push_back({words, 84,
+        options.push_back({words, 76,
                            [&theme, words, &value](float field) {
                                ui::number_field(theme, words, value,
                                                 {.lo = 0, .hi = 1000, .unit = "m", .zero = "auto"},
@@ -152,18 +225,27 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
     };
     length("Width", width_world_, "How wide the next incision gapes when it is quite open.");
     length("Depth", depth_world_, "How deep the next incision goes, as far as there is body.");
-    options.push_back({"Floor", 148,
+    options.push_back({"Floor", 160,
                        [&](float field) {
                            int floor = static_cast<int>(settings_.cut.floor);
                            ui::segments(theme, "floor", floor, {"Sharp", "Flat", "Through"}, field);
                            settings_.cut.floor = static_cast<Incision::Floor>(floor);
                        },
                        "Its walls meet below, a floor joins them, or it goes through the body."});
-    options.push_back({"Open", 112,
+    options.push_back({"Stroke", 120,
+                       [&](float field) {
+                           int way = static_cast<int>(way_);
+                           ui::segments(theme, "stroke", way, {"Free", "Line", "UV"}, field);
+                           way_ = static_cast<Way>(way);
+                       },
+                       "As the hand goes, straight as it is seen, or along the line through its "
+                       "beginning where U or V stays."});
+    options.push_back({"Open", 100,
                        [&](float) { ui::check_box(theme, "open", opens_, "as it cuts"); },
                        "It opens while it is drawn; else it is shut, to be opened later."});
-    options.push_back({"Snap", 70, [&](float) { ui::check_box(theme, "snap", snaps_, "ends"); },
-                       "Strokes begin and end at the ends of other incisions that are near."});
+    options.push_back({"Snap", 62, [&](float) { ui::check_box(theme, "snap", snaps_, "joins"); },
+                       "Strokes begin and end at other incisions that are near: at their ends, "
+                       "or anywhere along them."});
     ui::option_bar(theme, options, width);
 }
 
@@ -173,8 +255,25 @@ std::vector<Hint> InciseTool::hints(const Session& session) const
         return {{{"left"}, "Let go to cut"},
                 {{"Shift"}, "Straight"},
                 {{"wheel"}, "Width"},
+                {{"0", "...", "9"}, "Type the width"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    if (drag_ || hovers()) return handle_hints(drag_.has_value(), drag_words(hovered_));
+    if (dragging()) {
+        const bool typed = crossing_drag_ || (drag_->held.hold != IncisionHold::start &&
+                                              drag_->held.hold != IncisionHold::end &&
+                                              drag_->held.hold != IncisionHold::place);
+        std::vector<Hint> out{{{"left"}, by_key_ ? "Click when done" : "Let go when done"},
+                              {{"Ctrl"}, "Round steps"}};
+        if (typed) out.push_back({{"0", "...", "9"}, "Type a number"});
+        out.push_back({{"Esc", "/", "right"}, "Cancel"});
+        return out;
+    }
+    if (hovered_crossing_ && hovered_crossing_->flap)
+        return handle_hints(false, "Drag to peel this flap");
+    if (hovered_crossing_)
+        return {{{"left"}, "Drag to slide the crossing"},
+                {{"left"}, "Click to swap which is cut first"},
+                {{"Ctrl"}, "Round steps"}};
+    if (hovers()) return handle_hints(false, drag_words(hovered_));
     std::vector<Hint> out;
     if (hovered_cut_ != 0 && hovered_cut_ == session.incision.number)
         out.push_back({{"Ctrl", "left"}, "Drag to redraw from here"});
@@ -185,8 +284,13 @@ std::vector<Hint> InciseTool::hints(const Session& session) const
     else
         out.push_back({{}, "Draw on a surface"});
     out.push_back({{"Shift"}, "Straight"});
-    if (chosen(session)) out.push_back({{"Del"}, "Heal"});
-    out.push_back({{"middle"}, "Orbit"});
+    if (chosen(session)) {
+        out.push_back({{"F"}, "Opening"});
+        out.push_back({{"Shift", "F"}, "Depth"});
+        out.push_back({{"Del"}, "Heal"});
+    } else {
+        out.push_back({{"middle"}, "Orbit"});
+    }
     out.push_back({{"Esc"}, "Select"});
     return out;
 }

@@ -4,6 +4,7 @@
 #include "core/evaluation/tiled_base.h"
 #include "core/incise/incised.h"
 #include "core/mesh/barycentric.h"
+#include "editor/tools/uv_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,35 +193,55 @@ std::optional<SurfaceHit> IncisedSkin::shut_hit(const Ray& ray) const
     return hit_of(parts_[entry], shut_parts_[entry], *parts_[entry].original, scene, *hit);
 }
 
+SurfaceHit IncisedSkin::seen_place(const SurfacePlace& place) const
+{
+    const TileBase& base = rest_base();
+    const SkinPart& skin = parts_[base.piece_of(place.triangle)];
+    const Part& part = shown_->whole()[skin.part];
+    const SkinCorners posed =
+        skin_corners(*skin.posed, base.vertices(place.triangle), skin.shut_to_part);
+    const glm::dvec3& w = place.weights;
+    const glm::dvec3 p = w.x * posed[0] + w.y * posed[1] + w.z * posed[2];
+    const glm::dvec3 n = skin_area_normal(posed) * (skin.mirrors ? -1.0 : 1.0);
+    DeformedPoint there{glm::dvec3(part.to_world * glm::dvec4(p, 1)), glm::dmat3(part.to_world)};
+    if (part.bent) there = point_in_world(part, p);
+    const glm::dmat3 cofactors =
+        glm::determinant(there.jacobian) * glm::transpose(glm::inverse(there.jacobian));
+    const bool inside_out = glm::determinant(there.jacobian) < 0;
+    const glm::dvec3 now = cofactors * n * (inside_out ? -1.0 : 1.0);
+    const double area = glm::length(now), rest_area = 2 * base.area(place.triangle);
+    SurfaceHit out{there.position_world,
+                   area > 0 ? now / area : glm::dvec3(0, 0, 1),
+                   {base.position(place), base.normal(place)},
+                   area > 0 && rest_area > 0 ? std::sqrt(area / rest_area) : 1.0};
+    if (turns_inside_out(skin.shut_to_model)) out.at_rest.normal *= -1;
+    return out;
+}
+
 std::vector<std::optional<SurfaceHit>> IncisedSkin::seen(std::span<const SurfacePoint> at_rest,
                                                          double reach) const
 {
     std::vector<std::optional<SurfaceHit>> out(at_rest.size());
     if (parts_.empty()) return out;
+    const auto places = rest_base().locate(at_rest, reach);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i]) out[i] = seen_place(*places[i]);
+    return out;
+}
+
+std::array<IncisedSkin::SeenUvLine, 2> IncisedSkin::uv_lines(const SurfacePoint& at_rest) const
+{
+    std::array<SeenUvLine, 2> out;
+    if (parts_.empty()) return out;
     const TileBase& base = rest_base();
-    const auto places = base.locate(at_rest, reach);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!places[i]) continue;
-        const SkinPart& skin = parts_[base.piece_of(places[i]->triangle)];
-        const Part& part = shown_->whole()[skin.part];
-        const SkinCorners posed =
-            skin_corners(*skin.posed, base.vertices(places[i]->triangle), skin.shut_to_part);
-        const glm::dvec3& w = places[i]->weights;
-        const glm::dvec3 p = w.x * posed[0] + w.y * posed[1] + w.z * posed[2];
-        const glm::dvec3 n = skin_area_normal(posed) * (skin.mirrors ? -1.0 : 1.0);
-        DeformedPoint there{glm::dvec3(part.to_world * glm::dvec4(p, 1)),
-                            glm::dmat3(part.to_world)};
-        if (part.bent) there = point_in_world(part, p);
-        const glm::dmat3 cofactors =
-            glm::determinant(there.jacobian) * glm::transpose(glm::inverse(there.jacobian));
-        const bool inside_out = glm::determinant(there.jacobian) < 0;
-        const glm::dvec3 now = cofactors * n * (inside_out ? -1.0 : 1.0);
-        const double area = glm::length(now), rest_area = 2 * base.area(places[i]->triangle);
-        out[i] = SurfaceHit{there.position_world,
-                            area > 0 ? now / area : glm::dvec3(0, 0, 1),
-                            {base.position(*places[i]), base.normal(*places[i])},
-                            area > 0 && rest_area > 0 ? std::sqrt(area / rest_area) : 1.0};
-        if (turns_inside_out(skin.shut_to_model)) out[i]->at_rest.normal *= -1;
+    const double reach = 1e-3 * base.diagonal();
+    const auto place = base.locate(std::span(&at_rest, 1), reach).front();
+    if (!place) return out;
+    for (int coordinate = 0; coordinate < 2; ++coordinate) {
+        const UvLine line = uv_line(base, *place, coordinate);
+        SeenUvLine& seen = out[static_cast<std::size_t>(coordinate)];
+        seen.start = line.start;
+        for (const SurfacePlace& each : line.places) seen.places.push_back(seen_place(each));
     }
     return out;
 }

@@ -5,6 +5,7 @@
 #include "editor/session/session.h"
 #include "editor/tools/painted_surface.h"
 
+#include <array>
 #include <optional>
 
 namespace trivar {
@@ -30,6 +31,13 @@ public:
     // each.
     std::vector<std::optional<SurfaceHit>> seen(std::span<const SurfacePoint> at_rest,
                                                 double reach) const;
+    // The lines through a point of the shut skin along which u, and v, stay, each with the number
+    // of its place there; empty where there are no texture coordinates.
+    struct SeenUvLine {
+        std::vector<SurfaceHit> places;
+        std::size_t start = 0;
+    };
+    std::array<SeenUvLine, 2> uv_lines(const SurfacePoint& at_rest) const;
     // How thick the body is below points of the shut skin, metres on the model; 0: it is open.
     std::vector<double> thickness(std::span<const SurfacePoint> at_rest) const;
 
@@ -49,6 +57,7 @@ private:
     };
     std::optional<SurfaceHit> hit_of(const SkinPart& part, const Part& seen, const Mesh& rest,
                                      const RayScene& scene, const Hit& hit) const;
+    SurfaceHit seen_place(const SurfacePlace& place) const;
     const RayScene& seen_scene() const;
     const RayScene& shut_scene() const;
     const TileBase& rest_base() const;

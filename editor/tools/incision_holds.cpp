@@ -16,7 +16,6 @@ constexpr double least_open_px = 13;      // so far from the cut stand the handl
 constexpr double least_deep_px = 30;      // and that of the depth
 constexpr double zip_off_px = 24;         // so far beside the cut hangs the knot
 constexpr double end_on = 0.35;           // share of its length below which a way is not followed
-constexpr double depth_share = 0.3;       // of the length, where the handle of the depth stands
 constexpr std::size_t fewest_points = 12; // of a stroke that a hand bends
 
 std::optional<glm::dvec2> cut_pixel(const Camera& camera, const glm::dvec3& p_world)
@@ -37,11 +36,34 @@ double world_per_px(const Camera& camera, const glm::dvec3& p_world)
     return pixel_size_world(camera, project(camera, p_world).depth_world);
 }
 
+// The first of some steps that is away from where others cross; the first one where none is.
+std::size_t step_away_from(std::span<const double> crossed,
+                           std::initializer_list<std::size_t> steps)
+{
+    constexpr double apart = 0.09;
+    for (const std::size_t step : steps) {
+        const double share = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
+        if (std::ranges::none_of(crossed,
+                                 [&](double each) { return std::abs(each - share) < apart; }))
+            return step;
+    }
+    return *steps.begin();
+}
+
+// Where the handles of the opening stand: where it is widest, or about there.
+std::size_t step_of_opening(const SeenCut& seen, std::span<const double> crossed)
+{
+    constexpr std::size_t off = 8, least = 10;
+    const std::size_t k = seen.widest_at;
+    if (k < least || k + least > SeenCut::steps) return k;
+    return step_away_from(crossed, {k, k - off, k + off, k - least, k + least});
+}
+
 // What of the width the lips are apart at a step, as a share, when it is quite open.
-double full_share(const NamedIncision& incision, const SeenCut& seen)
+double full_share(const NamedIncision& incision, const SeenCut& seen, std::size_t step)
 {
     constexpr double least = 0.15; // nearer to an end a small drag would be a large opening
-    const double x = static_cast<double>(seen.widest_at) / static_cast<double>(SeenCut::steps);
+    const double x = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
     IncisionOpening quite = incision.opening;
     quite.share = 1;
     return std::max(least, value_at(incision.cut.opening_profile, x) * share_at(quite, x)) *
@@ -100,19 +122,6 @@ glm::dmat3 turn_between(const glm::dvec3& from, const glm::dvec3& to)
     return glm::dmat3(1) + sine * cross + (1 - cosine) * cross * cross;
 }
 
-void move_all(const IncisionDrag& drag, const SurfacePoint& to, Incision& cut)
-{
-    const SurfacePoint& middle = drag.seen.line[SeenCut::steps / 2].at_rest;
-    const glm::dmat3 turn = turn_between(middle.normal, to.normal);
-    std::vector<SurfacePoint> wanted;
-    for (const SurfacePoint& each : cut.stroke)
-        wanted.push_back({to.p + turn * (each.p - middle.p), turn * each.normal});
-    const auto found = drag.skin.seen(wanted, 0.5 * drag.seen.length);
-    for (const auto& each : found)
-        if (!each) return; // beyond an edge of the skin it stays where it was
-    for (std::size_t i = 0; i < found.size(); ++i) cut.stroke[i] = found[i]->at_rest;
-}
-
 } // namespace
 
 SurfacePoint handy(const SurfacePoint& point)
@@ -125,37 +134,51 @@ SurfacePoint handy(const SurfacePoint& point)
     return out;
 }
 
-const CutEnd* end_near(const std::vector<CutEnd>& ends, const Camera& camera, glm::dvec2 p_px,
-                       double within_px)
+std::optional<std::vector<SurfacePoint>> moved_over(const IncisedSkin& skin,
+                                                    const std::vector<SurfacePoint>& stroke,
+                                                    const SurfacePoint& from,
+                                                    const SurfacePoint& to, double reach)
 {
-    const CutEnd* out = nullptr;
-    for (const CutEnd& end : ends)
-        if (const auto at = cut_pixel(camera, end.p_world))
-            if (const double away = glm::distance(*at, p_px); away < within_px) {
-                within_px = away;
-                out = &end;
-            }
+    const glm::dmat3 turn = turn_between(from.normal, to.normal);
+    std::vector<SurfacePoint> wanted;
+    for (const SurfacePoint& each : stroke)
+        wanted.push_back({to.p + turn * (each.p - from.p), turn * each.normal});
+    const auto found = skin.seen(wanted, reach);
+    std::vector<SurfacePoint> out;
+    for (const auto& each : found) {
+        if (!each) return {};
+        out.push_back(handy(each->at_rest));
+    }
     return out;
 }
 
 std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, const SeenCut& seen,
-                                              const Camera& camera, double scale)
+                                              const Camera& camera, double scale,
+                                              std::span<const double> crossed)
 {
     std::vector<IncisionHoldPoint> out;
     if (seen.line.empty()) return out;
-    const auto add = [&](IncisionHold hold, const glm::dvec3& base, const glm::dvec3& way_world,
+    const auto add = [&](IncisionHold hold, std::size_t step, const glm::dvec3& way_world,
                          double least_px, double metres, double per_metre) {
+        const glm::dvec3& base = seen.line[step].p_world;
         const auto from = cut_pixel(camera, base);
         if (!from) return;
-        IncisionHoldPoint point{hold, *from, *from, {0, 0}, 0};
+        IncisionHoldPoint point{hold, *from, *from};
+        point.share = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
         if (glm::length(way_world) > 0) {
             const double px = world_per_px(camera, base);
             const glm::dvec2 seen_way =
                 project(camera, base + way_world * px).p_px - *from; // per pixel of length
             const bool hidden = glm::length(seen_way) < end_on;
             if (hidden && hold != IncisionHold::depth) return;
-            // What points at the eye is drawn and dragged downward
-            point.way_px = hidden ? glm::dvec2(0, 1) : glm::normalize(seen_way);
+            // What points at the eye is drawn and dragged downward, or to the right beside a cut
+            // that goes down itself
+            const glm::dvec2 along =
+                project(camera, seen.line[std::min(step + 2, SeenCut::steps)].p_world).p_px -
+                project(camera, seen.line[step > 2 ? step - 2 : 0].p_world).p_px;
+            const glm::dvec2 beside =
+                std::abs(along.y) > std::abs(along.x) ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
+            point.way_px = hidden ? beside : glm::normalize(seen_way);
             const double shown = hidden ? 1 : glm::length(seen_way);
             point.metres_per_px = px / shown / seen.scale * per_metre;
             const double far_px = metres * seen.scale / px * shown;
@@ -163,20 +186,16 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
         }
         out.push_back(point);
     };
-    const SurfaceHit& middle = seen.line[SeenCut::steps / 2];
-    add(IncisionHold::place, middle.p_world, {}, 0, 0, 0);
-    add(IncisionHold::start, seen.line.front().p_world, {}, 0, 0, 0);
-    add(IncisionHold::end, seen.line.back().p_world, {}, 0, 0, 0);
-    const std::size_t k = seen.widest_at;
-    const double full = full_share(incision, seen) * incision.cut.width;
+    add(IncisionHold::place, step_away_from(crossed, {32, 40, 26, 48, 14, 54}), {}, 0, 0, 0);
+    add(IncisionHold::start, 0, {}, 0, 0, 0);
+    add(IncisionHold::end, SeenCut::steps, {}, 0, 0, 0);
+    const std::size_t k = step_of_opening(seen, crossed);
+    const double full = full_share(incision, seen, k) * incision.cut.width;
     const double half = full * incision.opening.share / 2;
-    add(IncisionHold::open_left, seen.line[k].p_world, -seen.across[k], least_open_px, half,
-        2 / full);
-    add(IncisionHold::open_right, seen.line[k].p_world, seen.across[k], least_open_px, half,
-        2 / full);
-    const auto d = static_cast<std::size_t>(depth_share * static_cast<double>(SeenCut::steps));
-    add(IncisionHold::depth, seen.line[d].p_world, -seen.line[d].normal_world, least_deep_px,
-        incision.cut.depth, 1);
+    add(IncisionHold::open_left, k, -seen.across[k], least_open_px, half, 2 / full);
+    add(IncisionHold::open_right, k, seen.across[k], least_open_px, half, 2 / full);
+    const std::size_t d = step_away_from(crossed, {19, 45, 12, 52});
+    add(IncisionHold::depth, d, -seen.line[d].normal_world, least_deep_px, incision.cut.depth, 1);
     // The knot hangs beside the cut, so that it never lies on an end
     const glm::dvec3 zip = seen.at(incision.opening.to);
     const auto step = std::min(
@@ -186,7 +205,7 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
         const auto right = cut_pixel(camera, zip + seen.across[step] * world_per_px(camera, zip));
         glm::dvec2 off = right ? unit_or(*right - *at, {0, -1}) : glm::dvec2(0, -1);
         if (off.y > 0) off = -off;
-        out.push_back({IncisionHold::zip, *at + off * zip_off_px * scale, *at, off, 0});
+        out.push_back({IncisionHold::zip, *at + off * zip_off_px * scale, *at, off});
     }
     return out;
 }
@@ -214,8 +233,7 @@ EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap)
     case IncisionHold::none: return out;
     case IncisionHold::start:
     case IncisionHold::end: {
-        const CutEnd* other = end_near(drag.ends, drag.camera, moved_px, end_reach_px * drag.scale);
-        if (other) {
+        if (const auto other = snap_near(drag.snaps, drag.camera, moved_px, drag.scale)) {
             move_end(drag, other->at_rest, to.cut);
         } else {
             const auto hit = drag.skin.shut_hit(ray_through(drag.camera, moved_px));
@@ -228,8 +246,14 @@ EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap)
     case IncisionHold::place: {
         const auto hit = drag.skin.shut_hit(ray_through(drag.camera, moved_px));
         if (!hit) return out;
-        move_all(drag, hit->at_rest, to.cut);
-        for (SurfacePoint& each : to.cut.stroke) each = handy(each);
+        const SurfacePoint& middle = drag.seen
+                                         .line[static_cast<std::size_t>(
+                                             drag.held.share * static_cast<double>(SeenCut::steps))]
+                                         .at_rest;
+        // Beyond an edge of the skin it stays where it was
+        if (auto moved =
+                moved_over(drag.skin, to.cut.stroke, middle, hit->at_rest, 0.5 * drag.seen.length))
+            to.cut.stroke = *std::move(moved);
         return out;
     }
     case IncisionHold::open_left:
@@ -259,6 +283,34 @@ EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap)
     }
     }
     return out;
+}
+
+bool types_length(IncisionHold hold)
+{
+    return hold == IncisionHold::depth;
+}
+
+std::optional<EditIncision> typed_in(const IncisionDrag& drag, double number)
+{
+    EditIncision out{drag.object, drag.number, drag.before};
+    NamedIncision& to = out.incision;
+    to.cut.stroke.clear();
+    switch (drag.held.hold) {
+    case IncisionHold::none:
+    case IncisionHold::start:
+    case IncisionHold::end:
+    case IncisionHold::place: return {};
+    case IncisionHold::open_left:
+    case IncisionHold::open_right: {
+        const double share = std::max(number / 100, 0.0);
+        to.opening.share = std::min(share, 1.0);
+        if (share > 1) to.cut.width = handy_length(drag.before.cut.width * share, false);
+        return out;
+    }
+    case IncisionHold::depth: to.cut.depth = std::max(number / drag.seen.scale, 1e-6); return out;
+    case IncisionHold::zip: to.opening.to = std::clamp(number / 100, 0.0, 1.0); return out;
+    }
+    return {};
 }
 
 std::string words_of(IncisionHold hold, const NamedIncision& incision, const SeenCut& seen)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/commands/incise.h"
-#include "editor/tools/seen_cut.h"
+#include "editor/tools/cut_snap.h"
 
 #include <string>
 
@@ -17,24 +17,17 @@ struct IncisionHoldPoint {
     glm::dvec2 p_px{0}, base_px{0}; // of the picture; base: what it is tied to
     glm::dvec2 way_px{0};           // along which it is pulled, unit
     double metres_per_px = 0;       // on the model, along that way
+    double share = 0;               // of the length, where it is tied
 };
 
-// The handles of an incision as they are seen; those behind the eye are left out.
+// The handles of an incision as they are seen; those behind the eye are left out. `crossed`: shares
+// of its length where others cross it; handles keep away from there where they can.
 std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, const SeenCut& seen,
-                                              const Camera& camera, double scale);
+                                              const Camera& camera, double scale,
+                                              std::span<const double> crossed = {});
 // The one under a pixel, the nearest where there are several.
 std::optional<IncisionHoldPoint> incision_hold_at(const std::vector<IncisionHoldPoint>& points,
                                                   glm::dvec2 p_px, double scale);
-
-// A point to which ends are pulled.
-struct CutEnd {
-    SurfacePoint at_rest;
-    glm::dvec3 p_world{0};
-};
-// The nearest end at most so many pixels away; null: there is none.
-const CutEnd* end_near(const std::vector<CutEnd>& ends, const Camera& camera, glm::dvec2 p_px,
-                       double within_px);
-inline constexpr double end_reach_px = 12; // at scale 1
 
 // A drag, with all as it was when it began.
 struct IncisionDrag {
@@ -44,13 +37,26 @@ struct IncisionDrag {
     SeenCut seen;
     IncisedSkin skin;
     IncisionHoldPoint held;
-    std::vector<CutEnd> ends; // of other incisions; empty: nothing pulls
+    CutSnaps snaps; // other incisions; empty: nothing pulls
     Camera camera;
     glm::dvec2 from_px{0};
     double scale = 1; // of the interface
 };
 // The command for a hand at `to_px`; with `snap` in round steps. Pure.
 EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap);
+
+// What a typed number says of a handle, in the unit that words_of() shows: percent or metres in the
+// world. Nothing: its handle has no number.
+std::optional<EditIncision> typed_in(const IncisionDrag& drag, double number);
+// Whether a typed number is a length; else it is plain.
+bool types_length(IncisionHold hold);
+
+// A stroke moved over the skin, so that a point of it comes to another; nothing: a part of it would
+// leave the skin. `reach`: how far the skin may be from where a plain turn takes it, metres there.
+std::optional<std::vector<SurfacePoint>> moved_over(const IncisedSkin& skin,
+                                                    const std::vector<SurfacePoint>& stroke,
+                                                    const SurfacePoint& from,
+                                                    const SurfacePoint& to, double reach);
 
 // The number of a handle: "Depth 0.05 m".
 std::string words_of(IncisionHold hold, const NamedIncision& incision, const SeenCut& seen);

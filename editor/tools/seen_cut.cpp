@@ -59,9 +59,9 @@ void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<Surfac
 void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
                const std::vector<glm::dvec3>& rights, double reach)
 {
-    constexpr int across = 8;             // points from the cut to a rim
+    constexpr int across = 12;            // points from the cut to a rim
     constexpr std::size_t rung_every = 8; // steps of a cut
-    constexpr double lifted = 0.004;      // share of its length, so that no face hides it
+    constexpr double lifted = 0.012;      // share of its length, so that no face hides it
     const double window = std::clamp(reach / std::max(cut.length, 1e-12), 0.1, 1.0);
     const auto wide = static_cast<long>(window * static_cast<double>(SeenCut::steps));
     const auto last = static_cast<long>(even.size()) - 1;

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_incisions.h"
 
-#include "core/commands/incise.h"
+#include "core/commands/edits.h"
+#include "core/commands/peel.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/incision_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/wound_section.h"
 #include "editor/tools/seen_cut.h"
+#include "editor/tools/usual_layers.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -53,7 +56,7 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
     const Outcome* outcome = outcome_of(session, id, number);
     const bool trouble = outcome && !incision.hidden &&
                          (!outcome->refusal.empty() || !outcome->shortfall.empty() ||
-                          outcome->widest < hardly_narrowed);
+                          !outcome->notice.empty() || outcome->widest < hardly_narrowed);
     const float side = theme.size.row, edge = theme.px(12);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
@@ -159,6 +162,7 @@ void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedInc
         warning_lines(theme, incision.cut.floor == Incision::Floor::through
                                  ? "It does not go through: " + outcome.shortfall + "."
                                  : "It keeps its piece: " + outcome.shortfall + ".");
+    if (!outcome.notice.empty()) warning_lines(theme, "It is cut in part: " + outcome.notice + ".");
     const auto metres = [](double value) { return ui::short_number(value) + " m"; };
     ui::fact_row(theme, "Length", metres(outcome.length), theme.color.text, "of its stroke");
     if (outcome.depth < 0.98 * incision.cut.depth)
@@ -168,6 +172,26 @@ void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedInc
         warning_lines(theme, fmt::format("It opens to {:.0f} % of its width, as its walls would "
                                          "meet beyond. Reduce its width or its depth.",
                                          100 * outcome.widest));
+}
+
+// Lets it be cut before the one above it in the list. True: the incisions have changed.
+bool earlier_button(Session& session, const ui::Theme& theme, Id id, int number)
+{
+    if (number < 2) return false;
+    ui::gap(theme, 4);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float edge = theme.px(12);
+    ImGui::SetCursorScreenPos({at.x + edge, at.y});
+    const bool pressed =
+        ui::button(theme, "Cut it earlier", ui::ButtonKind::plain,
+                   {ImGui::GetContentRegionAvail().x - theme.px(ui::key_gutter), theme.size.row});
+    ui::tooltip({"Cut it earlier",
+                 {},
+                 "It changes places with the incision above it in the list. Where both cross, the "
+                 "earlier one is cut first."});
+    if (!pressed || !session.run(SwapIncisions{id, number - 1, number})) return false;
+    session.incision = {id, number - 1};
+    return true;
 }
 
 // Turns it round, copies it, or heals it. True: the incisions have changed.
@@ -195,6 +219,32 @@ bool incision_buttons(Session& session, const ui::Theme& theme, Id id, int numbe
     return changed;
 }
 
+// Which object opens it. Those that depend on the skin cannot.
+void blade_row(const Session& session, ValueRows& rows, Id id, NamedIncision& incision)
+{
+    const Document& document = session.document();
+    const std::set<Id> above = depending_on(document, {id});
+    std::vector<Id> ids{0};
+    std::vector<std::string> names{"none"};
+    for (const auto& [other, each] : document.objects)
+        if (!above.contains(other)) {
+            ids.push_back(other);
+            names.push_back(each->name);
+        }
+    int chosen = static_cast<int>(std::ranges::find(ids, incision.blade) - ids.begin());
+    const ui::Row at = ui::label_row(
+        rows.theme, "Blade", incision.blade != 0,
+        "an object that opens it as far as the place that is nearest to the object's origin, and "
+        "no further than it is open at all");
+    if (at.reset) {
+        incision.blade = 0;
+        rows.take(ui::Edit::changed);
+        return;
+    }
+    rows.take(ui::choice(rows.theme, "blade", chosen, names, at.width));
+    incision.blade = ids[static_cast<std::size_t>(chosen)];
+}
+
 // True: the incisions have changed.
 bool chosen_incision(Editor& editor, const ui::Theme& theme, Id id, int number,
                      const NamedIncision& before, const KeyGutter& keys)
@@ -207,10 +257,47 @@ bool chosen_incision(Editor& editor, const ui::Theme& theme, Id id, int number,
                              name.width));
     if (!before.hidden) section_row(editor, rows, id, incision);
     draw_incision_rows(rows, incision, number, editor.memory.of<ChosenCutPoints>());
+    blade_row(session, rows, id, incision);
     if (const Outcome* outcome = outcome_of(session, id, number); outcome && !before.hidden)
         outcome_rows(theme, *outcome, before);
     propose_edit(editor, rows.edit, [&] { return edit_of_numbers(id, number, incision); });
-    return incision_buttons(session, theme, id, number, before);
+    if (incision_buttons(session, theme, id, number, before)) return true;
+    return earlier_button(session, theme, id, number);
+}
+
+// The flaps that are peeled. True: the incisions have changed.
+bool flap_rows(Editor& editor, const ui::Theme& theme, Id id, const Incising& incising,
+               const KeyGutter& keys)
+{
+    Session& session = editor.session;
+    for (std::size_t k = 0; k < incising.flaps.size(); ++k) {
+        PeeledFlap flap = incising.flaps[k];
+        ImGui::PushID(static_cast<int>(k));
+        ValueRows rows{theme, &keys};
+        const float side = theme.size.row, edge = theme.px(12);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x - side - theme.px(4);
+        const auto name = [&](int number) {
+            return name_of_incision(incising.cuts[static_cast<std::size_t>(number) - 1], number);
+        };
+        const auto of = [](IncisionSide s) { return s == IncisionSide::left ? "left" : "right"; };
+        ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
+                      theme.color.text_2,
+                      fmt::format("Flap {} of {}, {} of {}", of(flap.side_of_first),
+                                  name(flap.first), of(flap.side_of_second), name(flap.second)));
+        ImGui::SetCursorScreenPos({at.x + width, at.y});
+        const bool laid =
+            ui::icon_button(theme, "lay flap", ui::icon::trash, {side, side},
+                            {"Lay this flap back", {}, "Its keys go, too; the others stay."});
+        ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
+        ImGui::Dummy({1, 0});
+        FieldRows<PeeledFlap> fields(rows, flap, fmt::format("incising.flaps.{}", k));
+        fields(&PeeledFlap::lift);
+        ImGui::PopID();
+        if (laid) return session.run(LayFlap{id, static_cast<int>(k) + 1});
+        propose_edit(editor, rows.edit, [&] { return PeelFlap{id, flap}; });
+    }
+    return false;
 }
 
 // One layer of the walls. Returns whether it shall go.
@@ -241,15 +328,11 @@ bool layer_rows(ValueRows& rows, IncisionLayer& layer, std::size_t k, bool last)
     return removed;
 }
 
-// A body as it usually is: skin, fat and flesh, to the depth of the deepest incision.
-std::vector<IncisionLayer> usual_layers(const Incising& incising)
+double deepest_of(const Incising& incising)
 {
-    double deepest = 0;
-    for (const NamedIncision& each : incising.cuts) deepest = std::max(deepest, each.cut.depth);
-    const auto share = [&](double s) { return std::round(s * deepest * 1e5) / 1e5; };
-    return {{"Skin", share(0.12), {{0.62f, 0.3f, 0.24f, 1}, 0, 0.5f}},
-            {"Fat", share(0.4), {{0.86f, 0.7f, 0.33f, 1}, 0, 0.45f}},
-            {"Flesh", deepest, {{0.42f, 0.05f, 0.04f, 1}, 0, 0.35f}}};
+    double out = 0;
+    for (const NamedIncision& each : incising.cuts) out = std::max(out, each.cut.depth);
+    return out;
 }
 
 void draw_layers(Editor& editor, const ui::Theme& theme, Id id, const Incising& before,
@@ -258,6 +341,7 @@ void draw_layers(Editor& editor, const ui::Theme& theme, Id id, const Incising& 
     Session& session = editor.session;
     Incising incising = before;
     incising.cuts.clear();
+    incising.flaps.clear();
     ValueRows rows{theme, &keys};
     std::optional<std::size_t> gone;
     for (std::size_t k = 0; k < incising.layers.size(); ++k)
@@ -274,7 +358,7 @@ void draw_layers(Editor& editor, const ui::Theme& theme, Id id, const Incising& 
         if (gone) {
             incising.layers.erase(incising.layers.begin() + static_cast<long>(*gone));
         } else if (none) {
-            incising.layers = usual_layers(before);
+            incising.layers = usual_layers(deepest_of(before));
         } else { // the last one gets a floor of its own
             IncisionLayer next = incising.layers.back();
             next.name.clear();
@@ -305,6 +389,12 @@ void draw_incisions(Editor& editor, const ui::Theme& theme, Id id)
             ImGui::PopID();
             if (changed) return;
         }
+        ui::gap(theme, 8);
+    }
+    if (!incising.flaps.empty() &&
+        ui::section(theme, "Peeled flaps", true, fmt::format("{}", incising.flaps.size()),
+                    theme.color.text_3)) {
+        if (flap_rows(editor, theme, id, incising, keys)) return;
         ui::gap(theme, 8);
     }
     if (ui::section(theme, "Incision layers", false)) {

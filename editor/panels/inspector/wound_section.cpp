@@ -213,10 +213,13 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
     ImGui::InvisibleButton("wound", {std::max(1.0f, width), box.height()});
     const bool active = ImGui::IsItemActive(), begun = ImGui::IsItemActivated();
     const bool hovered = ImGui::IsItemHovered() || active;
-    const SectionPlot plot{{box.lo + glm::vec2(theme.px(40), theme.px(8)),
-                            box.hi - glm::vec2(theme.px(10), theme.px(22))},
-                           cut.depth * deeper,
-                           cut.width * 1.15};
+    const float numbers = std::max(ui::text_width(theme.font.small, ui::short_number(cut.width)),
+                                   ui::text_width(theme.font.small, ui::short_number(cut.depth)));
+    const float left = std::max(theme.px(40), std::ceil(numbers) + theme.px(13));
+    const SectionPlot plot{
+        {box.lo + glm::vec2(left, theme.px(8)), box.hi - glm::vec2(theme.px(10), theme.px(22))},
+        cut.depth * deeper,
+        cut.width * 1.15};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     ui::Edit edit = ui::Edit::none;
     if (active) {

@@ -40,6 +40,10 @@ struct IncisionSection : testing::Rig {
     {
         return object(editor.session.committed(), 1).incising->cuts.at(0);
     }
+    const Action& action(const std::string& name) const
+    {
+        return *std::ranges::find(editor.actions, name, &Action::name);
+    }
     // In the field of the row whose number has that name.
     glm::vec2 field_of(const std::string& name)
     {
@@ -55,7 +59,11 @@ struct IncisionSection : testing::Rig {
     }
     void type_into(const std::string& name, const std::string& text)
     {
-        click(field_of("incising.cuts.0." + name));
+        type_into_row("incising.cuts.0." + name, text);
+    }
+    void type_into_row(const std::string& parameter, const std::string& text)
+    {
+        click(field_of(parameter));
         frames(4);
         type(text);
         key({ui::key_enter});
@@ -88,6 +96,29 @@ TEST(IncisionSection, EveryNumberDrivesItsFieldInOneStep)
     expect("to", "80", wanted.opening.to, 0.8);
     for (int i = 0; i < 10; ++i) rig.editor.session.undo();
     EXPECT_EQ(rig.one(), before);
+}
+
+TEST(IncisionSection, RaisesAndLaysFlaps)
+{
+    IncisionSection rig;
+    EXPECT_TRUE(rig.editor.session.run(PeelFlap{1, {.lift = 0.02}}));
+    rig.wait();
+    const std::size_t steps = rig.steps();
+    rig.type_into_row("incising.flaps.0.lift", "0.05");
+    EXPECT_EQ(rig.steps(), steps + 1);
+    EXPECT_EQ(object(rig.editor.session.committed(), 1).incising->flaps.at(0).lift, 0.05);
+}
+
+TEST(IncisionSection, ClearsAllIncisionsOfTheSelection)
+{
+    IncisionSection rig;
+    const Action& clear = rig.action("Clear incisions");
+    EXPECT_TRUE(clear.enabled.holds(rig.editor));
+    clear.run(rig.editor);
+    rig.wait();
+    EXPECT_FALSE(object(rig.editor.session.committed(), 1).incising);
+    EXPECT_EQ(rig.editor.session.incision, ChosenIncision{});
+    EXPECT_FALSE(clear.enabled.holds(rig.editor));
 }
 
 TEST(IncisionSection, BeginsACustomProfileLikeTheOneBefore)
