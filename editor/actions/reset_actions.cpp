@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/reset_actions.h"
 
+#include "core/commands/incise.h"
 #include "editor/editor.h"
 #include "editor/tools/motion.h"
 
@@ -36,6 +37,14 @@ template <glm::dvec3 Transform::*part> Action reset_action(const std::string& na
             {can_be_reset<part>, "select an object where it was changed first"}};
 }
 
+std::vector<Id> selected_incised(const Editor& e)
+{
+    std::vector<Id> out;
+    for (const Id id : e.session.selected.ids())
+        if (object(e.session.document(), id).incising) out.push_back(id);
+    return out;
+}
+
 } // namespace
 
 void add_reset_actions(std::vector<Action>& a)
@@ -43,6 +52,15 @@ void add_reset_actions(std::vector<Action>& a)
     a.push_back(reset_action<&Transform::translation>("Reset position", 'G'));
     a.push_back(reset_action<&Transform::rotation_deg>("Reset rotation", 'R'));
     a.push_back(reset_action<&Transform::scale>("Reset scale", 'S'));
+    a.push_back({"Reset",
+                 "Clear incisions",
+                 {},
+                 [](Editor& e) {
+                     if (e.session.run(ClearIncisions{selected_incised(e)}))
+                         e.session.incision = {};
+                 },
+                 {[](const Editor& e) { return !selected_incised(e).empty(); },
+                  "select an object with incisions first"}});
 }
 
 } // namespace trivar

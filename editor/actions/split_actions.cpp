@@ -2,7 +2,6 @@
 #include "editor/actions/split_actions.h"
 
 #include "core/commands/cut.h"
-#include "core/commands/incise.h"
 #include "core/commands/split.h"
 #include "editor/editor.h"
 #include "editor/tools/split.h"
@@ -44,14 +43,6 @@ std::vector<Id> selected_cut(const Editor& e)
     return out;
 }
 
-std::vector<Id> selected_incised(const Editor& e)
-{
-    std::vector<Id> out;
-    for (const Id id : e.session.selected.ids())
-        if (object(e.session.document(), id).incising) out.push_back(id);
-    return out;
-}
-
 } // namespace
 
 void add_split_actions(std::vector<Action>& actions)
@@ -78,15 +69,6 @@ void add_split_actions(std::vector<Action>& actions)
                        [](Editor& e) { e.session.run(ClearCuts{selected_cut(e)}); },
                        {[](const Editor& e) { return !selected_cut(e).empty(); },
                         "select an object that is cut first"}});
-    actions.push_back({"Tools",
-                       "Clear incisions",
-                       {},
-                       [](Editor& e) {
-                           if (e.session.run(ClearIncisions{selected_incised(e)}))
-                               e.session.incision = {};
-                       },
-                       {[](const Editor& e) { return !selected_incised(e).empty(); },
-                        "select an object with incisions first"}});
 }
 
 } // namespace trivar
