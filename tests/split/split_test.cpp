@@ -420,7 +420,9 @@ TEST(SplitField, LeavesZeroWithABendOrSmoothly)
         const Opening& opening = field.openings.at(0);
         EXPECT_GE(opening.walls[0].clear, 0.002);
         const glm::dvec2 lo = opening.walls[0].lo(), hi = opening.walls[0].hi();
-        if (smooth) EXPECT_LT(lo.x, begin);
+        if (smooth) {
+            EXPECT_LT(lo.x, begin);
+        }
         begin = lo.x;
         for (const BicubicCells& wall : opening.wall_cells)
             for (const double way : {1.0, -1.0}) {
