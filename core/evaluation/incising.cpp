@@ -14,7 +14,7 @@ namespace {
 
 constexpr double reach_of_strokes = 0.01; // of the diagonal of the skin
 constexpr double hardly_narrowed = 0.995; // share of the width
-constexpr double much_narrowed = 0.5;     // share of the opening at a place
+constexpr double much_narrowed = 0.5;     // share of the opening or of the depth at a place
 constexpr const char* over_two = "it goes over two meshes; draw one on each";
 constexpr const char* off_the_mesh = "it begins where the surface is not";
 
@@ -116,6 +116,11 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
             stage.notices.push_back(
                 fmt::format("{} opens less at a place, because its walls would meet there",
                             told_as(incising, i)));
+        else if (of.least_depth < much_narrowed)
+            stage.notices.push_back(
+                fmt::format("{} is shallower at a place, where the body has room for {:.0f} % of "
+                            "its depth",
+                            told_as(incising, i), 100 * of.least_depth));
     }
 }
 
@@ -265,6 +270,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
                                            outcome.depth * ways[m].metres,
                                            outcome.widest,
                                            outcome.least,
+                                           outcome.least_depth,
                                            outcome.shortfall,
                                            outcome.notice,
                                            1};

@@ -18,6 +18,7 @@ struct IncisingEffects {
         double length = 0, depth = 0; // metres on the model
         double widest = 1;            // share of its width to which its walls let it open
         double least = 1;             // and the least share of its opening along it
+        double least_depth = 1;       // the least share of its depth that there is room for
         std::string shortfall = {};   // why it does not go through or keeps its piece; or empty
         std::string notice = {};      // a sentence where only a part of the stroke is cut
         double open_to = 1;           // share of its length up to which it or its blade opens it

@@ -35,6 +35,8 @@ public:
 
     // Adds a chain as the next stroke and returns its number. Places that are none are left out.
     std::uint32_t add(const DrawnChain& chain);
+    // Adds a point that is on no segment.
+    void add(const LatticePoint& point) { number_of(point); }
     // Makes segments meet in points alone: where they cross there is a point then, and one that
     // runs through a point is two. In whole numbers, so that no case depends on rounding.
     // Throws Rejected where that finds no end.

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace trivar {
 namespace {
 
 constexpr double steepest_lean_deg = 75;
+constexpr double least_last_row = 0.02; // of the thickness, where it is a bevel
 
 const char* unfit(const Incision& incision)
 {
@@ -119,6 +121,24 @@ bool same_points(const CutRun& a, const CutRun& b)
     return std::ranges::equal(a.at, b.at, {}, &CutRun::At::point, &CutRun::At::point);
 }
 
+// Where cuts cross they have one column, and so one last row.
+void meet_at_crossings(CutLayout& layout)
+{
+    KeyNumbers number;
+    std::vector<double> least;
+    const auto visit = [&](const auto& use) { // use(depth, number of the crossing)
+        for (const ThroughCut& cut : layout.throughs)
+            for (const ThroughCut::Step& each : cut.crossings) {
+                CutRun::At& at = layout.runs[cut.near].at[each.near];
+                const auto [n, fresh] = number.number(at.point);
+                if (fresh) least.push_back(at.depth);
+                use(at.depth, n);
+            }
+    };
+    visit([&](double depth, std::uint32_t n) { least[n] = std::min(least[n], depth); });
+    visit([&](double& depth, std::uint32_t n) { depth = least[n]; });
+}
+
 // Draws the far sides of all runs that go through. Why one cannot goes to its shortfall.
 void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
                 std::vector<std::uint32_t>& incision_of_stroke, Shortfalls& shortfalls)
@@ -127,7 +147,7 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
     for (std::uint32_t r = 0; r < layout.runs.size(); ++r) {
         if (layout.runs[r].kind != CutRun::Kind::through) continue;
         std::string& shortfall = shortfalls[layout.runs[r].incision];
-        shortfall = tangle_of(layout.runs, r);
+        shortfall = tangle_of(layout.runs, r, layout.drawing, *layout.inward);
         if (!shortfall.empty()) return;
     }
     const std::vector<CutRun> before = layout.runs;
@@ -154,20 +174,28 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
         layout.runs[cut.far].kind = CutRun::Kind::far_side;
     const int row_count = std::max(2, rows);
     const double last_row = static_cast<double>(row_count - 1) / row_count;
-    for (ThroughCut& cut : layout.throughs) {
+    for (ThroughCut& cut : std::views::reverse(layout.throughs)) { // the later one gives way
         CutRun &near_run = layout.runs[cut.near], &far_run = layout.runs[cut.far];
         std::string& shortfall = shortfalls[near_run.incision];
-        shortfall = same_points(near_run, before[cut.near])
-                        ? unjoinable(layout.runs, cut.near, cut.far)
-                        : "its other side crosses a cut";
-        if (!shortfall.empty()) continue;
-        cut.zip = zipped(skin, far[cut.near].places, far_run);
+        if (!same_points(near_run, before[cut.near]))
+            shortfall = "its other side crosses a cut";
+        else
+            shortfall =
+                find_crossings(cut, layout.throughs, layout.runs, layout.drawing, *layout.columns);
+        if (shortfall.empty()) shortfall = unjoinable(layout.runs, cut);
+        if (!shortfall.empty()) return; // the others may go through without it
+        cut.zip = zipped(skin, far[cut.near].places, far_run, cut.crossings);
         const std::vector<double>& depths = far[cut.near].depths;
-        for (std::size_t i = 0; i < near_run.at.size(); ++i)
-            near_run.at[i].depth = last_row * depths[i > near_run.last ? i - near_run.last : i];
+        const Incision& incision = all[near_run.incision];
+        for (std::size_t i = 0; i < near_run.at.size(); ++i) {
+            const double depth = depths[i > near_run.last ? i - near_run.last : i];
+            const double bevel = std::max(far_bevel(incision, depth), least_last_row * depth);
+            near_run.at[i].depth = incision.bevel > 0 ? depth - bevel : last_row * depth;
+        }
         far_run.near_length = near_run.length;
         for (const ThroughCut::Step& step : cut.zip) far_run.at[step.far].depth = depths[step.near];
     }
+    meet_at_crossings(layout);
 }
 
 } // namespace

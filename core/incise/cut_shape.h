@@ -19,6 +19,7 @@ struct LeftOut {
 // A CutShape is everything that is known of cuts in a skin: what the passes of incise() found.
 struct CutShape {
     const CutDrawing& drawing;
+    std::size_t point_count; // of the drawing, when this was made: it may have got more since
     const Inward& inward;
     const CutColumns& columns;
     double step; // depth of one of depth_steps
@@ -31,7 +32,7 @@ struct CutShape {
     LeftOut left_out = {};
 
     // Numbers of vertices: those of the drawing's points, then those that cutting made.
-    std::size_t vertex_count() const { return drawing.point_count() + walls.made.size(); }
+    std::size_t vertex_count() const { return point_count + walls.made.size(); }
     std::uint32_t base_point(std::uint32_t vertex) const; // of the drawing, below which it hangs
     double depth(std::uint32_t vertex) const;             // units of the mesh
     glm::dvec3 rest_position(std::uint32_t vertex) const;
@@ -39,13 +40,13 @@ struct CutShape {
 
 inline std::uint32_t CutShape::base_point(std::uint32_t vertex) const
 {
-    const std::size_t first = drawing.point_count();
+    const std::size_t first = point_count;
     return vertex < first ? vertex : graph.nodes[walls.made[vertex - first].node].point;
 }
 
 inline double CutShape::depth(std::uint32_t vertex) const
 {
-    const std::size_t first = drawing.point_count();
+    const std::size_t first = point_count;
     return vertex < first ? 0 : walls.made[vertex - first].depth * step;
 }
 

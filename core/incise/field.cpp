@@ -156,8 +156,9 @@ private:
     // By how much the rim is set back beyond the width.
     double bevel(double s) const
     {
-        return incision.bevel > 0 && run.kind != CutRun::Kind::far_side ? bevel_at(run, incision, s)
-                                                                        : 0;
+        if (!(incision.bevel > 0)) return 0;
+        return run.kind == CutRun::Kind::far_side ? far_bevel(incision, depth_at(run, s))
+                                                  : bevel_at(run, incision, s);
     }
     void add(std::uint32_t vertex, int side, double s, double faded, double depth)
     {

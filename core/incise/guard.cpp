@@ -11,14 +11,17 @@ namespace {
 
 constexpr double narrower = 0.7, as_good_as_shut = 0.02; // shares
 constexpr double least_share = 0.6; // of the move of the incision that moves a pair most
-// Openings at which nothing may pierce where something was narrowed.
-constexpr double half_open = 0.5; // where nothing was, but several pieces may meet
-constexpr std::array looked_at{1.0, 0.75, 0.5, 0.25, 0.1};
+// Openings at which nothing may pierce.
+constexpr std::array looked_at{1.0, 0.9, 0.8, 0.75, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.1};
+constexpr std::array quite_open{1.0};
+constexpr std::array quite_and_half_open{1.0, 0.5};
 constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
 
 } // namespace
 
-CutGuard::CutGuard(const CutShape& shape)
+CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
+    : radius_(incisions.size(), 1),
+      round_(incisions.size(), 0)
 {
     const CutSkin& skin = shape.drawing.skin();
     KeyNumbers local(shape.terms.size() + shape.walls.skin.size()); // about
@@ -27,7 +30,7 @@ CutGuard::CutGuard(const CutShape& shape)
         const auto [n, fresh] = local.number(vertex);
         if (fresh) {
             vertices.push_back(vertex);
-            rest_.push_back(shape.rest_position(vertex));
+            rest_.emplace_back(glm::vec3(shape.rest_position(vertex)));
         }
         return n;
     };
@@ -61,31 +64,40 @@ CutGuard::CutGuard(const CutShape& shape)
             triangles_.emplace_back(number(t.x), number(t.y), number(t.z));
         });
     }
+    const double edge = skin.usual_edge();
+    simple_ = shape.pieces.size() == 1;
+    for (const CutRun& run : shape.runs) {
+        const Incision& incision = incisions[run.incision];
+        simple_ = simple_ && run.has_floor() && incision.lean_deg == 0 && incision.bevel == 0;
+        radius_[run.incision] =
+            std::max(edges_of_dent * edge, widths_of_dent * incisions[run.incision].width) /
+            run.length;
+        round_[run.incision] = run.closed();
+    }
 }
 
 std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted,
-                                              double share) const
+                                              std::span<const double> shares) const
 {
-    std::vector<glm::dvec3> p = rest_;
-    for (const CutTerm& term : terms_)
-        p[term.vertex] += share *
-                          admitted[term.incision].at(double{term.share}, double{term.below}) *
-                          glm::dvec3(term.move);
-    std::vector<char> moved(triangles_.size());
+    std::vector<std::vector<glm::dvec3>> times(shares.size(),
+                                               std::vector(rest_.size(), glm::dvec3(0)));
+    for (const CutTerm& term : terms_) {
+        const auto let =
+            static_cast<float>(admitted[term.incision].at(double{term.share}, double{term.below}));
+        const glm::dvec3 move(term.move * let);
+        for (std::size_t i = 0; i < shares.size(); ++i) times[i][term.vertex] += shares[i] * move;
+    }
+    for (std::vector<glm::dvec3>& each : times)
+        for (std::size_t v = 0; v < rest_.size(); ++v) each[v] += rest_[v];
+    std::vector<char> moved(triangles_.size(), 0);
     for (std::size_t t = 0; t < moved.size(); ++t)
-        for (int i = 0; i < 3; ++i) moved[t] |= p[triangles_[t][i]] != rest_[triangles_[t][i]];
-    std::vector<PiercingPair> out = trivar::piercings(p, triangles_, moved);
+        for (int i = 0; i < 3; ++i)
+            moved[t] |= times.front()[triangles_[t][i]] != rest_[triangles_[t][i]];
+    std::vector<PiercingPair> out = trivar::piercings(times, triangles_, moved);
     std::erase_if(out, [&](const PiercingPair& pair) {
         return pierce(rest_, triangles_[pair.a], triangles_[pair.b]);
     });
     return out;
-}
-
-std::vector<PiercingPair> CutGuard::piercings_when_shut() const
-{
-    std::vector<char> walls(triangles_.size(), 0);
-    std::fill_n(walls.begin() + static_cast<std::ptrdiff_t>(first_wall_), walls_.size(), 1);
-    return trivar::piercings(rest_, triangles_, walls);
 }
 
 // How much the incisions change the place of two triangles to each other: the greatest distance
@@ -111,25 +123,20 @@ std::vector<CutGuard::Share> CutGuard::shares_of(const PiercingPair& pair,
     return out;
 }
 
-std::vector<std::uint32_t> piercing_on_their_way(const CutShape& shape)
+std::vector<std::uint32_t> CutGuard::walls_in_the_way() const
 {
-    const CutGuard guard(shape);
     std::vector<std::uint32_t> out;
-    for (const PiercingPair& pair : guard.piercings_when_shut())
-        for (const std::uint32_t t : {pair.a, pair.b}) {
-            if (!guard.is_wall(t)) continue;
-            const WallTriangle& wall = shape.walls.walls[guard.wall_number(t)];
-            for (const SlitEdge::Pass& pass : shape.graph.edges[wall.corners[0].edge].passes) {
-                const CutRun& run = shape.runs[shape.pieces[pass.piece].run];
-                if (!run.has_floor()) out.push_back(run.incision);
-            }
-        }
+    std::vector<char> walls(triangles_.size(), 0);
+    std::fill_n(walls.begin() + static_cast<std::ptrdiff_t>(first_wall_), walls_.size(), 1);
+    for (const PiercingPair& pair : trivar::piercings(rest_, triangles_, walls))
+        for (const std::uint32_t t : {pair.a, pair.b})
+            if (is_wall(t)) out.push_back(walls_[t - first_wall_]);
     std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 
-void CutGuard::narrow(std::span<const PiercingPair> pairs, std::span<const double> radius,
+void CutGuard::narrow(std::span<const PiercingPair> pairs, double dent,
                       std::vector<Admitted>& admitted) const
 {
     const std::vector<Admitted> before = admitted;
@@ -147,7 +154,8 @@ void CutGuard::narrow(std::span<const PiercingPair> pairs, std::span<const doubl
             const double x = double{term.share};
             const double next = narrower * (before[term.incision].*what).at(x);
             (admitted[term.incision].*what)
-                .narrow(x, next < as_good_as_shut ? 0 : next, radius[term.incision]);
+                .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[term.incision],
+                        round_[term.incision] != 0);
         };
         // First what lies below the skin is drawn together
         std::vector<const CutTerm*> below = terms;
@@ -160,33 +168,24 @@ void CutGuard::narrow(std::span<const PiercingPair> pairs, std::span<const doubl
     }
 }
 
-std::optional<std::vector<Admitted>> admissible_openings(const CutShape& shape,
-                                                         std::span<const Incision> incisions)
+bool CutGuard::admits_all() const
 {
-    const CutGuard guard(shape);
-    if (!guard.piercings_when_shut().empty()) return {};
-    std::vector<Admitted> admitted(incisions.size());
-    std::vector<double> radius(incisions.size(), 1);
-    const double edge = shape.drawing.skin().usual_edge();
-    for (const CutRun& run : shape.runs)
-        radius[run.incision] =
-            std::max(edges_of_dent * edge, widths_of_dent * incisions[run.incision].width) /
-            run.length;
-    const auto pierce_at = [&](double share) {
-        const std::vector<PiercingPair> pairs = guard.piercings(admitted, share);
-        if (pairs.empty()) return false;
-        guard.narrow(pairs, radius, admitted);
-        return true;
-    };
-    // Upright walls that are apart when quite and half open are so before, but for hardly any.
-    const bool upright = std::ranges::all_of(shape.runs, [&](const CutRun& run) {
-        const Incision& incision = incisions[run.incision];
-        return run.has_floor() && incision.lean_deg == 0 && incision.bevel == 0;
-    });
-    const bool crosses = shape.pieces.size() > 1;
-    if (!pierce_at(1) && upright && !(crosses && pierce_at(half_open))) return admitted;
-    for (std::size_t i = 0; i < looked_at.size();) i = pierce_at(looked_at[i]) ? 0 : i + 1;
-    return admitted;
+    // Upright walls of one piece that are apart when quite and half open are so before
+    const std::vector<Admitted> all(radius_.size());
+    return simple_ ? piercings(all, quite_and_half_open).empty()
+                   : piercings(all, looked_at).empty();
+}
+
+std::vector<Admitted> CutGuard::admitted(double dent) const
+{
+    std::vector<Admitted> out(radius_.size());
+    for (bool holds = false; !holds;) { // ends, as what moves nothing any more pierces nothing
+        std::vector<PiercingPair> pairs = piercings(out, quite_open);
+        if (pairs.empty()) pairs = piercings(out, looked_at);
+        holds = pairs.empty();
+        narrow(pairs, dent, out);
+    }
+    return out;
 }
 
 } // namespace trivar

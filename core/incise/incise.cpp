@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/incise.h"
 
+#include "core/base/finite.h"
 #include "core/incise/cut_layout.h"
+#include "core/incise/folds.h"
 #include "core/incise/guard.h"
 #include "core/incise/incised_mesh.h"
 #include "core/incise/left_out.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace trivar {
 namespace {
 
-constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.5;
-constexpr int most_attempts = 12, most_open_attempts = 4;
+constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.7; // shares
+// Times that depths give way while all is shut, and for the opening; and that folds are halved.
+constexpr int most_at_rest = 12, most_when_open = 4, most_halvings = 6;
+constexpr int near_the_place = 8; // so often where walls meet alone, then all along the incision
+constexpr std::array shorter_dents{0.5, 0.25};
+constexpr double worth_it = 0.7; // of what an opening lacks, for less depth
+constexpr double edges_of_dent_in_depth = 1.5;
 constexpr const char* no_room = "the body has no room for its depth there";
 constexpr const char* no_way = "its walls would meet others on their way through";
 constexpr const char* no_piece = "it cuts out no piece, as it is no loop through the body";
 constexpr const char* one_piece =
     "its loop cuts out no piece, as both sides hang together elsewhere";
 constexpr double deepest_through = 1000; // of the deepest floor, down to which a cut goes through
-constexpr double hardly_open = 0.02;     // share of the width
 
 // Of all floors; without one, of the cuts through the body.
 double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> incisions)
@@ -34,104 +41,258 @@ double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> inc
     return std::max(deepest > 0 ? deepest : last_rows, last_rows / deepest_through);
 }
 
+// A Made is what one attempt to cut gives.
+struct Made {
+    CutShape shape;
+    std::vector<LeftOutPieces::Kept> kept;
+    std::vector<Admitted> admitted = {};
+};
+
+// By how much incisions open less than was asked for, in all.
+double lacking(const Made& made, std::span<const Incision> all)
+{
+    double sum = 0;
+    for (const CutRun& run : made.shape.runs)
+        if (run.kind != CutRun::Kind::far_side)
+            sum +=
+                1 - made.admitted[run.incision].opening.widest(all[run.incision].opening_profile);
+    return sum;
+}
+
+// Narrows it with long dents, or with short ones where that leaves it so much wider.
+void narrow(Made& made, const CutGuard& guard, std::span<const Incision> all)
+{
+    made.admitted = guard.admitted(1);
+    double least = lacking(made, all);
+    for (const double dent : shorter_dents) {
+        if (least == 0) return;
+        std::vector<Admitted> other = guard.admitted(dent);
+        std::swap(made.admitted, other);
+        const double lacks = lacking(made, all);
+        if (lacks < worth_it * least)
+            least = lacks;
+        else
+            std::swap(made.admitted, other);
+    }
+}
+
+class Cutter {
+public:
+    Cutter(CutLayout& layout, std::span<const Incision> all, const InciseOptions& options)
+        : layout_(layout),
+          all_(all),
+          options_(options),
+          pieces_(pieces_of(layout.runs, layout.drawing)),
+          depths_(all.size())
+    {
+        const double deepest = deepest_of(layout.runs, all);
+        step_ = deepest / depth_steps;
+        for (std::size_t i = 0; i + 1 < options.layers.size(); ++i)
+            borders_.push_back(static_cast<int>(std::lround(
+                std::min(deepest_through, options.layers[i].depth / deepest) * depth_steps)));
+        std::ranges::sort(borders_);
+        fill();
+    }
+    const std::vector<int>& borders() const { return borders_; }
+
+    // The best of some attempts. None: nothing has room, or cuts cannot go through the body, which
+    // have a shortfall then.
+    std::unique_ptr<Made> operator()(Shortfalls& shortfalls)
+    {
+        std::unique_ptr<Made> made = attempt();
+        if (!options_.guarded) return made;
+        std::optional<CutGuard> guard;
+        for (int turn = 0; made; ++turn, made = attempt()) {
+            guard.emplace(made->shape, all_);
+            const std::vector<std::uint32_t> walls = guard->walls_in_the_way();
+            if (walls.empty()) break;
+            if (blocks_a_way(made->shape, walls, shortfalls)) return {};
+            if (turn == most_at_rest) {
+                for (Admitted& each : made->admitted) each.opening.narrow(0.5, 0, infinite);
+                return made;
+            }
+            make_shallower(made->shape, walls, turn < near_the_place);
+        }
+        if (!made || guard->admits_all()) return made;
+        std::unique_ptr<Made> other = with_halved_folds(*made);
+        if (other && CutGuard(other->shape, all_).admits_all()) return other;
+        narrow(*made, *guard, all_);
+        if (lacking(*made, all_) == 0) return made;
+        if (other) take_better(made, other);
+        for (int turn = 0; turn < most_when_open && lacking(*made, all_) > 0; ++turn) {
+            for (std::size_t k = 0; k < all_.size(); ++k)
+                depths_[k].lower_where_narrowed(made->admitted[k].opening, shallower_when_open);
+            other = attempt();
+            if (!other) break;
+            take_better(made, other);
+        }
+        return made;
+    }
+
+private:
+    void fill()
+    {
+        pieces_of_skin_.clear();
+        for (const std::uint32_t t : layout_.drawing.touched())
+            for (const SkinTriangle& piece : filled(layout_.drawing, t))
+                pieces_of_skin_.push_back(piece);
+    }
+
+    // Takes another attempt where it lacks less by so much that it is worth it.
+    void take_better(std::unique_ptr<Made>& made, std::unique_ptr<Made>& other) const
+    {
+        const CutGuard guard(other->shape, all_);
+        if (!guard.walls_in_the_way().empty()) return;
+        narrow(*other, guard, all_);
+        if (lacking(*other, all_) < worth_it * lacking(*made, all_)) made = std::move(other);
+    }
+
+    // With pieces of skin that can follow the field where those of another attempt turn over; of
+    // some attempts that with the fewest that do. None: there is no such piece.
+    std::unique_ptr<Made> with_halved_folds(const Made& before)
+    {
+        std::unique_ptr<Made> best, last;
+        std::size_t fewest = ~std::size_t{0};
+        std::vector<LatticePoint> points = points_against_folds(before.shape);
+        for (int turn = 0; turn < most_halvings && !points.empty(); ++turn) {
+            for (const LatticePoint& each : points) layout_.drawing.add(each);
+            fill();
+            last = attempt();
+            if (!last) break;
+            points = points_against_folds(last->shape);
+            if (points.size() / 2 > fewest) break; // it finds no end
+            if (points.size() >= fewest) continue;
+            fewest = points.size();
+            best = std::move(last);
+        }
+        return best;
+    }
+
+    std::unique_ptr<Made> attempt() const
+    {
+        const CutDrawing& drawing = layout_.drawing;
+        const Inward& inward = *layout_.inward;
+        CutShape shape{drawing, drawing.point_count(),
+                       inward,  *layout_.columns,
+                       step_,   layout_.runs,
+                       pieces_, {},
+                       {},      {},
+                       {}};
+        set_depths(shape.runs, drawing, inward, *layout_.columns, all_, depths_);
+        shape.graph = slits_of(shape.runs, pieces_, all_, drawing, inward, step_,
+                               depth_steps / std::max(1, options_.rows) / 2);
+        if (shape.graph.edges.empty()) return {};
+        shape.patch = patch_of(drawing, pieces_of_skin_, shape.graph);
+        shape.walls = walls_of(drawing, shape.patch, shape.graph, options_.rows, borders_,
+                               shape.runs, layout_.throughs);
+        shape.terms = field_of(drawing, shape.patch, shape.graph, shape.walls, shape.runs, pieces_,
+                               all_, inward, step_);
+        LeftOutPieces left_out = left_out_pieces(shape, all_);
+        shape.left_out = std::move(left_out.pieces);
+        return std::make_unique<Made>(
+            Made{std::move(shape), std::move(left_out.kept), std::vector<Admitted>(all_.size())});
+    }
+
+    // Calls visit(run, s) with the runs whose walls these are.
+    void visit_runs(const CutShape& shape, const std::vector<std::uint32_t>& walls,
+                    const auto& visit) const
+    {
+        for (const std::uint32_t wall : walls) {
+            const SlitEdge& edge = shape.graph.edges[shape.walls.walls[wall].corners[0].edge];
+            for (const SlitEdge::Pass& pass : edge.passes)
+                visit(shape.runs[pieces_[pass.piece].run], (pass.s_a + pass.s_b) / 2);
+        }
+    }
+
+    // Whether walls through the body are among those that pierce others.
+    bool blocks_a_way(const CutShape& shape, const std::vector<std::uint32_t>& walls,
+                      Shortfalls& shortfalls) const
+    {
+        bool any = false;
+        visit_runs(shape, walls, [&](const CutRun& run, double) {
+            if (run.has_floor()) return;
+            shortfalls[run.incision] = no_way;
+            any = true;
+        });
+        return any;
+    }
+
+    void make_shallower(const CutShape& shape, const std::vector<std::uint32_t>& walls,
+                        bool near_alone)
+    {
+        const std::vector<Narrowing> before = depths_;
+        visit_runs(shape, walls, [&](const CutRun& run, double s) {
+            const double x = run.share(s);
+            const double around =
+                std::max(edges_of_dent_in_depth * layout_.drawing.skin().usual_edge(),
+                         all_[run.incision].depth);
+            depths_[run.incision].narrow(x, shallower_at_rest * before[run.incision].at(x),
+                                         near_alone ? around / run.length : infinite, run.closed());
+        });
+    }
+
+    CutLayout& layout_;
+    std::span<const Incision> all_;
+    const InciseOptions& options_;
+    std::vector<CutPiece> pieces_;
+    std::vector<Narrowing> depths_; // by incision
+    double step_ = 0;
+    std::vector<int> borders_;
+    std::vector<SkinTriangle> pieces_of_skin_;
+};
+
+void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision> all,
+                   const Shortfalls& shortfalls)
+{
+    const CutShape& shape = made.shape;
+    for (const CutRun& run : shape.runs) {
+        IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
+        for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
+        if (run.kind == CutRun::Kind::far_side) continue;
+        outcome.length = run.length;
+        outcome.least_depth = run.least_depth;
+        const Admitted& of = made.admitted[run.incision];
+        outcome.widest = of.opening.widest(all[run.incision].opening_profile);
+        outcome.least = of.opening.least();
+        outcome.least_below = of.below.least();
+    }
+    for (const LeftOutPieces::Kept& kept : made.kept)
+        out.outcomes[kept.incision].shortfall = kept.loop ? one_piece : no_piece;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (!shortfalls[k].empty()) out.outcomes[k].shortfall = shortfalls[k];
+    std::vector<char> has_walls(all.size(), 0);
+    for (const SlitEdge& edge : shape.graph.edges)
+        for (const SlitEdge::Pass& pass : edge.passes)
+            has_walls[shape.runs[shape.pieces[pass.piece].run].incision] = 1;
+    for (const CutRun& run : shape.runs)
+        if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
+}
+
 // The cuts of a layout, or none where one more of them cannot go through the body.
-std::optional<IncisedMesh> cut(const CutLayout& layout, std::span<const Incision> all,
+std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
                                const InciseOptions& options,
                                std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls,
-                               Lender<Mesh>& made)
+                               Lender<Mesh>& lender)
 {
     IncisedMesh out;
-    const CutDrawing& drawing = layout.drawing;
-    out.original = out.rest = drawing.skin().mesh();
+    out.original = out.rest = layout.drawing.skin().mesh();
     out.outcomes = std::move(outcomes);
-    const std::vector<CutRun>& runs = layout.runs;
-    std::vector<SkinTriangle> pieces_of_skin;
-    for (const std::uint32_t t : drawing.touched())
-        for (const SkinTriangle& piece : filled(drawing, t)) pieces_of_skin.push_back(piece);
-    const Inward& inward = *layout.inward;
-    const std::vector<CutPiece> pieces = pieces_of(runs, drawing);
-
-    const double deepest = deepest_of(runs, all);
-    const double step = deepest / depth_steps;
-    std::vector<int> borders;
-    for (std::size_t i = 0; i + 1 < options.layers.size(); ++i)
-        borders.push_back(static_cast<int>(std::lround(
-            std::min(deepest_through, options.layers[i].depth / deepest) * depth_steps)));
-    std::ranges::sort(borders);
-
-    double scale = 1;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
-        CutShape shape{drawing, inward, *layout.columns, step, runs, pieces, {}, {}, {}, {}};
-        set_depths(shape.runs, drawing, inward, *layout.columns, all, scale);
-        shape.graph = slits_of(shape.runs, pieces, all, drawing, inward, step,
-                               depth_steps / std::max(1, options.rows) / 2);
-        if (shape.graph.edges.empty()) {
-            for (const CutRun& run : runs) out.outcomes[run.incision].refusal = no_room;
-            return out;
-        }
-        shape.patch = patch_of(drawing, pieces_of_skin, shape.graph);
-        shape.walls = walls_of(drawing, shape.patch, shape.graph, options.rows, borders, shape.runs,
-                               layout.throughs);
-        shape.terms = field_of(drawing, shape.patch, shape.graph, shape.walls, shape.runs, pieces,
-                               all, inward, step);
-        LeftOutPieces left_out = left_out_pieces(shape, all);
-        shape.left_out = std::move(left_out.pieces);
-        std::vector<Admitted> admitted(all.size());
-        if (options.guarded) {
-            const bool last = attempt + 1 == most_attempts;
-            std::optional<std::vector<Admitted>> found = admissible_openings(shape, all);
-            if (!found && !layout.throughs.empty()) {
-                const std::vector<std::uint32_t> in_the_way = piercing_on_their_way(shape);
-                for (const std::uint32_t k : in_the_way) shortfalls[k] = no_way;
-                if (!in_the_way.empty()) return std::nullopt;
-            }
-            if (found)
-                admitted = std::move(*found);
-            else if (last)
-                for (Admitted& each : admitted) each.opening.narrow(0.5, 0, infinite);
-            else {
-                scale *= shallower_at_rest;
-                continue;
-            }
-            double widest = 0;
-            for (const CutRun& run : runs)
-                widest = std::max(widest, admitted[run.incision].opening.widest(
-                                              all[run.incision].opening_profile));
-            if (widest < hardly_open && attempt < most_open_attempts) {
-                scale *= shallower_when_open;
-                continue;
-            }
-        }
-        for (CutTerm& term : shape.terms)
-            term.move *= static_cast<float>(
-                admitted[term.incision].at(double{term.share}, double{term.below}));
-        for (const CutRun& run : shape.runs) {
-            IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
-            if (run.kind == CutRun::Kind::far_side) {
-                for (const CutRun::At& at : run.at)
-                    outcome.depth = std::max(outcome.depth, at.depth);
-                continue;
-            }
-            outcome.length = run.length;
-            for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
-            const Admitted& of = admitted[run.incision];
-            outcome.widest = of.opening.widest(all[run.incision].opening_profile);
-            outcome.least = of.opening.least();
-            outcome.least_below = of.below.least();
-        }
-        for (const LeftOutPieces::Kept& kept : left_out.kept)
-            out.outcomes[kept.incision].shortfall = kept.loop ? one_piece : no_piece;
-        for (std::size_t k = 0; k < all.size(); ++k)
-            if (!shortfalls[k].empty()) out.outcomes[k].shortfall = shortfalls[k];
-        std::vector<char> has_walls(all.size(), 0);
-        for (const SlitEdge& edge : shape.graph.edges)
-            for (const SlitEdge::Pass& pass : edge.passes)
-                has_walls[shape.runs[pieces[pass.piece].run].incision] = 1;
-        for (const CutRun& run : shape.runs)
-            if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
-        make_rest(out, shape, all, borders, options.layers, made);
+    Cutter cutter(layout, all, options);
+    const Shortfalls before = shortfalls;
+    std::unique_ptr<Made> made = cutter(shortfalls);
+    if (shortfalls != before) return std::nullopt;
+    if (!made) {
+        for (const CutRun& run : layout.runs) out.outcomes[run.incision].refusal = no_room;
         return out;
     }
+    for (CutTerm& term : made->shape.terms)
+        term.move *= static_cast<float>(
+            made->admitted[term.incision].at(double{term.share}, double{term.below}));
+    tell_outcomes(out, *made, all, shortfalls);
+    for (const ThroughCut& each : layout.throughs)
+        out.outcomes[layout.runs[each.near].incision].crossed_through =
+            static_cast<int>(each.crossings.size());
+    make_rest(out, made->shape, all, cutter.borders(), options.layers, lender);
     return out;
 }
 

@@ -24,6 +24,10 @@ struct IncisedMesh {
         // the least share anywhere along the incision; and the least to which what lies below the
         // skin is drawn together beyond that.
         double widest = 0, least = 0, least_below = 0;
+        // The least share of the depth that was asked for, but near its ends, that there is room
+        // for along the incision; of a cut through the body 1.
+        double least_depth = 1;
+        int crossed_through = 0; // how often it crosses cuts that go through as it does
     };
     struct Term {
         std::uint32_t slot, incision;

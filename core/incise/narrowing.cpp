@@ -19,15 +19,23 @@ double Narrowing::least() const
     return *std::ranges::min_element(share_);
 }
 
-void Narrowing::narrow(double x, double most, double radius)
+void Narrowing::narrow(double x, double most, double radius, bool round)
 {
     for (std::size_t i = 0; i <= steps; ++i) {
         const double here = static_cast<double>(i) / steps;
-        const double away = std::max(0.0, std::abs(here - x) - 1.0 / steps) / radius;
+        double way = std::abs(here - x);
+        if (round) way = std::min(way, 1 - way);
+        const double away = std::max(0.0, way - 1.0 / steps) / radius;
         if (away >= 1) continue;
         const double rise = away * away * (3 - 2 * away);
         share_[i] = std::min(share_[i], most + (1 - most) * rise);
     }
+}
+
+void Narrowing::lower_where_narrowed(const Narrowing& other, double factor)
+{
+    for (std::size_t i = 0; i <= steps; ++i)
+        share_[i] *= 1 - (1 - factor) * std::min(1.0, 2 * (1 - other.share_[i]));
 }
 
 double Narrowing::widest(const CutProfile& profile) const

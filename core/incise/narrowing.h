@@ -16,8 +16,11 @@ public:
     bool any() const { return least() < 1; }
     double least() const;
     // Lets the opening be `most` at x at the most, and with the distance from there more, up to
-    // what it was at `radius`.
-    void narrow(double x, double most, double radius);
+    // what it was at `radius`. That of a loop goes `round` its ends.
+    void narrow(double x, double most, double radius, bool round = false);
+    // Takes it times `factor` where another is half or less, and times less than that where it is
+    // more.
+    void lower_where_narrowed(const Narrowing& other, double factor);
     // The greatest opening along the incision, as a share of the greatest of a profile.
     double widest(const CutProfile& profile) const;
 

@@ -113,17 +113,27 @@ std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& p,
                                     const std::vector<glm::uvec3>& triangles,
                                     std::span<const char> asked)
 {
+    return piercings(std::span(&p, 1), triangles, asked);
+}
+
+std::vector<PiercingPair> piercings(std::span<const std::vector<glm::dvec3>> times,
+                                    const std::vector<glm::uvec3>& triangles,
+                                    std::span<const char> asked)
+{
     std::vector<Box> boxes(triangles.size());
     parallel_blocks(triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t)
-            for (int i = 0; i < 3; ++i) boxes[t].add(p[triangles[t][i]]);
+            for (const std::vector<glm::dvec3>& p : times)
+                for (int i = 0; i < 3; ++i) boxes[t].add(p[triangles[t][i]]);
     });
     const BoxSweep sweep(boxes, asked);
     std::vector<std::vector<PiercingPair>> found(sweep.entry_count() / entries_per_block + 1);
     parallel_blocks(
         sweep.entry_count(), entries_per_block, [&](std::size_t begin, std::size_t end) {
             sweep.pairs(begin, end, [&](std::uint32_t s, std::uint32_t t) {
-                if (pierce(p, triangles[s], triangles[t]))
+                if (std::ranges::any_of(times, [&](const std::vector<glm::dvec3>& p) {
+                        return pierce(p, triangles[s], triangles[t]);
+                    }))
                     found[begin / entries_per_block].push_back({std::min(s, t), std::max(s, t)});
             });
         });

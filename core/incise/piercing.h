@@ -24,5 +24,9 @@ bool pierce(const std::vector<glm::dvec3>& positions, const glm::uvec3& a, const
 std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& positions,
                                     const std::vector<glm::uvec3>& triangles,
                                     std::span<const char> asked = {});
+// Those that do at one of several times at least, one set of positions each.
+std::vector<PiercingPair> piercings(std::span<const std::vector<glm::dvec3>> times,
+                                    const std::vector<glm::uvec3>& triangles,
+                                    std::span<const char> asked = {});
 
 } // namespace trivar

@@ -12,8 +12,10 @@ constexpr double turned_round = -0.3;       // cosine of the turn of a piece
 constexpr std::size_t most_pieces = 64;     // of a run
 constexpr double least_overlap = 1e-9;      // of the length
 constexpr double bevel_of_depth = 0.5;      // of the depth, at most
-constexpr double gone_round = 0.1;          // of the length: so far a loop goes on
-constexpr double least_left = 0.15;         // of the way between two columns, at the floor
+constexpr double well_inside = 0.5;         // share of the greatest depth that is asked for there
+constexpr double far_bevel_of_thickness = 0.25;
+constexpr double gone_round = 0.1;  // of the length: so far a loop goes on
+constexpr double least_left = 0.15; // of the way between two columns, at the floor
 
 void go_on_round(CutRun& run)
 {
@@ -88,11 +90,12 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint
 }
 
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                const CutColumns& columns, std::span<const Incision> incisions, double scale)
+                const CutColumns& columns, std::span<const Incision> incisions,
+                std::span<const Narrowing> shares)
 {
     double deepest = 0;
     for (const CutRun& run : runs)
-        if (run.has_floor()) deepest = std::max(deepest, scale * incisions[run.incision].depth);
+        if (run.has_floor()) deepest = std::max(deepest, incisions[run.incision].depth);
     const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, columns);
     KeyNumbers known;
     std::vector<double> below;
@@ -102,13 +105,14 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
         const Incision& incision = incisions[run.incision];
         for (std::size_t i = 0; i <= run.last; ++i) {
             CutRun::At& at = run.at[i];
-            at.depth = std::min(scale * incision.depth * run.value(incision.depth_profile, at.s),
+            at.depth = std::min(incision.depth * run.value(incision.depth_profile, at.s),
                                 share_of_thickness * thickness[k][i]);
             for (const std::uint32_t t : triangles_round(drawing.skin(), drawing.point(at.point))) {
                 const auto [number, fresh] = known.number(t);
                 if (fresh) below.push_back(inward.depth_below(t, deepest));
                 at.depth = std::min(at.depth, below[number]);
             }
+            at.depth *= shares[run.incision].at(run.share(at.s));
         }
         for (std::size_t i = 1; i <= run.last; ++i) {
             CutRun::At &a = run.at[i - 1], &b = run.at[i];
@@ -117,6 +121,11 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
             a.depth = std::min(a.depth, most);
             b.depth = std::min(b.depth, most);
         }
+        for (std::size_t i = 0; i <= run.last; ++i)
+            if (const double asked = run.value(incision.depth_profile, run.at[i].s);
+                asked > well_inside)
+                run.least_depth =
+                    std::min(run.least_depth, run.at[i].depth / (asked * incision.depth));
         if (!run.closed()) run.at.front().depth = run.at.back().depth = 0;
         flatten(run);
     }
@@ -135,6 +144,11 @@ double depth_at(const CutRun& run, double s)
 double bevel_at(const CutRun& run, const Incision& incision, double s)
 {
     return std::min(incision.bevel, bevel_of_depth * depth_at(run, s));
+}
+
+double far_bevel(const Incision& incision, double thickness)
+{
+    return std::min(incision.bevel, far_bevel_of_thickness * thickness);
 }
 
 double CutPiece::weight(double s) const

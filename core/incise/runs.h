@@ -3,6 +3,7 @@
 
 #include "core/incise/columns.h"
 #include "core/incise/incision.h"
+#include "core/incise/narrowing.h"
 
 namespace trivar {
 
@@ -21,6 +22,9 @@ struct CutRun {
     std::size_t last = 0; // number of the point at `length`
     Kind kind = Kind::to_floor;
     double near_length = 0; // of the far side: of the run on the near side
+    // The least share of the depth that was asked for along it, but near its ends, that the body
+    // has room for.
+    double least_depth = 1;
 
     bool closed() const { return last > 0 && at.front().point == at[last].point; }
     bool has_floor() const { return kind == Kind::to_floor; }
@@ -36,12 +40,16 @@ struct CutRun {
 std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions);
 
 // Gives the runs their depth at each point: that of the profile, within what the skin's curvature
-// and the body's thickness let be, without steep steps. All depths come times `scale`.
+// and the body's thickness let be, without steep steps, and times the `shares` that incisions are
+// let have along their length.
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                const CutColumns& columns, std::span<const Incision> incisions, double scale);
+                const CutColumns& columns, std::span<const Incision> incisions,
+                std::span<const Narrowing> shares);
 double depth_at(const CutRun& run, double s);
 // How far the rim is set back there, and down to which depth.
 double bevel_at(const CutRun& run, const Incision& incision, double s);
+// The same for the rim on the far side of a body that is so thick there.
+double far_bevel(const Incision& incision, double thickness);
 
 // A CutPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
 // overlap: the weight of each rises from `begin` to `full_from` and falls from `full_to` to `end`,

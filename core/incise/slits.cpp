@@ -8,6 +8,8 @@
 namespace trivar {
 namespace {
 
+constexpr int part_of_floor = 4; // floors that are alike differ by less than this part of them
+
 struct EdgeEnd {
     std::uint32_t edge;
     bool at_a;
@@ -112,7 +114,8 @@ void unite_floors(std::vector<SlitEdge>& edges, int alike)
         for (std::size_t i = 1; i < ends.size(); ++i) {
             const int deeper = depth_of(edges, ends[i - 1]);
             int& depth = depth_of(edges, ends[i]);
-            if (depth > 0 && deeper - depth < alike) depth = deeper;
+            if (depth > 0 && deeper - depth < std::min(alike, deeper / part_of_floor))
+                depth = deeper;
         }
     }
 }

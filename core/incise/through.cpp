@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace trivar {
 namespace {
 
 constexpr double seen_from_outside = 0.1; // cosine of columns with the faces that they go through
+constexpr double least_crossing = 0.1;    // angle between cuts that cross
 constexpr double least_way_left = 0.1;    // of the way across two columns, on the far side
 
 glm::dvec3 position_of(const CutSkin& skin, const SkinPlace& place)
@@ -33,11 +35,55 @@ void count_visits(const CutRun& run, KeyNumbers& number, std::vector<int>& visit
     }
 }
 
-// Whether some point of a run was visited more than once.
-bool revisited(const CutRun& run, const KeyNumbers& number, const std::vector<int>& visits)
+// Whether some point of a run was visited more than once, or than twice where it may be crossed.
+bool revisited(const CutRun& run, const KeyNumbers& number, const std::vector<int>& visits,
+               const auto& crossed)
 {
-    return std::ranges::any_of(
-        run.at, [&](const CutRun::At& at) { return visits[number.find(at.point)] != 1; });
+    return std::ranges::any_of(run.at, [&](const CutRun::At& at) {
+        return visits[number.find(at.point)] != (crossed(at.point) ? 2 : 1);
+    });
+}
+
+struct CommonPoint {
+    std::uint32_t a, b; // numbers of points of both runs
+};
+
+// Ascending by a.
+std::vector<CommonPoint> common_points(const CutRun& a, const CutRun& b)
+{
+    KeyNumbers number;
+    for (std::uint32_t j = b.closed() ? 1 : 0; j <= b.last; ++j) number.insert(b.at[j].point, j);
+    std::vector<CommonPoint> out;
+    for (std::uint32_t i = a.closed() ? 1 : 0; i <= a.last; ++i)
+        if (const std::uint32_t j = number.find(a.at[i].point); j != KeyNumbers::none)
+            out.push_back({i, j});
+    return out;
+}
+
+// How two runs cross at a common point, as seen along a direction: whether after the way on along
+// a comes that along b, counter-clockwise. None: they do not cross cleanly there.
+std::optional<bool> crossing_sense(const CutDrawing& drawing, const glm::dvec3& up, const CutRun& a,
+                                   const CutRun& b, const CommonPoint& at)
+{
+    if (at.a == 0 || at.a >= a.last || at.b == 0 || at.b >= b.last) return {};
+    const glm::dvec3 o = drawing.position(a.at[at.a].point);
+    const auto way = [&](std::uint32_t point) {
+        const glm::dvec3 d = drawing.position(point) - o;
+        return d - glm::dot(d, up) / glm::dot(up, up) * up;
+    };
+    const glm::dvec3 x = way(a.at[at.a + 1].point), y = glm::cross(glm::normalize(up), x);
+    const auto angle = [&](std::uint32_t point) { // from the way on along a, 0 to 2 pi
+        const glm::dvec3 d = way(point);
+        const double w = std::atan2(glm::dot(d, y), glm::dot(d, x));
+        return w < 0 ? w + 2 * std::numbers::pi : w;
+    };
+    const double back = angle(a.at[at.a - 1].point), b_on = angle(b.at[at.b + 1].point),
+                 b_back = angle(b.at[at.b - 1].point);
+    const double first = std::min(b_on, b_back), second = std::max(b_on, b_back);
+    if (!(first > least_crossing && first < back - least_crossing &&
+          second > back + least_crossing && second < 2 * std::numbers::pi - least_crossing))
+        return {};
+    return b_on < b_back;
 }
 
 } // namespace
@@ -78,7 +124,8 @@ FarSide far_side(const CutRun& run, const CutDrawing& drawing, const CutColumns&
 }
 
 std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<SkinPlace>& places,
-                                     const CutRun& far)
+                                     const CutRun& far,
+                                     const std::vector<ThroughCut::Step>& crossings)
 {
     std::vector<double> u{0}, v;
     for (std::size_t i = 1; i < places.size(); ++i)
@@ -89,34 +136,81 @@ std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<Skin
     std::vector<ThroughCut::Step> out{{0, 0}};
     const auto n = static_cast<std::uint32_t>(u.size() - 1),
                m = static_cast<std::uint32_t>(far.last);
+    auto next = crossings.begin();
     for (std::uint32_t i = 0, j = 0; i < n || j < m;) {
+        while (next != crossings.end() && next->near <= i && next->far <= j) ++next;
+        const std::uint32_t end_i = next != crossings.end() ? next->near : n;
+        const std::uint32_t end_j = next != crossings.end() ? next->far : m;
         const bool on_near =
-            j == m || (i < n && std::abs(u[i + 1] - v[j]) <= std::abs(u[i] - v[j + 1]));
+            j == end_j || (i < end_i && std::abs(u[i + 1] - v[j]) <= std::abs(u[i] - v[j + 1]));
         ++(on_near ? i : j);
         out.push_back({i, j});
     }
     return out;
 }
 
-std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near)
+std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
+                      const CutDrawing& drawing, const Inward& inward)
 {
-    KeyNumbers number;
+    KeyNumbers number, crossed;
     std::vector<int> visits;
-    for (std::uint32_t r = 0; r <= near; ++r)
-        if (runs[r].kind == CutRun::Kind::through) count_visits(runs[r], number, visits);
-    return revisited(runs[near], number, visits)
-               ? "it crosses itself or another cut that goes through"
+    const CutRun& run = runs[near];
+    for (std::uint32_t r = 0; r <= near; ++r) {
+        if (runs[r].kind != CutRun::Kind::through) continue;
+        count_visits(runs[r], number, visits);
+        if (r == near) continue;
+        for (const CommonPoint& at : common_points(run, runs[r])) {
+            const std::uint32_t point = run.at[at.a].point;
+            if (crossing_sense(drawing, inward.outward(drawing.point(point)), run, runs[r], at))
+                crossed.number(point);
+        }
+    }
+    return revisited(run, number, visits,
+                     [&](std::uint32_t point) { return crossed.contains(point); })
+               ? "it crosses itself or runs along another cut that goes through"
                : "";
 }
 
-std::string unjoinable(const std::vector<CutRun>& runs, std::uint32_t near, std::uint32_t far)
+std::string find_crossings(ThroughCut& cut, const std::vector<ThroughCut>& all,
+                           const std::vector<CutRun>& runs, const CutDrawing& drawing,
+                           const CutColumns& columns)
 {
-    if (runs[far].last < 2 || runs[near].closed() != runs[far].closed())
+    cut.crossings.clear();
+    const CutRun &near = runs[cut.near], &far = runs[cut.far];
+    for (const ThroughCut& other : all) {
+        if (other.near == cut.near) continue;
+        const auto above = common_points(near, runs[other.near]);
+        const auto below = common_points(far, runs[other.far]);
+        if (above.size() != below.size()) return "its other side meets that of another cut";
+        for (std::size_t k = 0; k < above.size(); ++k) {
+            const glm::dvec3 up = columns.outward(near.at[above[k].a].point);
+            const auto near_sense = crossing_sense(drawing, up, near, runs[other.near], above[k]);
+            const auto far_sense = crossing_sense(drawing, up, far, runs[other.far], below[k]);
+            if (!near_sense || near_sense != far_sense)
+                return "its other side meets that of another cut";
+            cut.crossings.push_back({above[k].a, below[k].a});
+        }
+    }
+    std::ranges::sort(cut.crossings, {}, &ThroughCut::Step::near);
+    for (std::size_t k = 1; k < cut.crossings.size(); ++k)
+        if (cut.crossings[k].far <= cut.crossings[k - 1].far)
+            return "its other side meets that of another cut";
+    return "";
+}
+
+std::string unjoinable(const std::vector<CutRun>& runs, const ThroughCut& cut)
+{
+    const CutRun &near = runs[cut.near], &far = runs[cut.far];
+    if (far.last < 2 || near.closed() != far.closed())
         return "its other side is shorter than a step of the surface";
-    KeyNumbers number;
+    KeyNumbers number, crossed;
     std::vector<int> visits;
     for (const CutRun& run : runs) count_visits(run, number, visits);
-    return revisited(runs[far], number, visits) ? "its other side crosses a cut" : "";
+    for (const ThroughCut::Step& each : cut.crossings) crossed.number(far.at[each.far].point);
+    return revisited(far, number, visits,
+                     [&](std::uint32_t point) { return crossed.contains(point); })
+               ? "its other side crosses a cut"
+               : "";
 }
 
 } // namespace trivar

@@ -24,15 +24,24 @@ struct ThroughCut {
     };
     std::uint32_t near, far; // runs
     std::vector<Step> zip;
+    std::vector<Step> crossings = {}; // of others that go through, steps of `zip`, ascending
 };
-// Steps by length: at each the edge between both sides is as straight down as can be. `places` are
-// those of the near run's columns on the far side.
+// Steps by length, through the crossings: at each the edge between both sides is as straight down
+// as can be. `places` are those of the near run's columns on the far side.
 std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<SkinPlace>& places,
-                                     const CutRun& far);
+                                     const CutRun& far,
+                                     const std::vector<ThroughCut::Step>& crossings);
 
-// Why a run cannot go through, as it crosses itself or an earlier one that does; empty: it can.
-std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near);
-// Why walls cannot join two runs; empty: they can.
-std::string unjoinable(const std::vector<CutRun>& runs, std::uint32_t near, std::uint32_t far);
+// Why a run cannot go through, as it crosses itself or meets an earlier one that does but for a
+// clean crossing; empty: it can.
+std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
+                      const CutDrawing& drawing, const Inward& inward);
+// Finds where a cut crosses others. Why it cannot: on the far side they meet in another way, or
+// nowhere; empty: it can.
+std::string find_crossings(ThroughCut& cut, const std::vector<ThroughCut>& all,
+                           const std::vector<CutRun>& runs, const CutDrawing& drawing,
+                           const CutColumns& columns);
+// Why walls cannot join the two runs of a cut; empty: they can.
+std::string unjoinable(const std::vector<CutRun>& runs, const ThroughCut& cut);
 
 } // namespace trivar

@@ -38,7 +38,7 @@ public:
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) close_ends_of_floors(n);
         for (const ThroughCut& cut : throughs)
             for (const bool left : {true, false})
-                join_to_far_side(runs[cut.near], runs[cut.far], cut.zip, left);
+                join_to_far_side(runs[cut.near], runs[cut.far], cut, left);
         return std::move(out_);
     }
 
@@ -219,11 +219,11 @@ private:
         }
     }
 
-    // A point of a run as the side of a wall sees it: along the edge to the next point, or of the
-    // last point the one before.
-    WallCorner corner_of(const CutRun& run, std::size_t i, bool left) const
+    // A point of a run as the side of a wall sees it: along the edge to the next point, or the one
+    // before.
+    WallCorner corner_of(const CutRun& run, std::size_t i, bool left, bool to_next) const
     {
-        const std::size_t k = std::min(i, run.last - 1);
+        const std::size_t k = to_next ? i : i - 1;
         const std::uint32_t from = run.at[k].point, to = run.at[k + 1].point;
         const std::uint32_t e = edge_number_.find(pair_key(std::min(from, to), std::max(from, to)));
         const std::uint32_t n = graph_.node_of_point.find(run.at[i].point);
@@ -235,16 +235,26 @@ private:
 
     // The last row of a wall through the body: between its last levels and the far side, where what
     // is left of the cut lies right.
-    void join_to_far_side(const CutRun& near, const CutRun& far,
-                          const std::vector<ThroughCut::Step>& zip, bool left)
+    void join_to_far_side(const CutRun& near, const CutRun& far, const ThroughCut& cut, bool left)
     {
-        for (std::size_t k = 0; k + 1 < zip.size(); ++k) {
-            const auto [i, j] = zip[k];
-            const bool along_near = zip[k + 1].near > i;
-            const WallCorner p = corner_of(near, i, left), q = corner_of(far, j, !left);
+        auto next_crossing = cut.crossings.begin(); // at or after both points
+        const auto reached = [&](std::size_t i, std::size_t j) {
+            return i >= next_crossing->near && j >= next_crossing->far;
+        };
+        for (std::size_t k = 0; k + 1 < cut.zip.size(); ++k) {
+            const auto [i, j] = cut.zip[k];
+            while (next_crossing != cut.crossings.end() && reached(i, j)) ++next_crossing;
+            const bool along_near = cut.zip[k + 1].near > i;
+            // The point that stays is seen from the side from which the other one comes
+            const bool last_near =
+                next_crossing == cut.crossings.end() ? i == near.last : i == next_crossing->near;
+            const bool last_far =
+                next_crossing == cut.crossings.end() ? j == far.last : j == next_crossing->far;
+            const WallCorner p = corner_of(near, i, left, !last_near);
+            const WallCorner q = corner_of(far, j, !left, !last_far);
             const int level = graph_.edges[p.edge].depth_at(near.at[i].point);
-            const WallCorner next =
-                along_near ? corner_of(near, i + 1, left) : corner_of(far, j + 1, !left);
+            const WallCorner next = along_near ? corner_of(near, i + 1, left, false)
+                                               : corner_of(far, j + 1, !left, false);
             if (left)
                 add(p, q, next, level, false);
             else

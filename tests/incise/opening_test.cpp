@@ -114,9 +114,34 @@ TEST_F(OpenSphere, TheGuardKeepsWallsFromMeetingInAThinBody)
     const IncisedMesh made = incise(thin, std::vector{cut});
     EXPECT_EQ(made.outcomes[0].refusal, "");
     EXPECT_LT(made.outcomes[0].depth, 0.05);
+    EXPECT_NEAR(made.outcomes[0].least_depth, made.outcomes[0].depth / cut.depth, 0.01);
     const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
     for (std::size_t v = made.first_wall_vertex; v < open->vertex_count(); ++v)
         EXPECT_GT(open->positions[v].z, -0.05f);
+}
+
+TEST(Depths, AreLowerWhereTheBodyIsThinAndNowhereElse)
+{
+    Mesh wedge = box_mesh({2, 1, 1}, {40, 20, 4}); // 0.1 thick at one end and 1 at the other
+    for (glm::vec3& p : wedge.positions) p.z *= 0.55f + 0.45f * p.x;
+    const CutSkin skin = skin_of(wedge);
+    const auto along = [&](double from, double to) {
+        Incision cut;
+        cut.depth = 0.2;
+        cut.width = 0.05;
+        for (int i = 0; i <= 30; ++i) {
+            const double x = from + (to - from) * i / 30;
+            cut.stroke.push_back({{x, 0.03, 0.5 * (0.55 + 0.45 * x)}, {-0.22, 0, 0.97}});
+        }
+        return cut;
+    };
+    const std::vector cuts{along(-0.9, -0.5), along(0.2, 0.8), along(-0.8, 0.1)};
+    const IncisedMesh made = incise(skin, cuts);
+    EXPECT_LT(made.outcomes[0].depth, 0.17);
+    EXPECT_NEAR(made.outcomes[1].depth, 0.2, 1e-6);
+    EXPECT_EQ(made.outcomes[1].least_depth, 1);
+    EXPECT_LT(made.outcomes[2].least_depth, 0.9); // at its thin end
+    EXPECT_NEAR(made.outcomes[2].depth, 0.2, 0.01);
 }
 
 TEST_F(OpenSphere, FramesAreWhatIsOpenedAndUseMemoryAgain)

@@ -49,7 +49,7 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
         const IncisedMesh made = incise(skin, incisions);
         bool cut = false;
         double widest = 1;
-        long through = 0;
+        long through = 0, crossed = 0; // each crossing twice
         for (std::size_t k = 0; k < incisions.size(); ++k) {
             const IncisedMesh::Outcome& outcome = made.outcomes[k];
             if (incisions[k].floor == Incision::Floor::through) {
@@ -63,6 +63,7 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
                 continue;
             }
             cut = true;
+            crossed += outcome.crossed_through;
             widest = std::min(widest, outcome.widest);
             counts.narrowed += outcome.widest < 1;
             counts.held += outcome.least < 1 && !(outcome.widest < 1);
@@ -70,11 +71,17 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
             counts.shut += outcome.widest < 0.02;
         }
         if (!cut) return;
+        if (widest < 1) {
+            fmt::print("NARROWED {} {} #{}:", body, kind, number);
+            for (const IncisedMesh::Outcome& each : made.outcomes)
+                fmt::print(" {:.2f}", each.widest);
+            fmt::print("\n");
+        }
         counts.narrowed_sets += widest < 1;
         counts.least = std::min(counts.least, widest);
         counts.through += through;
         CutFaults faults = faults_of(made);
-        faults.euler += 2 * through;
+        faults.euler += 2 * through - crossed;
         counts.volume = std::max(counts.volume, std::abs(faults.volume));
         if (!faults.none()) {
             ++counts.faulty;

@@ -168,6 +168,9 @@ void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedInc
     if (outcome.depth < 0.98 * incision.cut.depth)
         ui::fact_row(theme, "Depth here", metres(outcome.depth), theme.color.text,
                      "as far as there is body below it");
+    else if (outcome.least_depth < 0.98)
+        ui::fact_row(theme, "Least depth", fmt::format("{:.0f} %", 100 * outcome.least_depth),
+                     theme.color.text, "of what it asks for, as far as there is body below it");
     if (outcome.widest < hardly_narrowed)
         warning_lines(theme, fmt::format("It opens to {:.0f} % of its width, as its walls would "
                                          "meet beyond. Reduce its width or its depth.",
