@@ -90,7 +90,7 @@ TEST(Piercings, AreThoseOfTheTrianglesAskedFor)
 
 TEST(Piercings, AreFoundInFlatAndInNoTriangles)
 {
-    EXPECT_TRUE(piercings({}, {}).empty());
+    EXPECT_TRUE(piercings(std::vector<glm::dvec3>{}, {}).empty());
     LooseTriangles flat = strewn(2, 4, 0, 40);
     for (glm::dvec3& p : flat.positions) p.y = 1;
     EXPECT_TRUE(piercings(flat.positions, flat.triangles).empty());
