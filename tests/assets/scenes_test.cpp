@@ -96,9 +96,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
                     "horse_hair", "face_hexagons", "brick_wall", "teapot_statues", "robot_bars",
                     "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder",
-                    "sphere_cylinder_stitched", "part_profile", "bunny_cylinder", "sliced",
-                    "pineapple", "crossing_cuts", "face_incisions", "forearm_layers",
-                    "pumpkin_carved"),
+                    "sphere_cylinder_stitched", "sphere_cylinder_ends", "part_profile",
+                    "bunny_cylinder", "sliced", "pineapple", "crossing_cuts", "face_incisions",
+                    "forearm_layers", "pumpkin_carved"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
