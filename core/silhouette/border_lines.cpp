@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/border_lines.h"
+
+#include "core/base/key_numbers.h"
+#include "core/silhouette/silhouette_curves.h"
+
+namespace trivar {
+Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level, float spacing)
+{
+    struct Edge {
+        std::uint32_t from, to;
+    };
+    std::vector<Edge> edges;
+    KeyNumbers known;
+    for (std::size_t c = 0; c < level.corners.size(); ++c) {
+        const std::uint32_t a = level.corners[c], b = level.corners[c % 3 == 2 ? c - 2 : c + 1];
+        if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
+        known.insert(pair_key(a, b), 0);
+        edges.push_back({a, b});
+    }
+    // Vertices at a sample may be in a face although their edge is not: then it has two triangles.
+    std::erase_if(edges, [&](const Edge& e) { return known.contains(pair_key(e.to, e.from)); });
+    KeyNumbers leaving(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        leaving.insert(edges[i].from, static_cast<std::uint32_t>(i));
+
+    Silhouettes out;
+    std::vector<char> seen(edges.size(), 0);
+    for (std::size_t begin = 0; begin < edges.size(); ++begin) {
+        if (seen[begin]) continue;
+        const std::size_t before = out.points.size();
+        std::vector<std::uint32_t> loop;
+        for (std::uint32_t i = static_cast<std::uint32_t>(begin); i != KeyNumbers::none && !seen[i];
+             i = leaving.find(edges[i].to)) {
+            seen[i] = 1;
+            loop.push_back(i);
+        }
+        const auto add = [&](const Edge& edge) {
+            const glm::vec3& p = level.positions[edge.from];
+            const ScalarJet<float> jet = field.at<1>(p);
+            out.points.push_back({.p = p,
+                                  .polished = true,
+                                  .edge = edge_key(edge.from, edge.to),
+                                  .slope = glm::length(glm::vec3(jet.gradient[0], jet.gradient[1],
+                                                                 jet.gradient[2]))});
+        };
+        for (const std::uint32_t i : loop)
+            if (out.points.size() == before ||
+                glm::distance(level.positions[edges[i].from], out.points.back().p) >= spacing)
+                add(edges[i]);
+        if (out.points.size() - before < 3 && loop.size() >= 3) {
+            out.points.resize(before);
+            for (std::size_t e = 0; e < 3; ++e) add(edges[loop[e * loop.size() / 3]]);
+        }
+        out.first.push_back(static_cast<std::uint32_t>(out.points.size()));
+        out.closed.push_back(1);
+    }
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/level_drawing.h"
+
+#include "core/base/box.h"
+#include "core/base/parallel.h"
+#include "core/silhouette/border_lines.h"
+#include "core/silhouette/silhouette_finder.h"
+
+#include <iterator>
+
+namespace trivar {
+namespace {
+
+// Whether bodies hide the points of border lines, which have no bend.
+std::vector<char> hidden_border(const Silhouettes& lines, const ViewPoint& view,
+                                std::span<const LevelBody> bodies)
+{
+    std::vector<char> out(lines.points.size(), 0);
+    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::vec3& p = lines.points[i].p;
+            const glm::vec3 way(-view.sight(glm::dvec3(p)));
+            const float length = glm::length(way), distance = view.at.w == 0 ? 1e30f : length;
+            out[i] = std::ranges::any_of(bodies, [&](const LevelBody& body) {
+                return hides(body, p, way / length, distance);
+            });
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const glm::ivec3& size)
+{
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    Box depths; // along the view, of the grid's corners
+    for (const glm::dvec3& corner : Box{glm::dvec3(0), glm::dvec3(size - 1)}.corners())
+        depths.add(glm::dvec3(
+            glm::dot(glm::dvec3(to_world * glm::dvec4(corner, 1)) - camera.eye, forward)));
+    const double margin = 1e-3 * std::max(1e-9, depths.size().x),
+                 near = camera.perspective
+                            ? std::max(depths.lo.x - margin, 1e-3 * std::abs(depths.hi.x))
+                            : depths.lo.x - margin,
+                 far = std::max(depths.hi.x + margin, near + margin);
+    glm::dmat4 to_pixels(1);
+    to_pixels[0][0] = camera.size_px.x / 2;
+    to_pixels[1][1] = -camera.size_px.y / 2;
+    to_pixels[2][2] = 0.5;
+    to_pixels[3] = {camera.size_px.x / 2, camera.size_px.y / 2, 0.5, 1};
+    const glm::dmat4 to_voxels = glm::inverse(to_world);
+    return {
+        to_pixels * projection_matrix(camera, near, far) * view_matrix(camera) * to_world,
+        {to_voxels * (camera.perspective ? glm::dvec4(camera.eye, 1) : glm::dvec4(forward, 0))}};
+}
+
+std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field,
+                                                 const FieldHulls& hulls, const DrawnLevel& level,
+                                                 const DrawingView& view,
+                                                 const LevelDrawingOptions& options,
+                                                 std::vector<LevelBody> others, std::size_t* open)
+{
+    const LevelBody own{field, hulls, level.mesh.level, level.side};
+    Silhouettes silhouettes;
+    if (options.certified_depth < 0) {
+        silhouettes = SilhouetteFinder()(field, level.mesh, view.from);
+    } else {
+        CertifiedSilhouettes certified = certified_silhouettes(field, hulls, level.mesh.level,
+                                                               view.from, options.certified_depth);
+        if (open) *open += certified.open;
+        silhouettes = std::move(certified.curves);
+    }
+    std::array<std::vector<Stroke>, 2> out;
+    out[0] = strokes(silhouettes, hidden_points(silhouettes, view.from, own, others), view.to_image,
+                     options.strokes);
+    if (!level.border) return out;
+    const Silhouettes border = border_lines(field, level.mesh);
+    others.push_back(own);
+    out[1] =
+        strokes(border, hidden_border(border, view.from, others), view.to_image, options.strokes);
+    return out;
+}
+
+LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hulls,
+                         std::span<const DrawnLevel> levels, const DrawingView& view,
+                         const LevelDrawingOptions& options)
+{
+    LevelDrawing out;
+    for (const DrawnLevel& level : levels) {
+        std::vector<LevelBody> others;
+        if (options.hide_each_other)
+            for (const DrawnLevel& other : levels)
+                if (&other != &level)
+                    others.push_back({field, hulls, other.mesh.level, other.side});
+        out.layers.push_back({level.name, {}});
+        for (const std::vector<Stroke>& made :
+             level_strokes(field, hulls, level, view, options, std::move(others), &out.open))
+            std::ranges::move(inked(made, level.style),
+                              std::back_inserter(out.layers.back().lines));
+    }
+    return out;
+}
+
+} // namespace trivar

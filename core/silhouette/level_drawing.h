@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/silhouette/certified.h"
+#include "core/silhouette/level_mesh.h"
+#include "core/silhouette/strokes.h"
+#include "core/silhouette/svg.h"
+#include "core/silhouette/visibility.h"
+
+namespace trivar {
+
+// A DrawingView says how voxels come into a picture.
+struct DrawingView {
+    glm::dmat4 to_image{1}; // voxels to pixels and depth, homogeneous; see strokes()
+    ViewPoint from;
+};
+// The view of a camera; `to_world` maps the voxels of a grid of that size, affine and not singular.
+DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const glm::ivec3& size);
+
+// A DrawnLevel is a level as it is to be drawn.
+struct DrawnLevel {
+    std::string name;
+    const LevelMesh& mesh;
+    LevelSide side = LevelSide::above;
+    LineStyle style = {};
+    bool border = true; // also lines where the grid cuts the body off
+};
+
+struct LevelDrawingOptions {
+    StrokeOptions strokes = {};
+    bool hide_each_other = false; // bodies hide what is behind them of other levels, too
+    int certified_depth = -1;     // of certified_silhouettes(); below 0: quick ones
+};
+
+// The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide
+// what is behind them, too; `open` is added to as LevelDrawing has it.
+std::array<std::vector<Stroke>, 2>
+level_strokes(const ScalarField<float>& field, const FieldHulls& hulls, const DrawnLevel& level,
+              const DrawingView& view, const LevelDrawingOptions& options = {},
+              std::vector<LevelBody> others = {}, std::size_t* open = nullptr);
+
+// What a drawing gives: a layer per level, and how far it is proven.
+struct LevelDrawing {
+    std::vector<DrawingLayer> layers;
+    std::size_t open = 0; // boxes in which a certified drawing may lack something
+};
+
+// Draws levels of a field: silhouettes, what is hidden of them, strokes, ink.
+LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hulls,
+                         std::span<const DrawnLevel> levels, const DrawingView& view,
+                         const LevelDrawingOptions& options = {});
+
+} // namespace trivar

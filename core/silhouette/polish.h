@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/silhouette/scalar_field.h"
+#include "core/silhouette/silhouettes.h"
+
+namespace trivar {
+
+// Moves a place to where D = level and <V, grad D> = 0, by Newton steps of least norm (two
+// equations, three unknowns), to 1e-4 voxels. Returns whether it came there: not where the two
+// surfaces touch, more than a voxel away or beyond the grid; then the place is of no use. `jet` is
+// the field's at the last step but one.
+template <class Real>
+bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, glm::vec<3, Real>& p,
+            ScalarJet<Real>& jet, Real tolerance = Real(1e-4));
+
+// Polishes a point if it is wished, and sets what else is known of it.
+void finish(const ScalarField<float>& field, float level, const ViewPoint& view, bool polished,
+            SilhouettePoint& point);
+
+} // namespace trivar

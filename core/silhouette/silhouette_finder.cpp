@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/silhouette_finder.h"
+
+#include "core/base/parallel.h"
+#include "core/silhouette/silhouette_curves.h"
+
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t bricks_per_view_block = 32;
+
+} // namespace
+
+Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const LevelMesh& level,
+                                         const ViewPoint& view, const SilhouetteOptions& options)
+{
+    const glm::vec4 h(view.at);
+    check(view);
+    find_runs(level, h);
+    find_signs(level, h);
+    const std::size_t tested = find_triangles(level);
+    Silhouettes out = curves_of(chainer_(crossed_), level.positions, product_, options.spacing);
+    out.tested = tested;
+    finish(field, level.level, view, options, out);
+    return out;
+}
+
+void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h)
+{
+    run_changes_.assign(level.runs.size(), 0);
+    is_needed_.assign(level.bricks.size(), 0);
+    parallel_blocks(level.bricks.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            const LevelMesh::Brick& brick = level.bricks[b];
+            const glm::vec3 u = glm::vec3(h) - h.w * brick.middle;
+            const std::array<float, 4> v{u.x, u.y, u.z, h.w};
+            const std::uint32_t runs =
+                (brick.triangle_end - brick.first_triangle + LevelMesh::run_length - 1) /
+                LevelMesh::run_length;
+            for (std::uint32_t r = brick.first_run; r < brick.first_run + runs; ++r) {
+                const LevelMesh::Run& run = level.runs[r];
+                float least = 0, greatest = 0;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const float p = v[k] * run.least[k], q = v[k] * run.greatest[k];
+                    least += std::min(p, q);
+                    greatest += std::max(p, q);
+                }
+                run_changes_[r] = least <= 0 && greatest >= 0;
+                is_needed_[b] |= run_changes_[r];
+            }
+        }
+    });
+    changing_.clear();
+    for (std::size_t b = 0; b < level.bricks.size(); ++b)
+        if (is_needed_[b]) changing_.push_back(static_cast<std::uint32_t>(b));
+    for (const std::uint32_t b : changing_)
+        for (std::uint32_t o = 0; o < level.bricks[b].owner_count; ++o)
+            is_needed_[level.bricks[b].owners[o]] = 1;
+}
+
+void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
+{
+    product_.resize(level.positions.size());
+    parallel_blocks(level.bricks.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            if (!is_needed_[b]) continue;
+            const LevelMesh::Brick& brick = level.bricks[b];
+            for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
+                product_[v] = level.normal_x[v] * h.x + level.normal_y[v] * h.y +
+                              level.normal_z[v] * h.z + level.offset[v] * h.w;
+        }
+    });
+}
+
+std::size_t SilhouetteFinder::find_triangles(const LevelMesh& level)
+{
+    const std::size_t blocks =
+        (changing_.size() + bricks_per_view_block - 1) / bricks_per_view_block;
+    crossed_.resize(blocks);
+    std::vector<std::size_t> tested(blocks, 0);
+    parallel_blocks(
+        changing_.size(), bricks_per_view_block, [&](std::size_t begin, std::size_t end) {
+            const std::size_t block = begin / bricks_per_view_block;
+            std::vector<CrossedTriangle>& crossed = crossed_[block];
+            crossed.clear();
+            for (std::size_t i = begin; i < end; ++i) {
+                const LevelMesh::Brick& brick = level.bricks[changing_[i]];
+                std::uint32_t r = brick.first_run;
+                for (std::uint32_t t = brick.first_triangle; t < brick.triangle_end;
+                     t += LevelMesh::run_length, ++r) {
+                    if (!run_changes_[r]) continue;
+                    const std::uint32_t last =
+                        std::min(t + LevelMesh::run_length, brick.triangle_end);
+                    tested[block] += last - t;
+                    for (std::size_t k = t; k < last; ++k)
+                        add_crossed(level.corners.data() + 3 * k, product_.data(), crossed);
+                }
+            }
+        });
+    return std::accumulate(tested.begin(), tested.end(), std::size_t{0});
+}
+
+} // namespace trivar

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/visibility.h"
+#include "tests/silhouette/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace trivar::testing {
+namespace {
+
+struct Seen : Sampled {
+    Seen(const std::string& function, int n) : Sampled(function, n), hulls(field) {}
+    LevelBody body(LevelSide side) const
+    {
+        return {field, hulls, static_cast<float>(from.level), side};
+    }
+    FieldHulls hulls;
+};
+
+// Marches in steps of a fiftieth of a voxel, with double precision.
+bool is_behind(const ScalarField<double>& field, const SampledField& from, LevelSide side,
+               const SilhouettePoint& point, const glm::dvec3& to_eye)
+{
+    const bool above = side == LevelSide::above;
+    if (above ? point.bend > 0 : point.bend < 0) return true;
+    const glm::dvec3 end(field.size() - 1);
+    for (double way = 0.1;; way += 0.02) {
+        const glm::dvec3 p = glm::dvec3(point.p) + way * to_eye;
+        if (glm::any(glm::lessThan(p, glm::dvec3(0))) || glm::any(glm::greaterThan(p, end)))
+            return false;
+        const double value = field.at<0>(p).value;
+        if (above ? value > from.level : value < from.level) return true;
+    }
+}
+
+TEST(Visibility, IsWhatManySmallStepsSay)
+{
+    SilhouetteFinder find;
+    std::size_t points = 0, wrong = 0, hidden = 0;
+    for (const auto& [function, side] :
+         {std::pair{"torus", LevelSide::below}, std::pair{"gauss", LevelSide::above}}) {
+        const Seen scene(function, 48);
+        const ScalarField<double> field{std::span<const double>(scene.from.samples),
+                                        scene.from.size};
+        const LevelMesh mesh = scene.level();
+        for (const ViewPoint& view : some_views(scene.from.size, 16)) {
+            if (view.at.w != 0) continue;
+            const Silhouettes all = find(scene.field, mesh, view);
+            const std::vector<char> found = hidden_points(all, view, scene.body(side));
+            for (std::size_t i = 0; i < all.points.size(); ++i) {
+                const bool truth = is_behind(field, scene.from, side, all.points[i],
+                                             -glm::normalize(glm::dvec3(view.at)));
+                wrong += truth != bool{found[i] != 0};
+                hidden += truth;
+            }
+            points += all.points.size();
+        }
+    }
+    EXPECT_GT(points, 4000u);
+    EXPECT_GT(hidden, points / 10);
+    EXPECT_LE(static_cast<double>(wrong), 0.001 * static_cast<double>(points));
+}
+
+TEST(Visibility, OfABallIsAllOfItsCircle)
+{
+    const Seen scene("sphere", 32);
+    SilhouetteFinder find;
+    for (const ViewPoint& view : some_views(scene.from.size, 10)) {
+        const Silhouettes circle = find(scene.field, scene.level(), view);
+        const std::vector<char> hidden = hidden_points(circle, view, scene.body(LevelSide::below));
+        EXPECT_EQ(std::ranges::count(hidden, 1), 0);
+        const std::vector<char> inside_out =
+            hidden_points(circle, view, scene.body(LevelSide::above));
+        EXPECT_EQ(std::ranges::count(inside_out, 0), 0);
+    }
+}
+
+TEST(Visibility, EndsAtTheEye)
+{
+    const Seen scene("sphere", 32);
+    const LevelBody body = scene.body(LevelSide::below);
+    const glm::vec3 before(2, 15.5f, 15.5f), along(1, 0, 0);
+    EXPECT_TRUE(hides(body, before, along, 100));
+    EXPECT_FALSE(hides(body, before, along, 3));
+}
+
+} // namespace
+} // namespace trivar::testing
