@@ -110,11 +110,28 @@ bool AnimatedNodes::add_motion(int node, const std::vector<glm::dmat4>& matrices
     return true;
 }
 
+// Pieces that a split or a cut made of a part move by themselves, and several of them would have
+// one node of the model.
+bool AnimatedNodes::is_of_its_model(const FilmStrip& strip) const
+{
+    if (strip.key.piece != 0) return false;
+    if (std::ranges::any_of(strip.shown,
+                            [](const Part* part) { return part && part->before_split; }))
+        return false;
+    return std::ranges::count_if(film_.strips, [&](const FilmStrip& other) {
+               return other.object == strip.object && other.key == strip.key;
+           }) == 1;
+}
+
 bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim)
 {
-    if (Tree& known = tree(strip); known.from) {
-        if (known.whole) hang(strip, known, claim);
-        return known.whole;
+    if (is_of_its_model(strip)) {
+        if (Tree& known = tree(strip); known.from) {
+            if (known.whole) hang(strip, known, claim);
+            return known.whole;
+        }
+    } else if (strip.posed()) {
+        return false;
     }
     const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();

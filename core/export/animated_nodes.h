@@ -42,6 +42,8 @@ private:
         FilmCertificate::PartClaim claim; // on the motion of the object
         std::map<int, int> skins;         // by the model's number
     };
+    // Whether a strip is a part of its object's model as it is, which moves with the model's nodes.
+    bool is_of_its_model(const FilmStrip& strip) const;
     Tree& tree(const FilmStrip& strip);
     void add_clip(Tree& tree, const Object& source);
     bool add_motion_of_object(Tree& tree, const FilmStrip& strip);

@@ -102,6 +102,19 @@ TEST_F(ChangingTriangles, StayWhereOnlyTheirVerticesMove)
                 HasSubstr("points.timeSamples"));
 }
 
+// Pieces of a model that has nodes of its own do not ride on these: a gap moves them apart.
+TEST_F(ChangingTriangles, OfAModelThatIsCutMoveByThemselves)
+{
+    const Document cut =
+        after(still_, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.3}}}});
+    for (const Document& document : {cut, playing(cut, {.clip = "bend"})}) {
+        const AnimatedExport made = exported(document, 5e-3);
+        EXPECT_GE(
+            std::ranges::count(made.certificate.parts, 5, &FilmCertificate::PartClaim::object), 2);
+        expect_holds(document, made, 5);
+    }
+}
+
 // A ball 1 with an incision at some opening, in the time of the other scenes.
 Document incised_scene(double opening)
 {
