@@ -67,9 +67,7 @@ private:
         const float scale = std::max(-least, greatest);
         make_bezier(whole.above);
         if (!whole.above.may_vanish(level_rounding * scale)) return;
-        const glm::dvec3 from = view_.at.w == 0
-                                    ? glm::dvec3(view_.at)
-                                    : glm::dvec3(cell) - glm::dvec3(view_.at) / view_.at.w;
+        const glm::dvec3 from = view_.sight(glm::dvec3(cell));
         whole.along = sight_net(whole.above, glm::vec3(from),
                                 view_.at.w == 0 ? Sight::parallel : Sight::from_eye);
         const float sight_scale = scale * std::max(1.0f, static_cast<float>(glm::length(from)));

@@ -18,7 +18,7 @@ LeafMarcher::LeafMarcher(const ScalarField<float>& field, float level, const Vie
                          int depth)
     : field_(field),
       level_(level),
-      view_(view.at),
+      view_(view),
       per_voxel_(1 << depth),
       side_(FieldHulls::brick * per_voxel_ + 1)
 {
@@ -44,8 +44,7 @@ const LeafMarcher::Corner& LeafMarcher::corner(const glm::ivec3& at, std::size_t
     corner_brick_[number] = brick_;
     const glm::vec3 p = glm::vec3(origin_ + at) / static_cast<float>(per_voxel_);
     const ScalarJet<float> jet = field_.at<1>(p);
-    const glm::vec3 sight(view_.w == 0 ? glm::dvec3(view_)
-                                       : glm::dvec3(p) - glm::dvec3(view_) / view_.w);
+    const glm::vec3 sight(view_.sight(glm::dvec3(p)));
     out = {jet.value - level_,
            jet.gradient[0] * sight.x + jet.gradient[1] * sight.y + jet.gradient[2] * sight.z};
     return out;

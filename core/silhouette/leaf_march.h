@@ -42,7 +42,7 @@ private:
 
     const ScalarField<float>& field_;
     float level_;
-    glm::dvec4 view_;
+    ViewPoint view_;
     int per_voxel_, side_;    // lattice points per voxel, and along a brick
     glm::ivec3 origin_{0};    // lattice point
     std::uint32_t brick_ = 0; // its number, for what was evaluated last in which brick

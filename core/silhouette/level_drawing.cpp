@@ -2,35 +2,12 @@
 #include "core/silhouette/level_drawing.h"
 
 #include "core/base/box.h"
-#include "core/base/parallel.h"
 #include "core/silhouette/border_lines.h"
 #include "core/silhouette/silhouette_finder.h"
 
 #include <iterator>
 
 namespace trivar {
-namespace {
-
-// Whether bodies hide the points of border lines, which have no bend.
-std::vector<char> hidden_border(const Silhouettes& lines, const ViewPoint& view,
-                                std::span<const LevelBody> bodies)
-{
-    std::vector<char> out(lines.points.size(), 0);
-    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::vec3& p = lines.points[i].p;
-            const glm::vec3 way(-view.sight(glm::dvec3(p)));
-            const float length = glm::length(way), distance = view.at.w == 0 ? 1e30f : length;
-            out[i] = std::ranges::any_of(bodies, [&](const LevelBody& body) {
-                return hides(body, p, way / length, distance);
-            });
-        }
-    });
-    return out;
-}
-
-} // namespace
-
 DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const glm::ivec3& size)
 {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
@@ -75,9 +52,8 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
                      options.strokes);
     if (!level.border) return out;
     const Silhouettes border = border_lines(field, level.mesh);
-    others.push_back(own);
-    out[1] =
-        strokes(border, hidden_border(border, view.from, others), view.to_image, options.strokes);
+    out[1] = strokes(border, hidden_points(border, view.from, own, others), view.to_image,
+                     options.strokes);
     return out;
 }
 

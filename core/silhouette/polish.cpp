@@ -24,14 +24,6 @@ template <class Real> glm::vec<3, Real> gradient(const ScalarJet<Real>& jet)
     return {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
 }
 
-// In double, since some compilers forget to round a view to float.
-template <class Real>
-glm::vec<3, Real> sight_from(const ViewPoint& view, const glm::vec<3, Real>& p)
-{
-    return glm::vec<3, Real>(view.at.w == 0 ? glm::dvec3(view.at)
-                                            : glm::dvec3(view.at) - view.at.w * glm::dvec3(p));
-}
-
 } // namespace
 
 template <class Real>
@@ -42,8 +34,8 @@ bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, g
     const Vec begin = p, end(field.size() - 1);
     for (int step = 0; step < most_polishing_steps; ++step) {
         jet = field.template at<2>(p);
-        const Vec sight = sight_from(view, p), a = gradient(jet);
-        const Vec b = times_hessian(jet, sight) - static_cast<Real>(view.at.w) * a;
+        const Vec sight(view.sight(glm::dvec3(p))), a = gradient(jet);
+        const Vec b = times_hessian(jet, sight) + static_cast<Real>(view.at.w) * a;
         const Real f = jet.value - level, g = glm::dot(a, sight);
         const Real aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b),
                    det = aa * bb - ab * ab;
@@ -78,7 +70,7 @@ void finish(const ScalarField<float>& field, float level, const ViewPoint& view,
         point.p = p;
     else
         jet = field.at<2>(point.p);
-    const glm::vec3 sight = sight_from(view, point.p);
+    const glm::vec3 sight(view.sight(glm::dvec3(point.p)));
     point.slope = glm::length(gradient(jet));
     const float scale = glm::dot(sight, sight) * (point.slope > 0 ? point.slope : 1);
     point.bend = scale > 0 ? glm::dot(sight, times_hessian(jet, sight)) / scale : 0;

@@ -11,7 +11,8 @@ namespace trivar {
 // A ViewPoint says from where a field is seen, in voxels: (direction of sight, 0) or (eye, 1).
 struct ViewPoint {
     glm::dvec4 at{0, 0, 1, 0};
-    // The direction of sight at a place, not unit.
+    // The direction of sight at a place, not unit. In double, since some compilers forget to round
+    // a view to float and back.
     glm::dvec3 sight(const glm::dvec3& p) const
     {
         return at.w == 0 ? glm::dvec3(at) : p - glm::dvec3(at);

@@ -25,7 +25,8 @@ struct LevelBody {
 bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, float distance);
 
 // Whether each point of the silhouettes is hidden by the body that they are of, or by another of
-// them. The own body hides a point at which it is hollow along the line of sight.
+// them. The own body hides a point at which it is hollow along the line of sight;
+// border lines have no bend, so rays alone tell.
 std::vector<char> hidden_points(const Silhouettes& silhouettes, const ViewPoint& view,
                                 const LevelBody& own, std::span<const LevelBody> others = {});
 
