@@ -2,7 +2,7 @@
 #include "core/commands/incise.h"
 #include "editor/panels/inspector/incision_rows.h"
 #include "editor/panels/inspector/wound_section.h"
-#include "tests/editor/rig.h"
+#include "tests/editor/panels/number_rows.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -44,26 +44,13 @@ struct IncisionSection : testing::Rig {
     {
         return *std::ranges::find(editor.actions, name, &Action::name);
     }
-    // In the field of the row whose number has that name.
-    glm::vec2 field_of(const std::string& name)
-    {
-        const ui::Rect in = layout().inspector;
-        const ui::Theme& theme = screen.theme();
-        const float x = in.lo.x + theme.size.padding + theme.size.label + 12;
-        for (float y = in.lo.y + 6; y < in.hi.y; y += 6) {
-            move({x, y});
-            if (std::ranges::count(editor.keys_under_mouse.names, name) > 0) return {x, y + 6};
-        }
-        ADD_FAILURE() << "no row for " << name;
-        return in.lo;
-    }
     void type_into(const std::string& name, const std::string& text)
     {
         type_into_row("incising.cuts.0." + name, text);
     }
     void type_into_row(const std::string& parameter, const std::string& text)
     {
-        click(field_of(parameter));
+        click(testing::number_field(*this, parameter));
         frames(4);
         type(text);
         key({ui::key_enter});

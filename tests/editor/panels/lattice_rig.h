@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/editor/rig.h"
-
-#include <algorithm>
+#include "tests/editor/panels/number_rows.h"
 
 namespace trivar::testing {
 
@@ -19,10 +17,7 @@ struct LatticeRig : Rig {
     }
     const Object& lattice() const { return object(editor.session.document(), 2); }
     // Whether a number of that name is under the mouse.
-    bool is_over(const std::string& name) const
-    {
-        return std::ranges::count(editor.keys_under_mouse.names, name) > 0;
-    }
+    bool is_over(const std::string& name) const { return is_over_number(*this, name); }
 };
 
 } // namespace trivar::testing

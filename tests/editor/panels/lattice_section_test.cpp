@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/field_cells.h"
 #include "editor/session/done_titles.h"
 #include "tests/editor/panels/lattice_rig.h"
+#include "tests/editor/panels/number_rows.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -11,19 +12,6 @@ namespace {
 
 struct LatticeSection : testing::LatticeRig {
     explicit LatticeSection(int height_px = 1500) : LatticeRig(height_px) {}
-    // In the first field of the row whose numbers have that name; y is in the middle of it.
-    glm::vec2 field_of(const std::string& name)
-    {
-        const ui::Rect in = layout().inspector;
-        const ui::Theme& theme = screen.theme();
-        const float x = in.lo.x + theme.size.padding + theme.size.label + 12;
-        for (float y = in.lo.y + 6; y < in.hi.y; y += 6) {
-            move({x, y});
-            if (is_over(name)) return {x, y + 6};
-        }
-        ADD_FAILURE() << "no row for " << name;
-        return in.lo;
-    }
     void type_into(glm::vec2 field, const std::string& text)
     {
         click(field);
@@ -38,7 +26,7 @@ TEST(LatticeSection, SaysWhyADensityBelowTheOrderCannotBe)
 {
     LatticeSection rig;
     const float row = rig.screen.theme().size.row + ImGui::GetStyle().ItemSpacing.y;
-    rig.type_into(rig.field_of("shape.size.x") + glm::vec2(0, row), "3");
+    rig.type_into(testing::number_field(rig, "shape.size.x") + glm::vec2(0, row), "3");
     EXPECT_EQ(std::get<LatticeShape>(rig.lattice().source).grid, glm::ivec3(4));
     ASSERT_FALSE(rig.editor.session.notices.all().empty());
     EXPECT_NE(rig.editor.session.notices.all().back().title.find("order 4 needs at least 4"),
@@ -63,10 +51,10 @@ TEST(LatticeSection, ChangesTheWarpThatWasMadeLastInPlaceOfMakingAnother)
     LatticeSection rig;
     ASSERT_TRUE(rig.editor.session.run(WarpVolume{2, {.twist_deg = 20}}));
     rig.wait();
-    rig.type_into(rig.field_of("shaping.0.warp.twist_deg"), "40");
+    rig.type_into(testing::number_field(rig, "shaping.0.warp.twist_deg"), "40");
     ASSERT_EQ(rig.lattice().shaping.size(), 1u);
     EXPECT_EQ(rig.lattice().shaping[0]->warp->twist_deg, 40);
-    rig.type_into(rig.field_of("shaping.0.warp.taper"), "50"); // percent
+    rig.type_into(testing::number_field(rig, "shaping.0.warp.taper"), "50"); // percent
     ASSERT_EQ(rig.lattice().shaping.size(), 1u);
     EXPECT_EQ(rig.lattice().shaping[0]->warp->taper, 0.5);
 }
