@@ -20,6 +20,9 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
+find_package(pugixml CONFIG REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(BZip2 REQUIRED)
 find_package(GTest CONFIG REQUIRED)
 find_package(benchmark CONFIG REQUIRED)
 find_package(X11 REQUIRED) # libgl-dev brings it; tests strike keys with it
@@ -48,6 +51,23 @@ add_library(opensubdiv INTERFACE)
 target_include_directories(opensubdiv SYSTEM INTERFACE ${OPENSUBDIV_INCLUDE})
 target_link_libraries(opensubdiv INTERFACE ${OPENSUBDIV_CPU})
 
+# teem has no configuration.
+find_path(TEEM_INCLUDE teem/nrrd.h REQUIRED)
+find_library(TEEM_LIBRARY teem REQUIRED)
+add_library(teem INTERFACE)
+target_include_directories(teem SYSTEM INTERFACE ${TEEM_INCLUDE})
+target_link_libraries(teem INTERFACE ${TEEM_LIBRARY})
+
+# pkg-config wants for DCMTK what its package does not bring. Of its libraries these read files and
+# decode pixels.
+find_path(DCMTK_INCLUDE dcmtk/dcmdata/dctk.h REQUIRED)
+add_library(dcmtk INTERFACE)
+target_include_directories(dcmtk SYSTEM INTERFACE ${DCMTK_INCLUDE})
+foreach(library dcmjpeg dcmjpls dcmdata oflog ofstd)
+  find_library(DCMTK_${library} ${library} REQUIRED)
+  target_link_libraries(dcmtk INTERFACE ${DCMTK_${library}})
+endforeach()
+
 # What the program says of itself: NAME|VERSION|LICENCE, a line each.
 # pkg-config knows FreeType by the number of its interface only.
 file(STRINGS ${FREETYPE_INCLUDEDIR}/freetype2/freetype/freetype.h FREETYPE_VERSION REGEX "define FREETYPE_(MAJOR|MINOR|PATCH)")
@@ -56,6 +76,10 @@ string(REPLACE ";" "." FREETYPE_VERSION "${FREETYPE_VERSION}")
 file(STRINGS ${OPENSUBDIV_INCLUDE}/opensubdiv/version.h OPENSUBDIV_VERSION REGEX "define OPENSUBDIV_VERSION v")
 string(REGEX REPLACE ".*v([0-9_]+)" "\\1" OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
 string(REPLACE "_" "." OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
+file(STRINGS ${DCMTK_INCLUDE}/dcmtk/config/osconfig.h DCMTK_VERSION REGEX "define PACKAGE_VERSION ")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" DCMTK_VERSION "${DCMTK_VERSION}")
+file(STRINGS ${TEEM_INCLUDE}/teem/air.h TEEM_VERSION REGEX "define TEEM_VERSION_STRING")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" TEEM_VERSION "${TEEM_VERSION}")
 set(TRIVAR_LIBRARIES "Dear ImGui|${IMGUI_VERSION}|MIT
 GLFW|${glfw3_VERSION}|Zlib
 GLM|${glm_VERSION}|MIT
@@ -76,6 +100,11 @@ libpng|${PNG_VERSION}|PNG-2.0
 libjpeg-turbo|${JPEG_VERSION}|IJG and BSD-3-Clause
 OpenImageIO|${OpenImageIO_VERSION}|BSD-3-Clause
 TinyGLTF|${TinyGLTF_VERSION}|MIT
+teem|${TEEM_VERSION}|LGPL-2.1-or-later, with exceptions
+DCMTK|${DCMTK_VERSION}|BSD-3-Clause
+pugixml|${pugixml_VERSION}|MIT
+zlib|${ZLIB_VERSION_STRING}|Zlib
+bzip2|${BZIP2_VERSION_STRING}|bzip2-1.0.6
 JSON for Modern C++|${nlohmann_json_VERSION}|MIT
 CLI11|${CLI11_VERSION}|BSD-3-Clause
 fmt|${fmt_VERSION}|MIT

@@ -26,7 +26,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/plane"},
     {"core/text"},
     {"core/files"},
-    {"core/simplify", "core/unwrap"},
+    {"core/simplify", "core/unwrap", "core/voxels"},
     {"core/patches"},
     {"core/ffd"},
     {"core/refinement"},

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/voxels/read_volume.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/files/file_bytes.h"
+#include "core/files/file_sentences.h"
+#include "core/voxels/dicom_file.h"
+#include "core/voxels/dicom_series.h"
+#include "core/voxels/image_stack.h"
+#include "core/voxels/inflate.h"
+#include "core/voxels/meta_header.h"
+#include "core/voxels/nifti_header.h"
+#include "core/voxels/volume_readers.h"
+#include "core/voxels/vti_header.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Reader = VoxelGrid (*)(VolumeSource&, const ReadVolumeOptions&);
+
+bool is_packed_nifti(std::string_view bytes)
+{
+    return is_gzip(bytes) && is_nifti(first_unpacked(bytes, nifti2_head_bytes));
+}
+
+// Finds the reader by the first bytes; files without a head have only their name.
+Reader reader_for(std::string_view bytes, const std::string& name)
+{
+    if (bytes.starts_with("NRRD")) return read_nrrd;
+    if (is_nifti(bytes) || is_packed_nifti(bytes)) return read_nifti;
+    if (bytes.starts_with("# vtk DataFile")) return read_legacy_vtk;
+    if (is_vti(bytes)) return read_vti;
+    if (is_meta_image(bytes)) return read_meta_image;
+    const std::string extension = extension_of(name);
+    if (extension == ".raw" || extension == ".bin" || extension == ".dat" || extension == ".vol")
+        return read_raw;
+    throw Rejected(fmt::format(
+        "{}: this is no volume that can be read: NRRD, NIfTI (.nii, .nii.gz, .hdr), MetaImage "
+        "(.mha, .mhd), VTK (.vtk, .vti), DICOM, .raw, or a folder of DICOM files or pictures",
+        name));
+}
+
+void check_options(const ReadVolumeOptions& options)
+{
+    const auto sound = [](double value) { return value >= 1e-12 && value <= 1e12; };
+    if (options.metres_per_unit && !sound(*options.metres_per_unit))
+        throw Rejected(fmt::format("the unit must be from 1e-12 to 1e12 metres, not {}",
+                                   *options.metres_per_unit));
+    for (int k = 0; k < 3; ++k)
+        if (!sound(options.spacing[k]))
+            throw Rejected(fmt::format("samples must be 1e-12 to 1e12 units apart, not {}",
+                                       options.spacing[k]));
+}
+
+std::size_t count_not_finite(const std::vector<float>& samples)
+{
+    constexpr std::size_t per_part = std::size_t{1} << 20;
+    std::vector<std::size_t> parts(samples.size() / per_part + 1, 0);
+    parallel_blocks(samples.size(), per_part, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            parts[begin / per_part] += !std::isfinite(samples[i]);
+    });
+    return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
+}
+
+void say_not_finite(VoxelGrid& grid, const std::string& name)
+{
+    const auto* floats = std::get_if<std::vector<float>>(&grid.samples);
+    const std::size_t count = floats ? count_not_finite(*floats) : 0;
+    if (count == 0) return;
+    if (count == floats->size())
+        throw Rejected(fmt::format("{}: none of its samples is a finite number", name));
+    grid.notices.push_back(fmt::format("{}: {} of its samples {} not a number or infinite; kept as "
+                                       "{}",
+                                       name, with_commas(count), count == 1 ? "is" : "are",
+                                       count == 1 ? "it is" : "they are"));
+}
+
+// The names of ordinary files in a folder, sorted.
+std::vector<std::string> files_in(const std::string& folder)
+{
+    constexpr std::size_t most = 20'000;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (!at->is_regular_file(error)) continue;
+        names.push_back(at->path().filename().string());
+        if (names.size() > most)
+            throw Rejected(fmt::format("{}: has more than {} files; a volume has fewer slices",
+                                       folder, with_commas(most)));
+    }
+    if (error) throw Rejected(fmt::format("{}: {}", folder, error.message()));
+    std::ranges::sort(names);
+    return names;
+}
+
+ReadVolume read_folder(const std::string& folder, const ReadVolumeOptions& options,
+                       const Progress& progress)
+{
+    const std::vector<std::string> names = files_in(folder);
+    if (auto series = read_dicom_folder(folder, names, options, progress))
+        return std::move(*series);
+    std::vector<std::string> pictures;
+    std::ranges::copy_if(names, std::back_inserter(pictures), may_be_slice);
+    if (pictures.empty())
+        throw Rejected(fmt::format("{}: this folder has no DICOM files and no pictures",
+                                   shown(fs::path(folder).filename().string())));
+    return read_image_stack(folder, pictures, options, progress);
+}
+
+} // namespace
+
+ReadVolume read_volume_bytes(std::string_view bytes, const std::string& name,
+                             const std::string& folder, const ReadVolumeOptions& options,
+                             const Progress& progress)
+{
+    check_options(options);
+    const std::string file = fs::path(name).filename().string();
+    if (bytes.empty()) throw Rejected(file + ": the file is empty");
+    report(progress, 0, "Reading");
+    ReadVolume out;
+    if (!options.raw && is_dicom(bytes)) {
+        out = read_dicom_bytes(bytes, file, folder, options, progress);
+    } else {
+        VolumeSource source(bytes, file, folder, options.max_bytes);
+        const Reader reader = options.raw ? read_raw : reader_for(bytes, file);
+        out.grid = reader(source, options);
+        out.grid.notices = source.notices();
+        out.companions = source.companions();
+    }
+    say_not_finite(out.grid, file);
+    report(progress, 1, "Done");
+    return out;
+}
+
+ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options,
+                       const Progress& progress)
+{
+    check_options(options);
+    report(progress, 0, "Opening");
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path).lexically_normal();
+    if (fs::is_directory(absolute, error)) {
+        const fs::path folder = absolute.has_filename() ? absolute : absolute.parent_path();
+        ReadVolume out = read_folder(folder.string(), options, progress);
+        say_not_finite(out.grid, folder.filename().string());
+        return out;
+    }
+    const std::string bytes = read_bytes(path, options.max_bytes);
+    const std::string folder = absolute.parent_path().string();
+    // The samples of a NIfTI or Analyze volume beside its head.
+    if (extension_of(path) == ".img" && !options.raw && !is_nifti(bytes)) {
+        const fs::path head = fs::path(absolute).replace_extension(".hdr");
+        if (fs::is_regular_file(head, error)) {
+            ReadVolume out = read_volume_bytes(read_bytes(head.string(), options.max_bytes),
+                                               head.string(), folder, options, progress);
+            std::erase(out.companions, absolute.filename().string());
+            out.companions.push_back(head.filename().string());
+            return out;
+        }
+    }
+    return read_volume_bytes(bytes, path, folder, options, progress);
+}
+
+} // namespace trivar

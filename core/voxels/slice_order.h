@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/voxels/dicom_file.h"
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// A slice of a series: where it lies, and the file that a sentence names.
+struct PlacedSlice {
+    DicomFrame frame;
+    std::string name;
+};
+
+// The slices of a grid, of the slices that a series has.
+struct SliceOrder {
+    std::vector<std::size_t> order; // numbers of slices, from the first along the normal
+    glm::dvec3 step{0};             // mm, from a slice of the grid to the next: oblique if tilted
+    // Of each slice of the grid: which it is in `order`, and the share of the one after it. Whole
+    // numbers where the series is even.
+    std::vector<double> at;
+    bool even = true;
+    std::vector<std::string> notices; // sentences without the name of the series
+};
+
+// Orders slices along the normal of their planes, whatever order they come in. Distances may differ
+// by 1 % from the usual one (their median); else the grid has even slices, between which the series
+// is to be interpolated linearly. A gantry's tilt moves each slice in its plane: the step is
+// oblique then. Throws Rejected for fewer than two slices, two at one place, planes that are not
+// parallel, distances of pixels that differ, slices that lie on no line, and gaps that would take
+// more than four times as many slices.
+SliceOrder ordered_slices(const std::vector<PlacedSlice>& slices);
+
+} // namespace trivar
