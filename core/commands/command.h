@@ -28,6 +28,7 @@
 #include "core/commands/travel.h"
 #include "core/commands/unwrap.h"
 #include "core/commands/view.h"
+#include "core/commands/voxels.h"
 #include "core/commands/warp.h"
 #include "core/document/asset_store.h"
 
@@ -54,7 +55,7 @@ using AnyCommand =
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
-                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, Unwrap, ClearUnwrap,
+                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels, Unwrap, ClearUnwrap,
                  Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision,
                  LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap>;
 

@@ -18,6 +18,7 @@
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 #include "core/commands/unwrap.h"
+#include "core/commands/voxels.h"
 
 #include <string>
 #include <vector>
@@ -58,6 +59,7 @@ struct CopiedObject {
     std::optional<TextShape> text = {};
     std::optional<LatticeShape> lattice = {};
     std::optional<HeightShape> heights = {};
+    std::optional<VoxelShape> voxels = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -119,6 +121,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("text", c.text, "its shape, as of add_text");
         field("lattice", c.lattice, "its box of control points, as of add_lattice");
         field("heights", c.heights, "its shape, as of add_heights");
+        field("volume_data", c.voxels, "its shape, as of add_volume");
         field("transform", c.transform, "its transform, in its group if that is copied, too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");

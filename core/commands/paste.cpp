@@ -53,6 +53,7 @@ void each_shape(auto& copy, auto&& visit)
     visit(copy.text);
     visit(copy.lattice);
     visit(copy.heights);
+    visit(copy.voxels);
 }
 
 Source source_of(const CopiedObject& copy)
@@ -72,6 +73,7 @@ Source source_of(const CopiedObject& copy)
     if (const auto* text = std::get_if<TextShape>(&source)) check(*text);
     if (const auto* lattice = std::get_if<LatticeShape>(&source)) check(*lattice);
     if (const auto* heights = std::get_if<HeightShape>(&source)) check(*heights);
+    if (const auto* voxels = std::get_if<VoxelShape>(&source)) check(*voxels);
     return source;
 }
 
@@ -246,6 +248,9 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     if (copy.heights)
         copy.heights->image =
             (std::filesystem::path(folder) / copy.heights->image).lexically_normal().string();
+    if (copy.voxels)
+        copy.voxels->path =
+            (std::filesystem::path(folder) / copy.voxels->path).lexically_normal().string();
     copy.transform = inside || each.parent == 0 || each.stroke ? each.transform
                                                                : decomposed(to_world(document, id));
     copy.parent = inside ? each.parent : 0;

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
 #include "core/text/installed_fonts.h"
+#include "core/voxels/usual_level.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -49,6 +50,21 @@ void prepare_image(std::string& path, std::string& hash, const AssetStore& asset
 void prepare_image(HeightShape& shape, const AssetStore& assets)
 {
     prepare_image(shape.image, shape.image_hash, assets);
+}
+
+// Volume data with the hash of their present content; without levels they get the one that parts
+// their values best. Throws Rejected where they cannot be read.
+void prepare_voxels(VoxelShape& shape, const AssetStore& assets, const Progress& progress)
+{
+    if (shape.path.empty()) return;
+    shape.path = path_in_log(shape.path, assets.folder());
+    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, progress);
+    if (!loaded.grid)
+        throw Rejected(loaded.notices.empty() ? shape.path + ": cannot be read"
+                                              : loaded.notices.front());
+    shape.hash = loaded.hash;
+    if (shape.levels.empty())
+        shape.levels.push_back({.value = usual_level(summary_of(*loaded.grid), *loaded.grid)});
 }
 
 // Stores the digest of the font that was found, or none if another one replaces it. A font file
@@ -102,6 +118,12 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
         prepare_image(other->shape, assets);
     } else if (auto* displace = std::get_if<Displace>(&command)) {
         prepare_image(displace->shape, assets);
+    } else if (auto* voxels = std::get_if<AddVoxels>(&command)) {
+        prepare_voxels(voxels->shape, assets, progress);
+        if (voxels->name.empty() || voxels->name == FieldsOf<VoxelShape>::name)
+            voxels->name = std::filesystem::path(voxels->shape.path).stem().string();
+    } else if (auto* changed = std::get_if<SetVoxels>(&command)) {
+        prepare_voxels(changed->shape, assets, progress);
     } else if (auto* paint = std::get_if<PaintTiles>(&command)) {
         prepare_tiles(paint->files, assets, progress);
     } else if (auto* cover = std::get_if<CoverWithTiles>(&command)) {
@@ -115,6 +137,7 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
         for (CopiedObject& copy : paste->copies) { // a missing file is reported for each object
             if (copy.file) in_log(copy.file->path);
             if (copy.heights) in_log(copy.heights->image);
+            if (copy.voxels) in_log(copy.voxels->path);
             if (copy.tiling)
                 for (CopiedMask& each : copy.tiling->masks) in_log(each.mask.image);
         }

@@ -188,6 +188,9 @@ std::string commands_markdown()
             field_table(fields_of(ImportedFile{}));
     text += "## picture\n\nA picture that a mask or heights read.\n\n" +
             field_table(fields_of(RelinkedPicture{}));
+    text += "## level\n\nA level of volume data as it is shown.\n\n" +
+            field_table(fields_of(VoxelLevel{}));
+    text += "## lines\n\nHow lines are drawn.\n\n" + field_table(fields_of(LineStyle{}));
     text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
             "picture.\n\n" +
             field_table(fields_of(Camera{}));

@@ -8,6 +8,7 @@
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/sample_models.h"
+#include "core/voxels/read_volume.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -43,6 +44,22 @@ std::string content_of(const std::string& path, const std::string& hash)
     return digest.hex();
 }
 
+// The hash of a file, or of all files that a volume was read from.
+std::string hash_of_volume(const std::string& path, const std::vector<std::string>& companions)
+{
+    if (companions.empty()) return file_hash(path);
+    const bool is_folder = std::filesystem::is_directory(path);
+    const std::filesystem::path folder =
+        is_folder ? std::filesystem::path(path) : std::filesystem::path(path).parent_path();
+    Digest digest;
+    if (!is_folder) digest.add_text(file_hash(path));
+    for (const std::string& name : companions) {
+        digest.add_text(name);
+        digest.add_text(hash_if_there((folder / name).string()));
+    }
+    return digest.hex();
+}
+
 } // namespace
 
 struct AssetStore::State {
@@ -50,7 +67,8 @@ struct AssetStore::State {
     std::map<std::string, std::string> relinked;
     using Key = std::tuple<std::string, UpAxis, double>; // the path, and how the file was read
     std::map<Key, LoadedModel> loaded;
-    std::map<std::string, LoadedImage> images; // by path
+    std::map<std::string, LoadedImage> images;   // by path
+    std::map<std::string, LoadedVolume> volumes; // by path
     std::mutex mutex;
 };
 
@@ -139,6 +157,33 @@ AssetStore::LoadedImage AssetStore::load_image(const std::string& name,
     return result;
 }
 
+AssetStore::LoadedVolume AssetStore::load_volume(const std::string& name, const std::string& hash,
+                                                 const Progress& progress) const
+{
+    const std::string path = resolve(name);
+    const std::lock_guard guard(state_->mutex);
+    const auto [entry, fresh] = state_->volumes.try_emplace(path);
+    LoadedVolume& kept = entry->second;
+    if (fresh) try {
+            make_sample_model(path, progress);
+            ReadVolume read = read_volume(path, {}, progress);
+            kept.hash = hash_of_volume(path, read.companions);
+            kept.notices = read.grid.notices;
+            kept.grid = make_ref(std::move(read.grid));
+        } catch (const Rejected& error) {
+            kept.notices = {short_sentence(error.what())};
+        } catch (...) {
+            state_->volumes.erase(entry);
+            throw;
+        }
+    LoadedVolume result = kept;
+    if (result.grid && !hash.empty() && hash != result.hash)
+        result.notices.push_back(
+            fmt::format("{}: the file has changed since this scene was made", name));
+    if (result.hash.empty()) state_->volumes.erase(entry); // it may come back
+    return result;
+}
+
 void AssetStore::forget(const std::string& path) const
 {
     const std::lock_guard guard(state_->mutex);
@@ -146,6 +191,7 @@ void AssetStore::forget(const std::string& path) const
         return std::get<0>(entry.first) == file;
     });
     state_->images.erase(resolve(path));
+    state_->volumes.erase(resolve(path));
 }
 
 } // namespace trivar

@@ -12,6 +12,8 @@ std::vector<NamedFile> files_named(const Object& object)
         out.push_back({NamedFile::Kind::model, file->path});
     if (const auto* text = std::get_if<TextShape>(&object.source); text && is_font_path(text->font))
         out.push_back({NamedFile::Kind::font, text->font});
+    if (const auto* voxels = std::get_if<VoxelShape>(&object.source))
+        out.push_back({NamedFile::Kind::volume, voxels->path});
     for (UsedPicture& picture : pictures_of(object))
         out.push_back({NamedFile::Kind::image, std::move(picture.path)});
     return out;

@@ -10,7 +10,7 @@ namespace trivar {
 
 // A NamedFile is a file from which an object is made, under the name that the scene gives it.
 struct NamedFile {
-    enum class Kind { model, font, image } kind = Kind::model;
+    enum class Kind { model, font, image, volume } kind = Kind::model;
     std::string path; // relative to the scene's folder (AssetStore::resolve)
 };
 // The files that an object names; empty: it is made from no file. A font that is named by its

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/voxel_shape.h"
 #include "core/files/read_model.h"
 #include "core/text/text_shape.h"
 
@@ -78,9 +79,9 @@ struct HeightShape {
 struct GroupShape {
     bool operator==(const GroupShape&) const = default;
 }; // no shape: a parent for others
-using Source =
-    std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape, CylinderShape,
-                 TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape, HeightShape>;
+using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
+                            CylinderShape, TorusShape, MoebiusShape, TeapotShape, TextShape,
+                            LatticeShape, HeightShape, VoxelShape>;
 
 // Whether a source is a parent for others: a group, or a lattice round them.
 inline bool holds_others(const Source& source)

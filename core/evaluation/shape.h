@@ -9,6 +9,8 @@
 
 namespace trivar {
 
+struct ShownVolume;
+
 // A Shape is what a source gives, subdivided and ready to be drawn or laid.
 struct Shape {
     struct NodeMesh {
@@ -36,6 +38,7 @@ struct Shape {
     Ref<Model> model; // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
+    Ref<ShownVolume> volume = nullptr; // of volume data; null: it is none
     // Those of the notices that say why something of the shape is missing: a file that cannot be
     // read, numbers that are too large.
     std::vector<std::string> lacks;

@@ -68,6 +68,11 @@ Model primitive(const HeightShape&)
     return {};
 }
 
+Model primitive(const VoxelShape&)
+{
+    return {};
+}
+
 struct Letters {
     Model model; // with its notices
     std::vector<std::string> lacks;
@@ -134,6 +139,9 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
             shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
                                  loaded.notices.end());
             if (missing) shape.lacks = loaded.notices;
+        } else if (const auto* voxels = std::get_if<VoxelShape>(&source)) {
+            shape = voxels_(*voxels, *assets_, timings, progress);
+            missing = !shape.volume;
         } else
             shape = shape_of(timed(timings, "import", [&] {
                 return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));

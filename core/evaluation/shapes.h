@@ -4,6 +4,7 @@
 #include "core/base/timing.h"
 #include "core/document/asset_store.h"
 #include "core/evaluation/shape.h"
+#include "core/evaluation/voxel_shapes.h"
 #include "core/mesh/height_sheet.h"
 #include "core/placement/round.h"
 #include "core/text/installed_fonts.h"
@@ -29,6 +30,7 @@ public:
 
 private:
     Ref<AssetStore> assets_;
+    VoxelShapes voxels_;
     std::vector<std::pair<Source, Ref<Shape>>> known_;
 };
 

@@ -30,6 +30,15 @@ std::string content_of_image(const std::string& path, const AssetStore& assets,
     return loaded.hash;
 }
 
+std::string content_of_volume(const std::string& path, const AssetStore& assets,
+                              bool missing_is_well)
+{
+    const AssetStore::LoadedVolume loaded = assets.load_volume(path, {});
+    if (loaded.hash.empty() && !missing_is_well)
+        throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
+    return loaded.hash;
+}
+
 std::string content_of(const TextShape& text, const AssetStore& assets)
 {
     try {
@@ -66,6 +75,9 @@ std::string digest_of_files(const Document& document, const AssetStore& assets,
             if (file.kind == NamedFile::Kind::image)
                 contents["image " + file.path] =
                     content_of_image(file.path, assets, missing_is_well);
+            else if (file.kind == NamedFile::Kind::volume)
+                contents["volume " + file.path] =
+                    content_of_volume(file.path, assets, missing_is_well);
     if (contents.empty()) return {};
     Digest digest;
     for (const auto& [name, content] : contents) {

@@ -31,6 +31,8 @@ template <class C> auto files_of(C& command)
     if (auto* heights = std::get_if<AddHeights>(&command)) add(heights->shape.image);
     if (auto* heights = std::get_if<SetHeights>(&command)) add(heights->shape.image);
     if (auto* heights = std::get_if<Displace>(&command)) add(heights->shape.image);
+    if (auto* voxels = std::get_if<AddVoxels>(&command)) add(voxels->shape.path);
+    if (auto* voxels = std::get_if<SetVoxels>(&command)) add(voxels->shape.path);
     const auto add_tiles = [&](auto& tile_files) {
         for (auto& each : tile_files) add(each.file.path);
     };
@@ -41,6 +43,7 @@ template <class C> auto files_of(C& command)
         for (auto& copy : paste->copies) {
             if (copy.file) add(copy.file->path);
             if (copy.heights) add(copy.heights->image);
+            if (copy.voxels) add(copy.voxels->path);
             if (copy.tiling)
                 for (auto& mask : copy.tiling->masks) add(mask.mask.image);
         }

@@ -18,8 +18,8 @@ namespace trivar {
 // smoothing one takes them as coefficients, as the thesis does (chapter 7).
 enum class FieldSpline : std::uint8_t { interpolating, smoothing };
 
-// The order of a spline along every axis: 2 is trilinear, 3 quadratic, 4 cubic.
-enum class FieldOrder : std::uint8_t { linear = 2, quadratic = 3, cubic = 4 };
+// The pieces of a spline along every axis: linear is of order 2, quadratic of 3, cubic of 4.
+enum class FieldOrder : std::uint8_t { linear, quadratic, cubic };
 
 // A ScalarField is a trivariate B-spline function over a grid of samples. Sample (i, j, k) is at
 // the point (i, j, k): places are in voxels throughout. Beyond the first and the last sample the

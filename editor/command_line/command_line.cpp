@@ -9,6 +9,7 @@
 #include "editor/command_line/info.h"
 #include "editor/command_line/render.h"
 #include "editor/command_line/replay.h"
+#include "editor/command_line/silhouette_options.h"
 #include "editor/command_line/verify.h"
 #include "editor/files/places.h"
 #include "editor/help/about.h"
@@ -32,6 +33,7 @@ struct Choices {
     ExportOptions exported;
     VerifyOptions verify;
     InfoOptions info;
+    SilhouetteCommand silhouette;
     BenchOptions bench;
     bool commands_json = false, commands_markdown = false;
 };
@@ -330,6 +332,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     const CLI::App* exported = add_export(app, choices.exported);
     const CLI::App* verify = add_verify(app, choices.verify);
     const CLI::App* info = add_info(app, choices.info);
+    const CLI::App* silhouette = add_silhouette(app, choices.silhouette);
     const CLI::App* commands = add_commands(app, choices);
     const CLI::App* bench = add_bench(app, choices.bench);
     try {
@@ -342,6 +345,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (exported->parsed()) return run_export(choices.exported, streams);
     if (verify->parsed()) return run_verify(choices.verify, streams);
     if (info->parsed()) return run_info(choices.info, streams);
+    if (silhouette->parsed()) return run_silhouette(choices.silhouette, streams);
     if (commands->parsed()) return list_commands(choices, streams);
     if (bench->parsed()) return run_bench(choices.bench, streams);
     std::error_code error;

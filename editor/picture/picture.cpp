@@ -76,6 +76,13 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
     for (const auto& [id, ref] : evaluated.objects)
         for (gpu::Curve& curve : curves_of(*ref, curve_width_px * wider))
             picture.curves.push_back(std::move(curve));
+    for (const auto& [id, ref] : evaluated.objects) {
+        const auto own = document.objects.find(id);
+        if (own == document.objects.end() || own->second->stroke) continue; // deleted, or bent
+        const std::vector<gpu::Curve>& lines =
+            values.volume_lines(*ref, to_world(document, id), camera, wider);
+        picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());
+    }
     if (document.render->volumes) {
         const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
         add_volumes(picture, evaluated, document, color, wider);

@@ -3,6 +3,7 @@
 
 #include "core/evaluation/evaluate.h"
 #include "core/unwrap/uv_stretch.h"
+#include "editor/picture/volume_lines.h"
 
 #include <map>
 #include <optional>
@@ -26,6 +27,9 @@ public:
     // Null where it has none, and for tiles.
     Ref<std::vector<float>> uvs_of(const EvaluatedObject& object, std::size_t part,
                                    UvMeasure measure);
+    // The lines of volume data; see VolumeLines.
+    VolumeLines volume_lines;
+
     // As many materials, all with a checkered texture.
     Ref<std::vector<Material>> checkered(std::size_t count);
 

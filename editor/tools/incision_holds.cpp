@@ -15,7 +15,7 @@ constexpr double incision_hold_px = 10;   // of a handle
 constexpr double least_open_px = 13;      // so far from the cut stand the handles of a shut one
 constexpr double least_deep_px = 30;      // and that of the depth
 constexpr double zip_off_px = 24;         // so far beside the cut hangs the knot
-constexpr double end_on = 0.35;           // share of its length below which a way is not followed
+constexpr double opening_end_on = 0.35;   // share of its length below which a way is not followed
 constexpr std::size_t fewest_points = 12; // of a stroke that a hand bends
 
 std::optional<glm::dvec2> cut_pixel(const Camera& camera, const glm::dvec3& p_world)
@@ -169,7 +169,7 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
             const double px = world_per_px(camera, base);
             const glm::dvec2 seen_way =
                 project(camera, base + way_world * px).p_px - *from; // per pixel of length
-            const bool hidden = glm::length(seen_way) < end_on;
+            const bool hidden = glm::length(seen_way) < opening_end_on;
             if (hidden && hold != IncisionHold::depth) return;
             // What points at the eye is drawn and dragged downward, or to the right beside a cut
             // that goes down itself

@@ -159,8 +159,10 @@ Document fitting_document()
     const Document cut =
         after(heights, CutThrough{.objects = {5}, .cutting = {.cuts = {{.gap = 0.1}}}});
     const Document incised = after(cut, Incise{.object = 5, .incision = an_incision()});
-    return after(after(incised, Incise{.object = 5, .incision = a_crossing_incision()}),
-                 PeelFlap{.object = 5, .flap = a_flap()});
+    const Document peeled =
+        after(after(incised, Incise{.object = 5, .incision = a_crossing_incision()}),
+              PeelFlap{.object = 5, .flap = a_flap()});
+    return after(peeled, AddVoxels{.shape = {.path = "head.nrrd", .levels = {{.value = 3}}}});
 }
 
 std::vector<Command> fitting_commands()
@@ -243,6 +245,8 @@ std::vector<Command> fitting_commands()
             AddHeights{.shape = {.image = "hills.png"}},
             SetHeights{.object = 9, .shape = {.image = "dunes.png"}},
             Displace{.base = 2, .shape = {.image = "hills.png"}},
+            AddVoxels{.shape = {.path = "head.nrrd"}},
+            SetVoxels{.object = 10, .shape = {.path = "head.nrrd", .blur = 2}},
             Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
             ClearUnwrap{.objects = {1}},
             Split{.objects = {1}, .splitting = {.obstacles = {{2}}}},

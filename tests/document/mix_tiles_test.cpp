@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id base_ball = 2, layer_stud = 8, other_box = 10; // of mixed_document()
+constexpr Id base_ball = 2, layer_stud = 8, other_box = 11; // of mixed_document()
 
 // A layer of cylinders on a ball, mixed with a box that is red.
 Document mixed_document(double own = 1, double of_box = 1)
@@ -170,6 +170,8 @@ TEST(MixTiles, IsRefusedInASentence)
     expect_no_mix(PaintTiles{other_box, layer_stud, a_tile_stroke()}, "depends on");
 }
 
+constexpr Id morphing = 11, morph_into = 12; // of morphing_document()
+
 // A layer of cubes on the ball that become flat boxes, or what `into` makes.
 Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 0.2, 0.05},
                                                                   .segments = {1, 1, 1}}},
@@ -181,9 +183,9 @@ Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 
     TileStroke stroke = a_tile_stroke();
     stroke.radius = 0.15;
     stroke.size = 0.02;
-    document = after(document, PaintTiles{10, base_ball, stroke, {}});
-    document = after(document, MorphTiles{10, 11});
-    return after(document, SetTiles{{10}, look});
+    document = after(document, PaintTiles{morphing, base_ball, stroke, {}});
+    document = after(document, MorphTiles{morphing, morph_into});
+    return after(document, SetTiles{{morphing}, look});
 }
 
 // The greatest height of the tiles of each part over the ball.
@@ -191,7 +193,7 @@ std::vector<double> heights_of(const Document& document)
 {
     std::vector<double> out;
     const Evaluation shown = new_evaluator()(document, 1);
-    for (const Part& part : shown.objects.at(10)->parts) {
+    for (const Part& part : shown.objects.at(morphing)->parts) {
         double highest = 0;
         for (const glm::vec3& p : part.mesh()->positions)
             highest = std::max(highest, static_cast<double>(glm::length(p)) - 0.4);
@@ -236,9 +238,9 @@ TEST(MorphTiles, FollowAMask)
         const Document document =
             morphing_document(AddBox{.shape = {.size = {0.2, 0.2, 0.05}, .segments = {1, 1, 1}}},
                               {.morph = 1, .phases = 3});
-        return heights_of(
-            after(document,
-                  MaskTiles{10, 0, {.drives = MaskDrives::morph, .low = value, .high = value}}));
+        return heights_of(after(
+            document,
+            MaskTiles{morphing, 0, {.drives = MaskDrives::morph, .low = value, .high = value}}));
     };
     for (const auto& [value, height] :
          {std::pair(0.0, 0.02), std::pair(0.5, 0.0125), std::pair(1.0, 0.005)}) {
@@ -250,14 +252,14 @@ TEST(MorphTiles, FollowAMask)
 TEST(MorphTiles, SayWhyTheyStayWhatTheyAre)
 {
     const Document document = morphing_document(AddSphere{}, {.morph = 1});
-    const Ref<EvaluatedObject> layer = new_evaluator()(document, 1).objects.at(10);
+    const Ref<EvaluatedObject> layer = new_evaluator()(document, 1).objects.at(morphing);
     EXPECT_THAT(layer->notices,
                 ::testing::Contains(::testing::HasSubstr("its tiles cannot become Sphere")));
     EXPECT_NEAR(heights_of(document).at(0), 0.02, 1e-3);
-    EXPECT_TRUE(object(document, 11).hidden);
+    EXPECT_TRUE(object(document, morph_into).hidden);
     expect_no_mix(MorphTiles{layer_stud, layer_stud}, "is the layer itself");
     expect_no_mix(MorphTiles{other_box, base_ball}, "no layer of tiles");
-    EXPECT_EQ(object(after(document, Delete{{11}}), 10).tiles->into, 0);
+    EXPECT_EQ(object(after(document, Delete{{morph_into}}), morphing).tiles->into, 0);
 }
 
 TEST(SlidingTiles, GoOverTheirBase)
@@ -270,11 +272,11 @@ TEST(SlidingTiles, GoOverTheirBase)
         one.brush = TileBrush::line;
         one.samples.resize(1);
         one.size = 0.02;
-        document = after(document, RemoveTileStrokes{10, {}});
-        document = after(document, PaintTiles{10, base_ball, one, {}});
-        document = after(document, SetTiles{{10}, {.slide_x = slide.x, .slide_y = slide.y}});
+        document = after(document, RemoveTileStrokes{morphing, {}});
+        document = after(document, PaintTiles{morphing, base_ball, one, {}});
+        document = after(document, SetTiles{{morphing}, {.slide_x = slide.x, .slide_y = slide.y}});
         const Evaluation shown = new_evaluator()(document, 1);
-        for (const Part& part : shown.objects.at(10)->parts)
+        for (const Part& part : shown.objects.at(morphing)->parts)
             for (const glm::vec3& p : part.mesh()->positions) {
                 sum += glm::dvec3(p);
                 ++count;

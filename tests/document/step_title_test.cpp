@@ -95,6 +95,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Add Heights hills.png",
         "Picture of Heights dunes.png",
         "Displace Ball by hills.png",
+        "Add Volume data head.nrrd",
+        "Remove level of Volume data",
         "Unwrap Table",
         "Give Table its own UVs back",
         "Split Table at Ball",

@@ -23,6 +23,10 @@ struct VerticesOf {
     double operator()(const MoebiusShape& s) const { return 1.0 * s.segments.x * s.segments.y; }
     double operator()(const TeapotShape& s) const { return 32.0 * s.resolution * s.resolution; }
     double operator()(const TextShape&) const { return too_much; }
+    double operator()(const VoxelShape& s) const
+    {
+        return 1e6 * static_cast<double>(s.levels.size());
+    }
     double operator()(const HeightShape& s) const { return 1.0 * s.segments * s.segments; }
     double operator()(const LatticeShape& s) const { return 10.0 * s.grid.x * s.grid.y * s.grid.z; }
 };

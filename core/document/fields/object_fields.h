@@ -20,6 +20,7 @@
 #include "core/document/fields/travel_fields.h"
 #include "core/document/fields/unwrapping_fields.h"
 #include "core/document/fields/view_fields.h"
+#include "core/document/fields/voxel_fields.h"
 
 // The fields of all that an object or a scene holds. Whoever walks through a whole object includes
 // this: a value whose fields nobody listed would be passed over in silence. The digest of a

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/voxels.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/commands/edits.h"
+#include "core/commands/number_words.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t most_levels = 64;
+
+std::string level_words(const VoxelLevel& level)
+{
+    return level.name.empty() ? fmt::format("{:.6g}", level.value) : excerpt(level.name);
+}
+
+// The only level that differs; none: all else, or several of them.
+const VoxelLevel* changed_level(const VoxelShape& before, const VoxelShape& after)
+{
+    if (before.levels.size() != after.levels.size()) return nullptr;
+    const VoxelLevel* out = nullptr;
+    for (std::size_t i = 0; i < after.levels.size(); ++i) {
+        if (before.levels[i] == after.levels[i]) continue;
+        if (out) return nullptr;
+        out = &after.levels[i];
+    }
+    return out;
+}
+
+} // namespace
+
+void check(const VoxelShape& shape)
+{
+    if (shape.path.empty()) throw Rejected("field \"path\" names no file");
+    if (shape.levels.size() > most_levels)
+        throw Rejected(fmt::format("field \"levels\": at most {} levels are shown", most_levels));
+}
+
+std::string size_words(const VoxelShape& shape)
+{
+    return excerpt(std::filesystem::path(shape.path).filename().string());
+}
+
+Document applied(Document document, const SetVoxels& command)
+{
+    if (!std::holds_alternative<VoxelShape>(object(document, command.object).source))
+        throw Rejected(fmt::format("field \"object\": {} is no volume data", command.object));
+    check(command.shape);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.source = command.shape; });
+}
+
+StepTitle title(const SetVoxels& c, const StepDocuments& step)
+{
+    const std::string name = name_in(step.before, c.object);
+    const Object* object = step.was(c.object);
+    const auto* old = object ? std::get_if<VoxelShape>(&object->source) : nullptr;
+    if (!old) return {"Volume data of " + name, {}};
+    if (old->path != c.shape.path) return {"File of " + name, size_words(c.shape)};
+    if (old->levels.size() < c.shape.levels.size())
+        return {"Level of " + name, level_words(c.shape.levels.back())};
+    if (old->levels.size() > c.shape.levels.size()) return {"Remove level of " + name, {}};
+    if (const VoxelLevel* level = changed_level(*old, c.shape))
+        return {"Level of " + name, level_words(*level)};
+    return {"Volume data of " + name, {}};
+}
+
+} // namespace trivar

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/surfacing_fields.h"
+#include "core/document/voxel_shape.h"
+
+namespace trivar {
+
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<LineWidth>{"even", "slope", "depth",
+                                                                         "bend"};
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<LineColor>{"plain", "slope", "depth",
+                                                                         "grey"};
+template <>
+inline constexpr std::array<std::string_view, 4> choice_words<LineColor>{
+    "plain", "hue by slope", "hue by depth", "grey by slope"};
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<HiddenLines>{"none", "faint",
+                                                                           "dashed", "seen"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<FieldSpline>{"interpolating",
+                                                                           "smoothing"};
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<FieldOrder>{"linear", "quadratic",
+                                                                          "cubic"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<LevelSide>{"above", "below"};
+
+template <> struct FieldsOf<LineStyle> {
+    static constexpr std::string_view told_as = "[lines](#lines)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("width", s.width, "of the lines, pixels", in_range(0.05, 100).called("Line width"));
+        field("finest", s.finest, "share of the width down to which a line may become fine",
+              in_range(0, 1).called("Finest").in(Unit::share));
+        field("width_by", s.width_by,
+              "what the width follows: nothing, the slope of the data (steep: fine), the depth "
+              "(far: fine), or how sharply the surface turns away (sharp: fine)",
+              any_value.called("Width by").without_keys());
+        field("color_by", s.color_by,
+              "what the colour follows: nothing, the slope or the depth as a hue from red to blue, "
+              "or the slope as a grey",
+              any_value.called("Colour by").without_keys());
+        field("color", s.color, "sRGB red, green, blue",
+              in_range(0, 1).called("Line colour").with_axes("red|green|blue"));
+        field("taper", s.taper, "length over which a loose end becomes fine, pixels",
+              in_range(0, 1000).called("Taper"));
+        field("wobble", s.wobble,
+              "greatest distance of a line from its place, as of a hand; pixels",
+              in_range(0, 100).called("Wobble").zero_is("none"));
+        field("seed", s.seed, "of the wobble", any_value.called("Seed").without_keys());
+        field("hidden_lines", s.hidden, "how hidden lines are drawn",
+              any_value.called("Hidden lines").without_keys());
+    }
+};
+template <> struct FieldsOf<VoxelLevel> {
+    static constexpr std::string_view told_as = "[level](#level)";
+    static void fields(auto& l, auto&& field)
+    {
+        field("name", l.name, "what it is called; empty: by its value");
+        field("value", l.value, "of the data at the level, in their own unit",
+              required_in_range(-1e30, 1e30).called("Level"));
+        field("hidden", l.hidden, "nothing of it is shown");
+        field("surface", l.surface, "whether its surface is shown",
+              any_value.called("Surface").says("shown", "off"));
+        FieldsOf<Surfacing>::fields(l.look, field);
+        field("lines", l.lines, "whether its silhouettes are drawn",
+              any_value.called("Lines").says("drawn", "off"));
+        field("ink", l.ink, "how its lines are drawn");
+    }
+};
+template <> struct FieldsOf<VoxelShape> {
+    static constexpr std::string_view verb = "add_volume",
+                                      summary = "Add volume data from a file or a folder, with "
+                                                "levels that are shown as surfaces and lines.",
+                                      name = "Volume data";
+    static void fields(auto& s, auto&& field)
+    {
+        field("path", s.path, "file or folder, relative to the scene file's folder",
+              required.without_keys());
+        field("hash", s.hash, "digest of its content; empty: any", any_value.without_keys());
+        field("scale", s.scale, "metres in the scene per metre of the data",
+              in_range(1e-9, 1e9).called("Scale"));
+        field("order", s.order, "of the spline through the samples",
+              any_value.called("Spline").without_keys());
+        field("spline", s.spline,
+              "interpolating: through the samples; smoothing: the samples are its control points",
+              any_value.called("Samples").without_keys());
+        field("blur", s.blur, "how often the samples are smoothed before",
+              in_range(0, 64).called("Blur").zero_is("none"));
+        field("body", s.body, "on which side of its level a body is",
+              any_value.called("Body").without_keys());
+        field("levels", s.levels, "that are shown; none: one that parts the values best");
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/surfacing.h"
+#include "core/silhouette/ink.h"
+#include "core/silhouette/visibility.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// A VoxelLevel is a level of volume data that is shown: by its surface, by its lines, or by both.
+struct VoxelLevel {
+    std::string name = {}; // empty: by its value
+    double value = 0;      // of the data, in their own unit
+    bool hidden = false;
+    bool surface = true;
+    Surfacing look = {}; // of the surface
+    bool lines = true;
+    LineStyle ink = {};
+    bool operator==(const VoxelLevel&) const = default;
+};
+
+// A VoxelShape is volume data from a file or a folder, as a function over its grid, with the levels
+// that are shown. Each level is a closed mesh, so that whatever is done with a mesh can be done
+// with it.
+struct VoxelShape {
+    std::string path = {}, hash = {}; // named as an ImportedFile is
+    double scale = 1;                 // metres of the scene per metre of the data
+    FieldOrder order = FieldOrder::cubic;
+    FieldSpline spline = FieldSpline::interpolating;
+    int blur = 0; // number of times that (1 2 1)/4 is applied to the samples along each axis
+    LevelSide body = LevelSide::above; // on which side of its level a body is
+    std::vector<VoxelLevel> levels = {};
+    bool operator==(const VoxelShape&) const = default;
+};
+
+} // namespace trivar

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/voxel_shapes.h"
+
+#include "core/base/rejected.h"
+#include "core/evaluation/inside_material.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t kept_changes = 3; // of every level
+
+std::string name_of(const VoxelLevel& level)
+{
+    return level.name.empty() ? fmt::format("Level {:.6g}", level.value) : level.name;
+}
+
+} // namespace
+
+Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
+                              const Progress& progress)
+{
+    const AssetStore::LoadedVolume loaded = timed(
+        timings, "import", [&] { return assets.load_volume(source.path, source.hash, progress); });
+    Model model;
+    ShownVolume shown;
+    if (loaded.grid) {
+        shown.field = fields_({loaded.grid, {source.spline, source.order, source.blur}}, [&] {
+            return timed(timings, "field", [&] {
+                return std::make_shared<const VoxelField>(
+                    loaded.grid, VoxelFieldOptions{source.spline, source.order, source.blur});
+            });
+        });
+        shown.side = shown.field->side(source.body);
+        shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * loaded.grid->to_metres;
+        levels_.keep(kept_changes * (source.levels.size() + 1));
+        surfaces_.keep(kept_changes * (source.levels.size() + 1));
+    }
+    for (std::size_t i = 0; i < source.levels.size() && shown.field; ++i) {
+        const VoxelLevel& level = source.levels[i];
+        if (level.hidden) continue;
+        report(progress, static_cast<double>(i) / static_cast<double>(source.levels.size()),
+               name_of(level));
+        const Ref<LevelMesh>& mesh = levels_({shown.field, level.value}, [&] {
+            return timed(timings, "level",
+                         [&] { return make_ref(shown.field->level(level.value)); });
+        });
+        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink});
+        if (!level.surface) continue;
+        const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale}, [&] {
+            return timed(timings, "level", [&] {
+                Mesh made = shown.field->surface(*mesh, source.body, shown.to_model);
+                return make_ref(std::move(made));
+            });
+        });
+        if (surface->face_count() == 0) continue;
+        Mesh of_level = *surface;
+        of_level.face_material.assign(of_level.face_count(),
+                                      static_cast<std::uint32_t>(model.materials.size()));
+        model.nodes.push_back(
+            {name_of(level), -1, glm::dmat4(1), static_cast<int>(model.meshes.size())});
+        model.meshes.push_back(make_ref(std::move(of_level)));
+        model.materials.push_back(material_of(level.look));
+        model.materials.back().name = name_of(level);
+    }
+    if (model.materials.empty()) model.materials.emplace_back();
+    Shape out = shape_of(make_ref(std::move(model)));
+    out.notices = loaded.notices;
+    if (!loaded.grid) out.lacks = loaded.notices;
+    if (shown.field) out.volume = make_ref(std::move(shown));
+    return out;
+}
+
+} // namespace trivar

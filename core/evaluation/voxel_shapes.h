@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/recent.h"
+#include "core/base/timing.h"
+#include "core/document/asset_store.h"
+#include "core/evaluation/shape.h"
+#include "core/evaluation/shown_volume.h"
+
+#include <tuple>
+
+namespace trivar {
+
+// VoxelShapes makes shapes of volume data: one mesh per level that shows its surface. It keeps the
+// last fields and levels, so that a level that is dragged costs its own mesh alone.
+class VoxelShapes {
+public:
+    // Throws Rejected for trouble with the data; a file that is missing gives an empty shape that
+    // says so. Throws Cancelled. Stages: import, field, level.
+    Shape operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
+                     const Progress& progress);
+
+private:
+    using FieldKey = std::pair<Ref<VoxelGrid>, VoxelFieldOptions>;
+    using LevelKey = std::pair<Ref<VoxelField>, double>;
+    using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double>; // with the scale
+
+    Recent<FieldKey, Ref<VoxelField>> fields_;
+    Recent<LevelKey, Ref<LevelMesh>> levels_;
+    Recent<SurfaceKey, Ref<Mesh>> surfaces_;
+};
+
+} // namespace trivar

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/voxel_field.h"
+
+#include "core/silhouette/blur.h"
+#include "core/silhouette/level_surface.h"
+
+namespace trivar {
+namespace {
+
+std::vector<float> samples_after(const VoxelGrid& grid, int blur)
+{
+    if (blur <= 0) return {};
+    return std::visit(
+        [&](const auto& samples) { return blurred(std::span(samples), grid.size, blur); },
+        grid.samples);
+}
+
+ScalarField<float> field_of(const VoxelGrid& grid, const std::vector<float>& blurred,
+                            const VoxelFieldOptions& options)
+{
+    const auto of = [&](const auto& samples) {
+        return ScalarField<float>(std::span(samples), grid.size, options.spline, options.order);
+    };
+    return blurred.empty() ? std::visit(of, grid.samples) : of(blurred);
+}
+
+} // namespace
+
+VoxelField::VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options)
+    : grid_(std::move(grid)),
+      blurred_(samples_after(*grid_, options.blur)),
+      field_(field_of(*grid_, blurred_, options)),
+      hulls_(field_)
+{
+    if (options.spline == FieldSpline::interpolating || options.order == FieldOrder::linear) return;
+    lattice_ = lattice_values(field_);
+    blurred_ = {};
+}
+
+auto VoxelField::with_lattice(auto&& use) const
+{
+    if (!lattice_.empty()) return use(std::span<const float>(lattice_));
+    if (!blurred_.empty()) return use(std::span<const float>(blurred_));
+    return std::visit([&](const auto& samples) { return use(std::span(samples)); }, grid_->samples);
+}
+
+LevelMesh VoxelField::level(double value, LevelAccuracy accuracy) const
+{
+    const auto at = static_cast<float>(grid_->sample(value));
+    return with_lattice([&](auto values) { return level_mesh(field_, values, at, accuracy); });
+}
+
+LevelSide VoxelField::side(LevelSide of_values) const
+{
+    return (of_values == LevelSide::above) == (grid_->slope > 0) ? LevelSide::above
+                                                                 : LevelSide::below;
+}
+
+Mesh VoxelField::surface(const LevelMesh& level, LevelSide of_values,
+                         const glm::dmat4& to_space) const
+{
+    return with_lattice([&](auto values) {
+        return level_surface(level, values, grid_->size, side(of_values), to_space);
+    });
+}
+
+std::size_t VoxelField::bytes() const
+{
+    return grid_->bytes() + field_.bytes() + hulls_.bytes() +
+           (blurred_.size() + lattice_.size()) * sizeof(float);
+}
+
+} // namespace trivar

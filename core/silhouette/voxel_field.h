@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/mesh/mesh.h"
+#include "core/silhouette/level_mesh.h"
+#include "core/silhouette/visibility.h"
+#include "core/voxels/voxel_grid.h"
+
+namespace trivar {
+
+// How volume data become a function.
+struct VoxelFieldOptions {
+    FieldSpline spline = FieldSpline::interpolating;
+    FieldOrder order = FieldOrder::cubic;
+    int blur = 0; // see blurred()
+    bool operator==(const VoxelFieldOptions&) const = default;
+};
+
+// A VoxelField is volume data as a function, with all that its levels are found by. Levels are told
+// as values of the data; the function itself is of samples, which are slope and intercept away from
+// these.
+class VoxelField {
+public:
+    // O(#samples); 4 bytes per sample beside the grid, 8 where it is blurred or smoothed. Throws
+    // Rejected.
+    VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options);
+
+    const VoxelGrid& grid() const { return *grid_; }
+    const ScalarField<float>& field() const { return field_; }
+    const FieldHulls& hulls() const { return hulls_; }
+
+    // The level at a value; on which side of it, as samples, a body is whose values are on a side.
+    LevelMesh level(double value, LevelAccuracy accuracy = LevelAccuracy::exact) const;
+    LevelSide side(LevelSide of_values) const;
+    LevelBody body(const LevelMesh& level, LevelSide of_values) const
+    {
+        return {field_, hulls_, level.level, side(of_values)};
+    }
+    // The closed surface of such a body; see level_surface().
+    Mesh surface(const LevelMesh& level, LevelSide of_values, const glm::dmat4& to_space) const;
+    std::size_t bytes() const; // all of it, with the grid
+
+private:
+    // Calls use(values) with the function's values at the points of its lattice.
+    auto with_lattice(auto&& use) const;
+
+    Ref<VoxelGrid> grid_;
+    std::vector<float> blurred_; // samples; empty: the grid's own
+    ScalarField<float> field_;
+    FieldHulls hulls_;
+    std::vector<float> lattice_; // values; empty: the samples
+};
+
+} // namespace trivar

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/voxels/volume_summary.h"
+
+namespace trivar {
+
+// The value that parts the values of a volume best: the variance between both parts is greatest
+// [Otsu 1979]. Of whole numbers it is half a step above one, so that no sample is at the level.
+double usual_level(const VolumeSummary& summary, const VoxelGrid& grid);
+
+} // namespace trivar
