@@ -11,7 +11,9 @@ namespace trivar {
 struct Polyline {
     std::vector<glm::vec3> points;
     // linear with coverage; one per point, or one for all; empty: white
-    std::vector<glm::vec4> colors;
+    std::vector<glm::vec4> colors = {};
+    // Shares of the width that the line is drawn with, one per point; empty: all of it.
+    std::vector<float> widths = {};
     bool operator==(const Polyline&) const = default;
 };
 

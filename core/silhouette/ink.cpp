@@ -1,42 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/ink.h"
 
+#include "core/silhouette/value_range.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace trivar {
 namespace {
 
-constexpr float outermost = 0.05f;  // share of the points that a range leaves out on each side
 constexpr float faint = 0.3f;       // opacity
 constexpr float fine_hidden = 0.6f; // share of the width of a hidden line
 constexpr float finest_end = 0.2f;  // share of the width at a loose end
-constexpr float wave = 24;          // pixels, of a wobble
-
-// The part of a range that a value is at, 0 .. 1.
-class ValueRange {
-public:
-    explicit ValueRange(std::vector<float> values)
-    {
-        if (values.empty()) return;
-        const auto at = [&](float share) {
-            const auto i =
-                static_cast<std::ptrdiff_t>(share * static_cast<float>(values.size() - 1));
-            std::nth_element(values.begin(), values.begin() + i, values.end());
-            return values[static_cast<std::size_t>(i)];
-        };
-        least_ = at(outermost);
-        greatest_ = at(1 - outermost);
-    }
-    float share(float value) const
-    {
-        return greatest_ > least_ ? std::clamp((value - least_) / (greatest_ - least_), 0.0f, 1.0f)
-                                  : 0.5f;
-    }
-
-private:
-    float least_ = 0, greatest_ = 0;
-};
+constexpr float wobble_wave = 24;   // pixels
+constexpr float grain_wave = 5;     // pixels, of a pencil
+constexpr int pencil_passes = 3;    // over a line
+constexpr float pencil_sway = 0.8f; // pixels that a pass goes aside, at most
 
 glm::vec3 hue(float share) // from red over yellow, green and cyan to blue
 {
@@ -45,22 +24,42 @@ glm::vec3 hue(float share) // from red over yellow, green and cyan to blue
                       0.0f, 1.0f);
 }
 
-// A number from -1 to 1 that belongs to a whole number and a seed [Jenkins, one at a time].
-float noise_at(std::int64_t i, std::uint64_t seed)
+// A number from -1 to 1 that belongs to a place of a lattice and a seed [Steele, Lea, Flood 2014].
+float noise_at(const glm::ivec3& at, std::uint64_t seed)
 {
-    std::uint64_t h = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15u ^ seed;
+    const auto u = [](int i) { return static_cast<std::uint64_t>(i); };
+    std::uint64_t h = u(at.x) * 0x9E3779B97F4A7C15u ^ u(at.y) * 0xC2B2AE3D27D4EB4Fu ^
+                      u(at.z) * 0x165667B19E3779F9u ^ seed * 0xD6E8FEB86659FD93u;
     h ^= h >> 29;
     h *= 0xBF58476D1CE4E5B9u;
     h ^= h >> 32;
     return static_cast<float>(h & 0xFFFF) / 32767.5f - 1;
 }
 
-// Smooth noise along a line.
-float wobble_at(float way, std::uint64_t seed)
+// Smooth noise in space, with waves of 2^octave voxels.
+float octave_noise(const glm::vec3& p, int octave, std::uint64_t seed)
 {
-    const float x = way / wave, whole = std::floor(x), t = x - whole;
-    const auto i = static_cast<std::int64_t>(whole);
-    return std::lerp(noise_at(i, seed), noise_at(i + 1, seed), t * t * (3 - 2 * t));
+    const glm::vec3 x = p * std::ldexp(1.0f, -octave), whole = glm::floor(x), t = x - whole;
+    const glm::vec3 s = t * t * (3.0f - 2.0f * t);
+    const glm::ivec3 at(whole);
+    const std::uint64_t own = seed * 31 + static_cast<std::uint64_t>(octave + 64);
+    float out = 0;
+    for (int k = 0; k < 8; ++k) {
+        const glm::ivec3 c(k & 1, k >> 1 & 1, k >> 2);
+        const glm::vec3 share = glm::mix(1.0f - s, s, glm::vec3(c));
+        out += share.x * share.y * share.z * noise_at(at + c, own);
+    }
+    return out;
+}
+
+// The same with waves of any length: a mixture of the two next octaves, so that it does not jump
+// when a view comes nearer.
+float space_noise(const glm::vec3& p, float octave, std::uint64_t seed)
+{
+    const float whole = std::floor(octave);
+    const int first = static_cast<int>(whole);
+    return std::lerp(octave_noise(p, first, seed), octave_noise(p, first + 1, seed),
+                     octave - whole);
 }
 
 // Inker knows the ranges of all strokes of a drawing.
@@ -70,32 +69,27 @@ public:
         : style_(style),
           slopes_(values(strokes, [](const StrokePoint& p) { return p.slope; })),
           depths_(values(strokes, [](const StrokePoint& p) { return p.depth; })),
-          bends_(values(strokes, [](const StrokePoint& p) { return std::abs(p.bend); }))
+          bends_(values(strokes, [](const StrokePoint& p) { return std::abs(p.bend); })),
+          scale_(scale_of(strokes))
     {
     }
-    InkedLine operator()(const Stroke& stroke) const
+    void operator()(const Stroke& stroke, std::vector<InkedLine>& out) const
     {
-        InkedLine out;
-        out.hidden = stroke.hidden;
-        out.edge = stroke.edge;
-        if (stroke.hidden && style_.hidden == HiddenLines::faint) out.opacity = faint;
-        out.dashed = stroke.hidden && style_.hidden == HiddenLines::dashed;
-        const auto length = static_cast<float>(stroke.length());
-        const float taper = std::min(style_.taper, 0.35f * length);
-        const bool fine = stroke.hidden && style_.hidden != HiddenLines::as_seen;
-        float way = 0;
-        for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-            const StrokePoint& p = stroke.points[i];
-            if (i > 0) way += glm::distance(p.at, stroke.points[i - 1].at);
-            float width = width_at(p) * (fine ? fine_hidden : 1);
-            if (stroke.tapers_first) width *= end_share(way, taper);
-            if (stroke.tapers_last) width *= end_share(length - way, taper);
-            out.points.push_back({moved(stroke, i, way, length), width, color_at(p)});
-        }
-        return out;
+        const int passes = style_.pencil > 0 ? pencil_passes : 1;
+        for (int pass = 0; pass < passes; ++pass) out.push_back(line_of(stroke, pass));
     }
 
 private:
+    static float scale_of(std::span<const Stroke> strokes)
+    {
+        double pixels = 0, voxels = 0;
+        for (const Stroke& stroke : strokes)
+            for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+                pixels += double{glm::distance(stroke.points[i].at, stroke.points[i - 1].at)};
+                voxels += double{glm::distance(stroke.points[i].p, stroke.points[i - 1].p)};
+            }
+        return pixels > 0 && voxels > 0 ? static_cast<float>(pixels / voxels) : 1;
+    }
     static std::vector<float> values(std::span<const Stroke> strokes, auto&& of)
     {
         std::vector<float> out;
@@ -107,6 +101,38 @@ private:
     static float end_share(float way, float taper)
     {
         return taper > 0 ? std::lerp(finest_end, 1.0f, std::min(1.0f, way / taper)) : 1;
+    }
+    InkedLine line_of(const Stroke& stroke, int pass) const
+    {
+        InkedLine out;
+        out.hidden = stroke.hidden;
+        out.id = stroke.id;
+        if (stroke.hidden && style_.hidden == HiddenLines::faint) out.opacity = faint;
+        out.dashed = stroke.hidden && style_.hidden == HiddenLines::dashed;
+        const std::uint64_t seed = static_cast<std::uint64_t>(style_.seed) * pencil_passes +
+                                   static_cast<std::uint64_t>(pass);
+        const float sway = style_.wobble + pencil_sway * style_.pencil;
+        if (style_.pencil > 0) out.opacity *= std::lerp(1.0f, 0.5f, style_.pencil);
+        const auto length = static_cast<float>(stroke.length());
+        const float taper = std::min(style_.taper, 0.35f * length);
+        const bool fine = stroke.hidden && style_.hidden != HiddenLines::as_seen;
+        float way = 0;
+        for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+            const StrokePoint& p = stroke.points[i];
+            if (i > 0) way += glm::distance(p.at, stroke.points[i - 1].at);
+            float width = width_at(p) * (fine ? fine_hidden : 1);
+            if (stroke.tapers_first) width *= end_share(way, taper);
+            if (stroke.tapers_last) width *= end_share(length - way, taper);
+            if (style_.pencil > 0) width *= grain_at(p, seed);
+            out.points.push_back({moved(stroke, i, sway, seed), width, color_at(p), p.p});
+        }
+        return out;
+    }
+    // What a pencil leaves of the width at a point.
+    float grain_at(const StrokePoint& p, std::uint64_t seed) const
+    {
+        const float grain = space_noise(p.p, octave(grain_wave), seed + 77);
+        return std::max(0.08f, 1 - style_.pencil * (0.45f - 0.5f * grain));
     }
     float width_at(const StrokePoint& p) const
     {
@@ -132,26 +158,33 @@ private:
         }
         return style_.color;
     }
-    // A loop comes back to where it began.
-    glm::vec2 moved(const Stroke& stroke, std::size_t i, float way, float length) const
+    glm::vec2 moved(const Stroke& stroke, std::size_t i, float sway, std::uint64_t seed) const
     {
         const StrokePoint& p = stroke.points[i];
-        if (style_.wobble == 0) return p.at;
-        const glm::vec2 along = stroke.points[std::min(i + 1, stroke.points.size() - 1)].at -
-                                stroke.points[i > 0 ? i - 1 : 0].at;
+        if (sway == 0) return p.at;
+        const std::size_t n = stroke.points.size();
+        const bool loop = stroke.is_loop(); // which comes back to where it began
+        const std::size_t before = i > 0  ? i - 1
+                                   : loop ? n - 2
+                                          : 0,
+                          after = i + 1 < n ? i + 1
+                                  : loop    ? 1
+                                            : n - 1;
+        const glm::vec2 along = stroke.points[after].at - stroke.points[before].at;
         const float norm = glm::length(along);
         if (norm == 0) return p.at;
-        const std::uint64_t seed = stroke.edge * 31 + static_cast<std::uint64_t>(style_.seed);
-        float out = wobble_at(way, seed);
-        if (stroke.is_loop()) {
-            const float t = way / length;
-            out = std::lerp(out, wobble_at(way - length, seed), t);
-        }
-        return p.at + style_.wobble * out * glm::vec2(-along.y, along.x) / norm;
+        return p.at + sway * space_noise(p.p, octave(wobble_wave), seed) *
+                          glm::vec2(-along.y, along.x) / norm;
+    }
+    // log2 of so many pixels in voxels.
+    float octave(float pixels) const
+    {
+        return std::clamp(std::log2(pixels / scale_), -8.0f, 16.0f);
     }
 
     const LineStyle& style_;
     ValueRange slopes_, depths_, bends_;
+    float scale_; // pixels per voxel, on average
 };
 
 } // namespace
@@ -170,8 +203,9 @@ std::vector<InkedLine> inked(std::span<const Stroke> strokes, const LineStyle& s
         if (hidden && style.hidden == HiddenLines::none) continue;
         for (std::size_t i = 0; i < strokes.size(); ++i)
             if (strokes[i].hidden == hidden) {
-                out.push_back(ink(strokes[i]));
-                out.back().stroke = i;
+                const std::size_t first = out.size();
+                ink(strokes[i], out);
+                for (std::size_t k = first; k < out.size(); ++k) out[k].stroke = i;
             }
     }
     return out;

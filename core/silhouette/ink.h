@@ -27,8 +27,11 @@ struct LineStyle {
     glm::vec3 color{0.05f, 0.05f, 0.07f}; // sRGB, 0 .. 1
     float taper = 12;                     // length over which a loose end becomes fine
     float wobble = 0;                     // greatest distance from the line, as of a hand
-    int seed = 1;                         // of the wobble
+    float pencil = 0;                     // 0 .. 1: how far it is like a pencil's; 0: as of a pen
+    int seed = 1;                         // of the wobble and the pencil
     HiddenLines hidden = HiddenLines::none;
+    float fan_step = 0;    // between the fans on a line, see fans(); 0: none
+    float fan_length = 16; // of the longest hairs of a fan
     bool operator==(const LineStyle&) const = default;
 };
 
@@ -38,18 +41,20 @@ struct InkedLine {
         glm::vec2 at; // pixels
         float width;
         glm::vec3 color; // sRGB
+        glm::vec3 p{0};  // voxels
     };
     std::vector<Point> points;
     float opacity = 1;
     bool dashed = false;
     bool hidden = false;
-    std::uint64_t edge = 0; // of the stroke
+    std::uint64_t id = 0;   // of the stroke
     std::size_t stroke = 0; // its number among those that were inked
     bool is_even() const;   // of one width
 };
 
 // Inks strokes, hidden ones first. Slopes, depths and bends are taken relative to the range of
-// those that are seen, without the outermost twentieth on each side.
+// those that are seen, without the outermost twentieth on each side. A wobble is of the place in
+// space, so that lines keep it while the view turns; a pencil goes over a line three times.
 std::vector<InkedLine> inked(std::span<const Stroke> strokes, const LineStyle& style);
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/silhouette/border_lines.h"
+#include "core/silhouette/fans.h"
 #include "core/silhouette/silhouette_finder.h"
 
 #include <iterator>
@@ -69,9 +70,12 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                 if (&other != &level)
                     others.push_back({field, hulls, other.mesh.level, other.side});
         out.layers.push_back({level.name, {}});
-        for (const std::vector<Stroke>& made :
-             level_strokes(field, hulls, level, view, options, std::move(others), &out.open))
-            std::ranges::move(inked(made, level.style),
+        std::array<std::vector<Stroke>, 2> made =
+            level_strokes(field, hulls, level, view, options, std::move(others), &out.open);
+        if (options.ids) (*options.ids)[level.name](made);
+        const LevelBody body{field, hulls, level.mesh.level, level.side};
+        for (const std::vector<Stroke>& kind : made)
+            std::ranges::move(inked_with_fans(body, kind, level.style, view.to_image),
                               std::back_inserter(out.layers.back().lines));
     }
     return out;

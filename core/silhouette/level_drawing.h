@@ -3,10 +3,13 @@
 
 #include "core/base/camera.h"
 #include "core/silhouette/certified.h"
+#include "core/silhouette/drawing_layer.h"
 #include "core/silhouette/level_mesh.h"
+#include "core/silhouette/line_ids.h"
 #include "core/silhouette/strokes.h"
-#include "core/silhouette/svg.h"
 #include "core/silhouette/visibility.h"
+
+#include <map>
 
 namespace trivar {
 
@@ -31,6 +34,7 @@ struct LevelDrawingOptions {
     StrokeOptions strokes = {};
     bool hide_each_other = false; // bodies hide what is behind them of other levels, too
     int certified_depth = -1;     // of certified_silhouettes(); below 0: quick ones
+    std::map<std::string, LineIds>* ids = nullptr; // by the names of levels: kept from view to view
 };
 
 // The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide

@@ -21,8 +21,8 @@ struct Stroke {
     std::vector<StrokePoint> points; // of a loop, the first again at the end
     bool hidden = false;
     bool tapers_first = true, tapers_last = true; // where the end has no line that goes on
-    std::uint64_t edge = 0; // the least of its points, of the level's mesh: its identity
-    double length() const   // pixels
+    std::uint64_t id = 0; // the least edge of its points, or as LineIds gave it
+    double length() const // pixels
     {
         double out = 0;
         for (std::size_t i = 1; i < points.size(); ++i)

@@ -102,7 +102,7 @@ std::vector<Stroke> joined(std::vector<Stroke> strokes, float reach)
             done[end / 2] = 1;
             if (end % 2) std::ranges::reverse(piece.points);
             whole.points.insert(whole.points.end(), piece.points.begin(), piece.points.end());
-            whole.edge = std::min(whole.edge, piece.edge);
+            whole.id = std::min(whole.id, piece.id);
             whole.tapers_last = end % 2 ? piece.tapers_first : piece.tapers_last;
             const std::size_t next = mate[end ^ 1];
             if (next == none) break;

@@ -113,16 +113,16 @@ private:
         if (!(to > from)) return;
         Stroke run;
         run.hidden = hidden;
-        run.edge = ~std::uint64_t{0};
+        run.id = ~std::uint64_t{0};
         const bool whole = curves_.closed[c] && to - from >= static_cast<double>(count(c));
         run.points.push_back(point_at(c, from));
         for (auto i = static_cast<std::int64_t>(std::floor(from)) + 1; static_cast<double>(i) < to;
              ++i) {
             run.points.push_back(curves_.points[index(c, i)]);
-            run.edge = std::min(run.edge, silhouettes_.points[index(c, i)].edge);
+            run.id = std::min(run.id, silhouettes_.points[index(c, i)].edge);
         }
-        run.edge =
-            std::min(run.edge, silhouettes_.points[index(c, static_cast<std::int64_t>(from))].edge);
+        run.id =
+            std::min(run.id, silhouettes_.points[index(c, static_cast<std::int64_t>(from))].edge);
         run.points.push_back(whole ? run.points.front() : point_at(c, to));
         if (whole) run.tapers_first = run.tapers_last = false;
         out_.push_back(std::move(run));

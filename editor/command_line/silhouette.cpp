@@ -3,6 +3,8 @@
 
 #include "core/base/box.h"
 #include "core/base/rejected.h"
+#include "core/document/fields/voxel_fields.h"
+#include "core/drawing/hand_edits.h"
 #include "core/files/file_bytes.h"
 #include "core/silhouette/level_drawing.h"
 #include "core/silhouette/voxel_field.h"
@@ -11,6 +13,7 @@
 #include "editor/command_line/drawing.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <fmt/format.h>
 
@@ -28,19 +31,50 @@ Choice choice_of(const std::string& text, const std::array<std::string_view, N>&
     return static_cast<Choice>(found - names.begin());
 }
 
-LineStyle style_of(const SilhouetteCommand& command)
+// The styles that have a name: four of the thesis (chapter 7), and two hands.
+constexpr std::array<std::string_view, 7> style_names{"plain",  "gradient", "fans", "grey",
+                                                      "chroma", "pencil",   "ink"};
+LineStyle named_style(const std::string& name)
 {
-    LineStyle out;
-    out.width = static_cast<float>(command.width);
-    out.width_by =
-        choice_of<LineWidth, 4>(command.width_by, {"even", "slope", "depth", "bend"}, "width-by");
-    out.color_by =
-        choice_of<LineColor, 4>(command.color_by, {"plain", "slope", "depth", "grey"}, "color-by");
-    out.hidden =
-        choice_of<HiddenLines, 4>(command.hidden, {"none", "faint", "dashed", "seen"}, "hidden");
-    out.wobble = static_cast<float>(command.wobble);
+    switch (choice_of<std::size_t>(name, style_names, "style")) {
+    case 1: return {.color_by = LineColor::hue_by_slope};
+    case 2: return {.width = 1.2f, .fan_step = 24, .fan_length = 22};
+    case 3: return {.width_by = LineWidth::by_slope, .color_by = LineColor::grey_by_slope};
+    case 4: return {.color_by = LineColor::hue_by_depth};
+    case 5: return {.width = 1.6f, .color = {0.17f, 0.17f, 0.19f}, .wobble = 0.6f, .pencil = 0.8f};
+    case 6: return {.width = 2.6f, .finest = 0.2f, .width_by = LineWidth::by_bend, .taper = 28};
+    default: return {};
+    }
+}
+
+glm::vec3 color_of(const std::string& text, const char* option)
+{
+    unsigned value = 0;
+    const bool six = text.size() == 6;
+    const auto [end, trouble] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (!six || trouble != std::errc() || end != text.data() + text.size())
+        throw WrongUsage(
+            fmt::format("--{}: \"{}\" is no colour; one is six digits, as ff8000", option, text));
+    return glm::vec3(value >> 16, value >> 8 & 0xFF, value & 0xFF) / 255.0f;
+}
+
+// The style of a level by its number.
+LineStyle style_of(const SilhouetteCommand& command, std::size_t level)
+{
+    LineStyle out = named_style(command.style);
+    if (command.width) out.width = static_cast<float>(*command.width);
+    if (command.width_by)
+        out.width_by = choice_of<LineWidth>(*command.width_by, choice_names<LineWidth>, "width-by");
+    if (command.color_by)
+        out.color_by = choice_of<LineColor>(*command.color_by, choice_names<LineColor>, "color-by");
+    out.hidden = choice_of<HiddenLines>(command.hidden, choice_names<HiddenLines>, "hidden");
+    if (command.wobble) out.wobble = static_cast<float>(*command.wobble);
+    if (command.pencil) out.pencil = static_cast<float>(*command.pencil);
+    if (command.fans) out.fan_step = static_cast<float>(*command.fans);
     out.seed = command.seed;
-    if (command.paper == "black") out.color = glm::vec3(0.95f);
+    if (command.paper == "black") out.color = 1.0f - out.color;
+    if (!command.colors.empty())
+        out.color = color_of(command.colors[std::min(level, command.colors.size() - 1)], "color");
     return out;
 }
 
@@ -49,7 +83,7 @@ std::optional<glm::vec3> paper_of(const SilhouetteCommand& command)
     if (command.paper == "none") return std::nullopt;
     if (command.paper == "white") return glm::vec3(1);
     if (command.paper == "black") return glm::vec3(0);
-    throw WrongUsage(fmt::format("--paper: \"{}\" is none of white, black, none", command.paper));
+    return color_of(command.paper, "paper");
 }
 
 glm::dvec3 direction_of(const std::vector<double>& numbers, const char* option)
@@ -97,30 +131,49 @@ Camera camera_of(const SilhouetteCommand& command, const VoxelGrid& grid)
 }
 
 LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
-                        const std::vector<double>& values)
+                        const std::vector<double>& values, const HandEdits& edits)
 {
     const VoxelGrid& grid = volume.grid();
     std::vector<LevelMesh> meshes;
     for (const double value : values) meshes.push_back(volume.level(value));
     std::vector<DrawnLevel> levels;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        levels.push_back({.name = fmt::format("level {:.6g}", values[i]),
-                          .mesh = meshes[i],
-                          .side = volume.side(command.below ? LevelSide::below : LevelSide::above),
-                          .style = style_of(command)});
+        levels.push_back(
+            {.name = i < command.names.size() ? command.names[i] : fmt::format("level {}", i + 1),
+             .mesh = meshes[i],
+             .side = volume.side(command.below ? LevelSide::below : LevelSide::above),
+             .style = style_of(command, i)});
+    std::map<std::string, LineIds> ids;
+    for (const DrawnLevel& level : levels) ids[level.name] = edits.ids_of(level.name);
     return draw_levels(volume.field(), volume.hulls(), levels,
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
-                       {.certified_depth = command.certified});
+                       {.hide_each_other = command.hide_each_other,
+                        .certified_depth = command.certified,
+                        .ids = &ids});
+}
+
+constexpr std::uintmax_t most_edited_bytes = 256 << 20;
+
+HandEdits edits_in(const std::string& path)
+{
+    try {
+        return read_hand_edits(read_bytes(path, most_edited_bytes));
+    } catch (const Rejected& rejected) {
+        throw Rejected(path + ": " + rejected.what());
+    }
 }
 
 } // namespace
 
 Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
 {
-    style_of(command); // says what is wrong of the options before anything is read
+    // Says what is wrong of the options before anything is read.
+    for (std::size_t i = 0; i <= command.colors.size(); ++i) style_of(command, i);
     direction_of(command.view, "view");
     const std::optional<glm::vec3> paper = paper_of(command);
-    if (!command.out.ends_with(".svg")) throw WrongUsage("--out: a drawing is written as .svg");
+    const DrawingFormat format = drawing_format(command.out);
+    HandEdits edits;
+    if (!command.edited.empty()) edits = edits_in(command.edited);
     const Ref<VoxelGrid> grid = make_ref(read_volume(command.volume).grid);
     for (const std::string& notice : grid->notices)
         streams.talk << "trivar: " << command.volume << ": " << notice << "\n";
@@ -129,8 +182,11 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     const auto start = std::chrono::steady_clock::now();
     const FieldSpline spline = command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
     const VoxelField volume(grid, {.spline = spline, .blur = command.blur});
-    const LevelDrawing drawing = drawing_of(command, volume, values);
-    const std::string text = svg_of(drawing.layers, picture_size(command.size), paper);
+    LevelDrawing levels = drawing_of(command, volume, values, edits);
+    DrawingSheet drawing{std::move(levels.layers), picture_size(command.size), paper,
+                         grid->to_metres};
+    apply(edits, drawing);
+    const std::string text = drawing_bytes(drawing, format);
     write_bytes(command.out, text);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     std::size_t lines = 0;
@@ -144,7 +200,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
         streams.talk << fmt::format(
             "trivar: nothing larger than 1/{} voxel is missing but for what {} boxes of that size "
             "may hide\n",
-            1 << command.certified, drawing.open);
+            1 << command.certified, levels.open);
     return Status::done;
 }
 

@@ -3,7 +3,7 @@
 
 #include "editor/command_line/status.h"
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,17 +12,22 @@ namespace trivar {
 struct SilhouetteCommand {
     std::string volume, out;
     std::vector<double> levels;           // none: where most of the volume's values part
+    std::vector<std::string> names;       // of the layers of levels; none: level 1, level 2, ...
     std::vector<double> view{1, 1, -0.5}; // direction of sight, in the volume's own space
     std::vector<double> up;               // none: Z, or Y where one looks along Z
     double fov_deg = 0;                   // 0: parallel
     std::string size = "1000x1000";
     bool below = false; // the body is where values are less than the level
     bool smooth = false;
-    int blur = 0; // see blurred()
-    double width = 1.8;
-    std::string width_by = "even", color_by = "plain", hidden = "none", paper = "white";
-    double wobble = 0;
+    int blur = 0;                 // see blurred()
+    bool hide_each_other = false; // bodies of levels hide what is behind them of others
+    std::string style = "plain";  // what the following ones change
+    std::optional<double> width, wobble, pencil, fans;
+    std::optional<std::string> width_by, color_by;
+    std::string hidden = "none", paper = "white";
+    std::vector<std::string> colors; // by level, the last for all that follow
     int seed = 1;
+    std::string edited; // an .svg that a hand has changed; empty: none
     int certified = -1; // halvings of a voxel; below 0: quick
 };
 

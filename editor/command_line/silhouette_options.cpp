@@ -8,10 +8,10 @@ namespace trivar {
 CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
 {
     CLI::App* silhouette =
-        app.add_subcommand("silhouette", "draw volume data in lines, as an .svg");
+        app.add_subcommand("silhouette", "draw volume data in lines, as .svg, .pdf, .png or .obj");
     silhouette->description(
-        "Draws the silhouettes of levels of volume data as connected lines: a layer per level in\n"
-        "an .svg. It reads DICOM, NRRD, NIfTI, MetaImage, VTK and VTI, stacks of pictures and raw "
+        "Draws the silhouettes of levels of volume data as connected lines: a layer per level.\n"
+        "It reads DICOM, NRRD, NIfTI, MetaImage, VTK and VTI, stacks of pictures and raw "
         "files.");
     silhouette->footer("Examples:\n"
                        "  trivar silhouette tooth.nrrd --hidden dashed --out tooth.svg\n"
@@ -25,6 +25,14 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
                      "the values best")
         ->delimiter(',')
         ->type_name("X")
+        ->allow_extra_args(false);
+    silhouette
+        ->add_option(
+            "--name", o.names,
+            "what the layers of the levels are called, NAME[,NAME...]; by default level 1,\n"
+            "level 2 and so on")
+        ->delimiter(',')
+        ->type_name("NAME")
         ->allow_extra_args(false);
     silhouette->add_option("--view", o.view, "direction of sight, X,Y,Z; 1,1,-0.5 by default")
         ->delimiter(',')
@@ -45,6 +53,17 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
     silhouette->add_option("--blur", o.blur, "smooth the samples that many times before, 0 to 64")
         ->type_name("N")
         ->check(CLI::Range(0, 64));
+    silhouette->add_flag("--hide-each-other", o.hide_each_other,
+                         "what is behind another level is hidden, too");
+    silhouette
+        ->add_option("--style", o.style,
+                     "plain; gradient (hue by slope), fans, grey (width and grey by slope),\n"
+                     "chroma (hue by depth); pencil, ink. What follows changes it")
+        ->type_name("NAME");
+    silhouette->add_option("--color", o.colors, "of the lines of each level, RRGGBB[,RRGGBB...]")
+        ->delimiter(',')
+        ->type_name("COLOR")
+        ->allow_extra_args(false);
     silhouette->add_option("--width", o.width, "of lines in pixels; 1.8 by default")
         ->type_name("W")
         ->check(CLI::Range(0.05, 100.0));
@@ -58,19 +77,34 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
     silhouette
         ->add_option("--hidden", o.hidden, "how hidden lines are drawn: none, faint, dashed, seen")
         ->type_name("HOW");
-    silhouette->add_option("--paper", o.paper, "white, black, none; white by default")
+    silhouette->add_option("--paper", o.paper, "white, black, none or RRGGBB; white by default")
         ->type_name("COLOR");
     silhouette
         ->add_option("--wobble", o.wobble, "greatest distance of a line from its place, in pixels")
         ->type_name("W")
         ->check(CLI::Range(0.0, 100.0));
-    silhouette->add_option("--seed", o.seed, "of the wobble")->type_name("N");
+    silhouette->add_option("--pencil", o.pencil, "how far lines are like a pencil's, 0 to 1")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1.0));
+    silhouette
+        ->add_option("--fans", o.fans,
+                     "pixels between fans that tell how steeply the data fall off; 0: none")
+        ->type_name("STEP")
+        ->check(CLI::Range(0.0, 1000.0));
+    silhouette->add_option("--seed", o.seed, "of the wobble and the pencil")->type_name("N");
     silhouette
         ->add_option("--certified", o.certified,
                      "prove that no line is missing that is larger than 2^-N voxel, 0 to 5")
         ->type_name("N")
         ->check(CLI::Range(0, 5));
-    silhouette->add_option("--out", o.out, "the .svg")->required()->type_name("OUT.svg");
+    silhouette
+        ->add_option("--edited", o.edited,
+                     "an .svg of before that was edited by hand: what was deleted, made thicker\n"
+                     "or coloured there is done again, also from another view near it")
+        ->type_name("OLD.svg");
+    silhouette->add_option("--out", o.out, "the .svg, .pdf, .png, or .obj (lines in space)")
+        ->required()
+        ->type_name("OUT");
     return silhouette;
 }
 

@@ -2,6 +2,7 @@
 #include "editor/picture/volume_lines.h"
 
 #include "core/evaluation/shown_volume.h"
+#include "core/silhouette/fans.h"
 #include "core/silhouette/level_drawing.h"
 
 #include <glm/gtc/color_space.hpp>
@@ -9,26 +10,35 @@
 namespace trivar {
 namespace {
 
-gpu::Curve curve_of(const InkedLine& line, const Stroke& stroke, const glm::dmat4& to_world,
-                    const LineStyle& ink, int id, float wider)
+gpu::Curve curve_of(const InkedLine& line, const glm::dmat4& to_world, int id, float wider)
 {
     Polyline points;
     float width = 0;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        points.points.push_back(stroke.points[i].p);
-        points.colors.emplace_back(glm::convertSRGBToLinear(line.points[i].color), line.opacity);
-        width = std::max(width, line.points[i].width);
+    for (const InkedLine::Point& p : line.points) width = std::max(width, p.width);
+    for (const InkedLine::Point& p : line.points) {
+        points.points.push_back(p.p);
+        points.colors.emplace_back(glm::convertSRGBToLinear(p.color), line.opacity);
+        points.widths.push_back(p.width / width);
     }
-    const auto length = static_cast<float>(stroke.length());
-    const float taper = length > 0 ? std::min(0.35f, ink.taper / length) : 0;
     return {.line = make_ref(std::move(points)),
             .to_world = to_world,
             .style = {.width_px = width * wider,
-                      .taper = {stroke.tapers_first ? taper : 0, stroke.tapers_last ? taper : 0},
                       .hidden = !line.hidden  ? gpu::HiddenParts::left_out
                                 : line.dashed ? gpu::HiddenParts::dashed
                                               : gpu::HiddenParts::faint},
             .id = id};
+}
+
+// Puts the points of lines in space where the ink of a hand is that left the line in the picture.
+void follow_the_ink(std::vector<InkedLine>& lines, const glm::dmat4& to_image)
+{
+    const glm::dmat4 to_voxels = glm::inverse(to_image);
+    for (InkedLine& line : lines)
+        for (InkedLine::Point& p : line.points) {
+            const glm::dvec4 seen = to_image * glm::dvec4(p.p, 1);
+            const glm::dvec4 there = to_voxels * glm::dvec4(glm::dvec2(p.at), seen.z / seen.w, 1);
+            p.p = glm::vec3(glm::dvec3(there) / there.w);
+        }
 }
 
 std::vector<gpu::Curve> lines_of(const ShownVolume& volume, int id, const glm::dmat4& to_world,
@@ -41,11 +51,15 @@ std::vector<gpu::Curve> lines_of(const ShownVolume& volume, int id, const glm::d
     for (const ShownVolume::Level& level : volume.levels) {
         if (!level.lines) continue;
         const DrawnLevel drawn{level.name, *level.mesh, volume.side, level.ink};
-        for (const std::vector<Stroke>& strokes :
-             level_strokes(field, volume.field->hulls(), drawn, view)) {
-            for (const InkedLine& line : inked(strokes, level.ink))
-                out.push_back(
-                    curve_of(line, strokes[line.stroke], voxels_to_world, level.ink, id, wider));
+        const std::array<std::vector<Stroke>, 2> strokes =
+            level_strokes(field, volume.field->hulls(), drawn, view);
+        const LevelBody body{field, volume.field->hulls(), level.mesh->level, volume.side};
+        for (const std::vector<Stroke>& kind : strokes) {
+            std::vector<InkedLine> lines = inked_with_fans(body, kind, level.ink, view.to_image);
+            if (level.ink.wobble > 0 || level.ink.pencil > 0) follow_the_ink(lines, view.to_image);
+            for (const InkedLine& line : lines)
+                if (line.points.size() > 1)
+                    out.push_back(curve_of(line, voxels_to_world, id, wider));
         }
     }
     return out;

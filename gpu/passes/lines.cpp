@@ -25,6 +25,7 @@ LinePass::LinePass()
     vertices_.attribute(5, segments_, 4, stride, offsetof(Segment, color_to), 1);
     vertices_.attribute(6, segments_, 4, stride, offsetof(Segment, along), 1);
     vertices_.attribute(7, segments_, 4, stride, offsetof(Segment, width_taper), 1);
+    vertices_.attribute(9, segments_, 2, stride, offsetof(Segment, width_shares), 1);
     vertices_.integers(8, segments_, 2, stride, offsetof(Segment, id), 1);
 }
 

@@ -12,6 +12,7 @@ namespace {
 struct PathPoint {
     glm::vec3 p; // scene
     glm::vec4 color;
+    float width = 1; // share
     float share = 0; // of the line's length that lies before it
 };
 using Path = std::vector<PathPoint>; // no two in a row at one place
@@ -33,7 +34,8 @@ std::vector<Path> paths_of(const Polyline& line, const glm::dmat4& to_scene)
         const glm::vec4 color = line.colors.empty()      ? glm::vec4(1)
                                 : i < line.colors.size() ? line.colors[i]
                                                          : line.colors.back();
-        path.push_back({p, color, static_cast<float>(length)});
+        const float width = i < line.widths.size() ? line.widths[i] : 1;
+        path.push_back({p, color, width, static_cast<float>(length)});
     }
     if (length > 0)
         for (Path& path : paths)
@@ -57,7 +59,8 @@ float wrapped(float arc_px)
 
 void Segments::add(const Line& line)
 {
-    add({line.points, {line.color}}, glm::dmat4(1), {.width_px = line.width_px}, 0);
+    add({.points = line.points, .colors = {line.color}}, glm::dmat4(1), {.width_px = line.width_px},
+        0);
 }
 
 void Segments::add(const Curve& curve)
@@ -95,6 +98,7 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
             segment.after = next < last ? path[next + 1].p : closed ? path[1].p : segment.to;
             segment.color_from = path[i].color;
             segment.color_to = path[next].color;
+            segment.width_shares = {path[i].width, path[next].width};
             const float length =
                 glm::distance(on_screen(frame_, segment.from), on_screen(frame_, segment.to));
             const float step_px = std::isfinite(length) ? std::min(length, 1e5f) : 0;

@@ -10,6 +10,7 @@ layout(location = 5) in vec4 color_to;
 layout(location = 6) in vec4 along;
 layout(location = 7) in vec4 width_taper;
 layout(location = 8) in uvec2 id_hidden;
+layout(location = 9) in vec2 width_shares; // of the width, at both ends
 uniform int hidden_parts;   // 1: of what something hides
 flat out vec4 start_along;    // where it begins and its unit direction on the screen; pixels
 flat out vec3 length_halves;  // of the segment; half widths at both ends; pixels
@@ -62,6 +63,7 @@ void main()
     vec2 t = len > 1e-4 ? d / len : vec2(1.0, 0.0), n = vec2(-t.y, t.x);
 
     vec2 width = width_taper.x + width_taper.y * vec2(px_per_unit(a), px_per_unit(b));
+    width *= mix(width_shares.xx, width_shares.yy, part);
     width *= dashed ? DASHED_WIDTH : 1.0;
     float r = min(max(width.x, width.y) * 0.5, 4.0 * frame.size_px.y) + 1.0; // as wide as the picture will do
     float end = float(gl_VertexID & 1), side = float(gl_VertexID >> 1) * 2.0 - 1.0, out_end = end * 2.0 - 1.0;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/silhouette/svg.h"
+#include "core/silhouette/ink.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace trivar::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 // Two lines, the second one hidden, whose slopes and depths grow from 0 to 99.
 std::vector<Stroke> two_lines()
@@ -18,7 +15,7 @@ std::vector<Stroke> two_lines()
         out[0].points.push_back({.at = {x, 10}, .depth = x, .slope = x});
         out[1].points.push_back({.at = {x, 20}, .depth = x, .slope = x});
     }
-    out[0].edge = 0xabc;
+    out[0].id = 0xabc;
     out[1].hidden = true;
     return out;
 }
@@ -74,37 +71,30 @@ TEST(Ink, WobblesTheSameForTheSameSeed)
     EXPECT_GT(differ, 10);
 }
 
-TEST(Svg, HasALayerForEachLevelWithIdsThatStay)
+TEST(Ink, KeepsAWobbleWhereItIsInSpace)
 {
-    const std::vector<InkedLine> lines = inked(two_lines(), {.hidden = HiddenLines::dashed});
-    const std::vector<DrawingLayer> layers{{"bone & skin", lines}, {"", {}}};
-    const std::string text = svg_of(layers, {640, 480});
-    EXPECT_THAT(text, HasSubstr("viewBox=\"0 0 640 480\""));
-    EXPECT_THAT(text, HasSubstr("inkscape:label=\"bone &amp; skin\""));
-    EXPECT_THAT(text, HasSubstr("id=\"bone---skin-sabc\""));
-    EXPECT_THAT(text, HasSubstr("id=\"bone---skin-hidden\""));
-    EXPECT_THAT(text, HasSubstr("stroke-dasharray"));
-    EXPECT_THAT(text, HasSubstr("<rect"));
-    EXPECT_THAT(svg_of(layers, {640, 480}, std::nullopt), Not(HasSubstr("<rect")));
+    std::vector<Stroke> moved = two_lines(), whole = two_lines();
+    for (std::vector<Stroke>* strokes : {&moved, &whole})
+        for (Stroke& stroke : *strokes)
+            for (StrokePoint& p : stroke.points) p.p = {p.at / 4.0f, 7};
+    moved[0].points.erase(moved[0].points.begin(), moved[0].points.begin() + 20);
+    const LineStyle style{.taper = 0, .wobble = 3};
+    const std::vector<InkedLine> a = inked(whole, style), b = inked(moved, style);
+    for (std::size_t i = 1; i + 1 < b[0].points.size(); ++i)
+        EXPECT_LT(glm::distance(a[0].points[i + 20].at, b[0].points[i].at), 1e-3);
 }
 
-TEST(Svg, HasAPathForEachPieceOfOneColor)
+TEST(Ink, GoesOverALineThreeTimesWithAPencil)
 {
-    const std::string plain =
-        svg_of(std::vector<DrawingLayer>{{"a", inked(two_lines(), {.taper = 0})}}, {100, 100});
-    const std::string hues = svg_of(
-        std::vector<DrawingLayer>{
-            {"a", inked(two_lines(), {.color_by = LineColor::hue_by_slope, .taper = 0})}},
-        {100, 100});
-    const auto paths = [](const std::string& text) {
-        std::size_t out = 0;
-        for (std::size_t at = text.find("<path"); at != text.npos; at = text.find("<path", at + 1))
-            ++out;
-        return out;
-    };
-    EXPECT_EQ(paths(plain), 1u);
-    EXPECT_GT(paths(hues), 20u);
-    EXPECT_THAT(plain, HasSubstr("d=\"M0 10 1 10 2 10"));
+    std::vector<Stroke> strokes = two_lines();
+    for (StrokePoint& point : strokes[0].points) point.p = {point.at / 4.0f, 7};
+    const std::vector<InkedLine> lines = inked(strokes, {.taper = 0, .pencil = 1});
+    ASSERT_EQ(lines.size(), 3u);
+    for (const InkedLine& line : lines) {
+        EXPECT_EQ(line.id, 0xabcu);
+        EXPECT_LT(line.opacity, 1);
+        EXPECT_FALSE(line.is_even());
+    }
 }
 
 } // namespace

@@ -49,7 +49,15 @@ template <> struct FieldsOf<LineStyle> {
         field("wobble", s.wobble,
               "greatest distance of a line from its place, as of a hand; pixels",
               in_range(0, 100).called("Wobble").zero_is("none"));
-        field("seed", s.seed, "of the wobble", any_value.called("Seed").without_keys());
+        field("pencil", s.pencil,
+              "how far a line is like a pencil's: drawn three times, of uneven width",
+              in_range(0, 1).called("Pencil").in(Unit::share).zero_is("pen"));
+        field("fan_step", s.fan_step,
+              "pixels between the fans that tell how the data fall off outside a line",
+              in_range(0, 1000).called("Fans every").zero_is("none"));
+        field("fan_length", s.fan_length, "of the longest hairs of a fan, pixels",
+              in_range(0.1, 1000).called("Fan length"));
+        field("seed", s.seed, "of the wobble and the pencil", any_value.called("Seed").without_keys());
         field("hidden_lines", s.hidden, "how hidden lines are drawn",
               any_value.called("Hidden lines").without_keys());
     }
