@@ -11,6 +11,7 @@ namespace {
 
 constexpr float record_step = 1;  // voxels between points of a record
 constexpr float record_reach = 2; // voxels that a line may have moved aside
+constexpr int oldest = 8;         // drawings that a line is remembered for
 
 // PointGrid finds the record of the nearest of many points.
 class PointGrid {
@@ -105,12 +106,21 @@ void LineIds::operator()(std::span<std::vector<Stroke>> kinds)
         strokes[claim.stroke]->id = before_[claim.record].id;
         used.insert({before_[claim.record].hidden, before_[claim.record].id});
     }
+    for (std::size_t r = 0; r < before_.size(); ++r) // those that are not drawn now
+        if (!given[r]) used.insert({before_[r].hidden, before_[r].id});
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         if (!known[s])
             while (!used.insert({strokes[s]->hidden, strokes[s]->id}).second) ++strokes[s]->id;
         records[s].id = strokes[s]->id;
     }
+    std::vector<int> age(records.size(), 0);
+    for (std::size_t r = 0; r < before_.size(); ++r) {
+        if (given[r] || age_[r] + 1 >= oldest) continue;
+        records.push_back(std::move(before_[r]));
+        age.push_back(age_[r] + 1);
+    }
     before_ = std::move(records);
+    age_ = std::move(age);
 }
 
 } // namespace trivar

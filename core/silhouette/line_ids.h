@@ -20,11 +20,16 @@ LineRecord record_of(const Stroke& stroke);
 // LineIds gives the lines of a drawing the ids that they had in the drawing before, so that what
 // belongs to a line (a hand's changes, the phase of a wobble) stays with it while the view turns or
 // the level moves. A line takes the id of the line before that most of its length lies along; an id
-// goes to one line only, the longest first.
+// goes to one line only, the longest first. Lines that were joined to others, or too short to be
+// drawn, are remembered for a few drawings, so that they have their ids again when they are back.
 class LineIds {
 public:
     LineIds() = default;
-    explicit LineIds(std::vector<LineRecord> before) : before_(std::move(before)) {}
+    explicit LineIds(std::vector<LineRecord> before)
+        : before_(std::move(before)),
+          age_(before_.size(), 0)
+    {
+    }
 
     // Sets the ids of strokes of all kinds, and keeps where they are for the next call. Lines that
     // are new keep their own id, or have a free one where it is taken. O(n log n), 0.5 us per voxel
@@ -33,6 +38,7 @@ public:
 
 private:
     std::vector<LineRecord> before_;
+    std::vector<int> age_; // of the records: number of drawings since they were drawn
 };
 
 } // namespace trivar

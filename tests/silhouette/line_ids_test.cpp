@@ -47,6 +47,17 @@ TEST(LineIds, GoToTheLongestPartOfALineThatBreaks)
         (Ids{3, 7}));
 }
 
+TEST(LineIds, ComeBackWithALineThatWasJoinedToAnother)
+{
+    LineIds ids;
+    const Stroke whole = line_from({0, 0, 0}, {50, 0, 0}, 1),
+                 first = line_from({0, 0, 0}, {15, 0, 0}, 2),
+                 second = line_from({16, 0, 0}, {50, 0, 0}, 3);
+    EXPECT_EQ(ids_after(ids, {first, second}), (Ids{2, 3}));
+    EXPECT_EQ(ids_after(ids, {whole}), (Ids{3}));
+    EXPECT_EQ(ids_after(ids, {first, second}), (Ids{2, 3}));
+}
+
 TEST(LineIds, AreNeverTheSameForTwoLines)
 {
     LineIds ids;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/certified.h"
+#include "core/silhouette/level_drawing.h"
+#include "core/silhouette/level_surface.h"
+#include "core/silhouette/voxel_field.h"
+#include "core/voxels/read_volume.h"
+#include "tests/silhouette/scenes.h"
+#include "tests/support/fixtures.h"
+
+#include <benchmark/benchmark.h>
+#include <map>
+#include <memory>
+
+// The silhouettes of 256^3 samples: sums of bumps, waves [Marschner, Lobb 1994], and a scanned
+// cranium of 256 x 256 x 108 samples where there is real data; views turn from one to the next.
+namespace trivar {
+namespace {
+
+using testing::Sampled;
+
+constexpr double cranium_bone = 226;
+
+Ref<VoxelGrid> grid_of(const testing::SampledField& from)
+{
+    VoxelGrid grid;
+    grid.size = from.size;
+    grid.samples = testing::in_single_precision(from.samples);
+    return make_ref(std::move(grid));
+}
+
+struct BenchVolume {
+    std::shared_ptr<const VoxelField> field;
+    LevelMesh mesh;
+    double level = 0;
+};
+
+Ref<VoxelGrid> cranium_grid()
+{
+    const std::string folder = testing::real_data_folder();
+    if (folder.empty()) return nullptr;
+    ReadVolumeOptions options;
+    options.raw = RawLayout{{.size = {256, 256, 108}, .type = SampleType::i16}};
+    options.spacing = {0.957, 0.957, 1.5};
+    return make_ref(read_volume(folder + "/volumes/invesalius-cranium/matrix.dat", options).grid);
+}
+
+Ref<VoxelGrid> bench_grid(const std::string& name, int n, double& level)
+{
+    if (name == "cranium") {
+        level = cranium_bone;
+        return cranium_grid();
+    }
+    const testing::SampledField from = testing::sampled(name, n);
+    level = from.level;
+    return grid_of(from);
+}
+
+// Null where there is no real data.
+const BenchVolume* bench_volume(const std::string& name, int n = 256)
+{
+    static std::map<std::pair<std::string, int>, BenchVolume> known;
+    BenchVolume& out = known[{name, n}];
+    if (out.field) return &out;
+    const Ref<VoxelGrid> grid = bench_grid(name, n, out.level);
+    if (!grid) return nullptr;
+    out.field = std::make_shared<const VoxelField>(grid, VoxelFieldOptions{});
+    out.mesh = out.field->level(out.level);
+    return &out;
+}
+
+bool lacks(const BenchVolume* volume, benchmark::State& state)
+{
+    if (volume) return false;
+    state.SkipWithError("no folder of real data");
+    return true;
+}
+
+ViewPoint turned_view(int step)
+{
+    const double angle = 0.02 * step;
+    return {{0.48 * std::cos(angle), 0.48 * std::sin(angle) + 0.6, 0.64, 0}};
+}
+
+void silhouette_prepare(benchmark::State& state, const char* name)
+{
+    double level = 0;
+    const Ref<VoxelGrid> grid = bench_grid(name, 256, level);
+    if (!grid) return state.SkipWithError("no folder of real data");
+    std::size_t bytes = 0;
+    for (auto _ : state) bytes = VoxelField(grid, {}).bytes();
+    state.counters["bytes_per_voxel"] =
+        static_cast<double>(bytes) / static_cast<double>(grid->count());
+}
+BENCHMARK_CAPTURE(silhouette_prepare, gauss, "gauss")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(silhouette_prepare, cranium, "cranium")->Unit(benchmark::kMillisecond);
+
+void silhouette_level(benchmark::State& state, const char* name, LevelAccuracy accuracy)
+{
+    const BenchVolume* volume = bench_volume(name);
+    if (lacks(volume, state)) return;
+    LevelMesh mesh;
+    for (auto _ : state) mesh = volume->field->level(volume->level, accuracy);
+    state.counters["triangles"] = static_cast<double>(mesh.triangle_count());
+    state.counters["ns_per_triangle"] = benchmark::Counter(
+        static_cast<double>(mesh.triangle_count()) * 1e-9,
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["bytes_per_voxel"] = static_cast<double>(volume->field->bytes() + mesh.bytes()) /
+                                        static_cast<double>(volume->field->grid().count());
+}
+BENCHMARK_CAPTURE(silhouette_level, gauss, "gauss", LevelAccuracy::exact)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_level, waves, "waves", LevelAccuracy::exact)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_level, cranium, "cranium", LevelAccuracy::exact)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_level, gauss_dragged, "gauss", LevelAccuracy::quick)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_level, waves_dragged, "waves", LevelAccuracy::quick)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_level, cranium_dragged, "cranium", LevelAccuracy::quick)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void silhouette_view(benchmark::State& state, const char* name)
+{
+    const BenchVolume* volume = bench_volume(name);
+    if (lacks(volume, state)) return;
+    SilhouetteFinder find;
+    int step = 0;
+    std::size_t points = 0;
+    for (auto _ : state)
+        points = find(volume->field->field(), volume->mesh, turned_view(++step)).points.size();
+    state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK_CAPTURE(silhouette_view, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_view, waves, "waves")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_view, cranium, "cranium")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// All of a drawing: what is hidden, strokes and ink, too.
+void silhouette_drawing(benchmark::State& state, const char* name)
+{
+    const BenchVolume* volume = bench_volume(name);
+    if (lacks(volume, state)) return;
+    const DrawnLevel level{"level", volume->mesh, LevelSide::above, {}};
+    int step = 0;
+    for (auto _ : state) {
+        const ViewPoint view = turned_view(++step);
+        benchmark::DoNotOptimize(draw_levels(volume->field->field(), volume->field->hulls(),
+                                             std::span(&level, 1),
+                                             {testing::image_of(glm::dvec3(view.at)), view}));
+    }
+}
+BENCHMARK_CAPTURE(silhouette_drawing, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_drawing, waves, "waves")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_drawing, cranium, "cranium")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void silhouette_surface(benchmark::State& state, const char* name)
+{
+    const BenchVolume* volume = bench_volume(name);
+    if (lacks(volume, state)) return;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            volume->field->surface(volume->mesh, LevelSide::above, glm::dmat4(1)));
+}
+BENCHMARK_CAPTURE(silhouette_surface, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void silhouette_certified(benchmark::State& state, const char* name, int n, int depth)
+{
+    const BenchVolume* volume = bench_volume(name, n);
+    if (lacks(volume, state)) return;
+    std::size_t open = 0;
+    int step = 0;
+    for (auto _ : state)
+        open = certified_silhouettes(volume->field->field(), volume->field->hulls(),
+                                     volume->mesh.level, turned_view(++step), depth)
+                   .open;
+    state.counters["open"] = static_cast<double>(open);
+}
+BENCHMARK_CAPTURE(silhouette_certified, gauss_64_sixteenth, "gauss", 64, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_certified, waves_64_sixteenth, "waves", 64, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_certified, gauss_256_eighth, "gauss", 256, 3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_certified, waves_256_eighth, "waves", 256, 3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_certified, cranium_eighth, "cranium", 256, 3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+} // namespace
+} // namespace trivar
