@@ -5,6 +5,18 @@
 #include "core/silhouette/silhouette_curves.h"
 
 namespace trivar {
+namespace {
+
+// Whether cells of a brick have sides in a face of a grid, 0 or `end` along an axis.
+bool touches_a_face(const LevelMesh::Brick& brick, const glm::vec3& end)
+{
+    constexpr float half = 4; // of the length of a brick, voxels
+    return glm::any(glm::lessThanEqual(brick.middle - half, glm::vec3(0))) ||
+           glm::any(glm::greaterThanEqual(brick.middle + half, end));
+}
+
+} // namespace
+
 Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level, float spacing)
 {
     struct Edge {
@@ -12,11 +24,15 @@ Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level
     };
     std::vector<Edge> edges;
     KeyNumbers known;
-    for (std::size_t c = 0; c < level.corners.size(); ++c) {
-        const std::uint32_t a = level.corners[c], b = level.corners[c % 3 == 2 ? c - 2 : c + 1];
-        if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
-        known.insert(pair_key(a, b), 0);
-        edges.push_back({a, b});
+    for (const LevelMesh::Brick& brick : level.bricks) {
+        if (!touches_a_face(brick, field.end())) continue;
+        for (std::size_t c = 3 * std::size_t{brick.first_triangle};
+             c < 3 * std::size_t{brick.triangle_end}; ++c) {
+            const std::uint32_t a = level.corners[c], b = level.corners[c % 3 == 2 ? c - 2 : c + 1];
+            if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
+            known.insert(pair_key(a, b), 0);
+            edges.push_back({a, b});
+        }
     }
     // Vertices at a sample may be in a face although their edge is not: then it has two triangles.
     std::erase_if(edges, [&](const Edge& e) { return known.contains(pair_key(e.to, e.from)); });
