@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t bricks_per_view_block = 32;
 
+// Of the view and the normal at a vertex; crossed.comp does the same.
+float product(const LevelMesh& level, std::size_t v, const glm::vec4& h)
+{
+    return level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z +
+           level.offset[v] * h.w;
+}
+
 } // namespace
 
 Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const LevelMesh& level,
@@ -21,8 +28,35 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
     find_runs(level, h);
     find_signs(level, h);
     const std::size_t tested = find_triangles(level);
-    Silhouettes out = curves_of(chainer_(crossed_), level.positions, product_, options.spacing);
+    Silhouettes out = curves(field, level, view, options);
     out.tested = tested;
+    return out;
+}
+
+Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const LevelMesh& level,
+                                         const ViewPoint& view,
+                                         std::span<const std::uint32_t> triangles,
+                                         const SilhouetteOptions& options)
+{
+    const glm::vec4 h(view.at);
+    check(view);
+    product_.resize(level.positions.size());
+    crossed_.resize(1);
+    crossed_[0].clear();
+    for (const std::uint32_t t : triangles) {
+        const std::uint32_t* corners = level.corners.data() + 3 * std::size_t{t};
+        for (std::size_t k = 0; k < 3; ++k) product_[corners[k]] = product(level, corners[k], h);
+        add_crossed(corners, product_.data(), crossed_[0]);
+    }
+    Silhouettes out = curves(field, level, view, options);
+    out.tested = triangles.size();
+    return out;
+}
+
+Silhouettes SilhouetteFinder::curves(const ScalarField<float>& field, const LevelMesh& level,
+                                     const ViewPoint& view, const SilhouetteOptions& options)
+{
+    Silhouettes out = curves_of(chainer_(crossed_), level.positions, product_, options.spacing);
     finish(field, level.level, view, options, out);
     return out;
 }
@@ -68,8 +102,7 @@ void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
             if (!is_needed_[b]) continue;
             const LevelMesh::Brick& brick = level.bricks[b];
             for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
-                product_[v] = level.normal_x[v] * h.x + level.normal_y[v] * h.y +
-                              level.normal_z[v] * h.z + level.offset[v] * h.w;
+                product_[v] = product(level, v, h);
         }
     });
 }

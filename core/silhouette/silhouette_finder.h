@@ -5,6 +5,8 @@
 #include "core/silhouette/level_mesh.h"
 #include "core/silhouette/silhouettes.h"
 
+#include <span>
+
 namespace trivar {
 
 // SilhouetteFinder finds the silhouettes of a level, view by view. The signs of <V, n> at the
@@ -16,8 +18,15 @@ public:
     // Throws Rejected if the view has no direction.
     Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
                            const ViewPoint& view, const SilhouetteOptions& options = {});
+    // The same where it is known already which triangles the sign of <V, n> changes in: their
+    // numbers, ascending.
+    Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
+                           const ViewPoint& view, std::span<const std::uint32_t> triangles,
+                           const SilhouetteOptions& options = {});
 
 private:
+    Silhouettes curves(const ScalarField<float>& field, const LevelMesh& level,
+                       const ViewPoint& view, const SilhouetteOptions& options);
     void find_runs(const LevelMesh& level, const glm::vec4& h);
     void find_signs(const LevelMesh& level, const glm::vec4& h);
     std::size_t find_triangles(const LevelMesh& level); // how many were tested
