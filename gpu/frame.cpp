@@ -29,6 +29,8 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
     for (const SceneItem& item : scene.items)
         for (const glm::dvec3& corner : Box{item.lo, item.hi}.corners())
             add(scene.origin_world + corner);
+    for (const CastItem& volume : scene.volumes)
+        for (const glm::dvec3 corner : volume.corners) add(scene.origin_world + corner);
     for (const Box& box : scene.curve_boxes)
         for (const glm::dvec3& corner : box.corners()) add(corner);
     const double target = glm::length(camera.target - camera.eye);

@@ -7,6 +7,7 @@
 #include "core/mesh/part_key.h"
 #include "core/mesh/pose.h"
 #include "core/patches/tile_set.h"
+#include "gpu/cast_volume.h"
 #include "gpu/copy.h"
 #include "gpu/curve.h"
 #include "gpu/ffd/stage.h"
@@ -98,6 +99,7 @@ struct Picture {
     RenderSettings settings;
     std::vector<Instance> instances;
     std::vector<Curve> curves;
+    std::vector<CastVolume> volumes;
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
     Outline outline;

@@ -79,6 +79,7 @@ struct Renderer::State {
         const Studio& light = studio_of(look, picture.settings);
         Scene scene;
         tools.mirror().drop_dead();
+        tools.volumes().drop_dead();
         if (const std::size_t vertices = tools.deformed().stale_vertices(picture); vertices > 0)
             clock.pass(
                 "deform on device", [&] { tools.deformed().update(picture, tools.mirror()); },
@@ -93,7 +94,8 @@ struct Renderer::State {
         else
             choose_tiles();
         clock.pass("upload", [&] {
-            scene = scene_of(picture, tools.mirror(), tools.deformed(), tools.tiles());
+            scene =
+                scene_of(picture, tools.mirror(), tools.deformed(), tools.tiles(), tools.volumes());
             brushes.see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
@@ -290,13 +292,15 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
 std::size_t Renderer::uploaded_bytes() const
 {
     Tools& tools = state_->brushes.tools;
-    return tools.mirror().bytes() + tools.tiles().bytes();
+    return tools.mirror().bytes() + tools.tiles().bytes() + tools.volumes().bytes();
 }
 
 const std::string& Renderer::notice() const
 {
     const std::string& of_volumes = state_->brushes.tools.deformed().notice();
-    return of_volumes.empty() ? state_->notice : of_volumes;
+    if (!of_volumes.empty()) return of_volumes;
+    const std::string& of_data = state_->brushes.tools.volumes().notice();
+    return of_data.empty() ? state_->notice : of_data;
 }
 
 std::string Renderer::shader_trouble() const

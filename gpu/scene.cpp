@@ -54,6 +54,41 @@ Box box_of(const Curve& curve)
     return drawable(box) ? box : Box{};
 }
 
+Box box_of(const CastVolume& volume)
+{
+    Box box;
+    if (!volume.data || !glm::all(glm::lessThan(volume.low, volume.high))) return box;
+    if (!(std::abs(glm::determinant(glm::dmat3(volume.to_world))) > 0)) return box;
+    for (const glm::dvec3& corner : Box{volume.low, volume.high}.corners()) {
+        const glm::dvec3 p(volume.to_world * glm::dvec4(corner, 1));
+        if (!finite(p)) return {};
+        box.add(p);
+    }
+    return drawable(box) ? box : Box{};
+}
+
+CastItem item_of(const CastVolume& volume, const glm::dvec3& origin_world,
+                 const MirroredVolume& mirrored)
+{
+    glm::dmat4 to_scene = volume.to_world;
+    to_scene[3] -= glm::dvec4(origin_world, 0);
+    const double edge = std::cbrt(std::abs(glm::determinant(glm::dmat3(to_scene))));
+    const glm::dmat4 to_voxels = glm::inverse(to_scene);
+    CastItem item{.mirrored = &mirrored,
+                  .id = volume.id,
+                  .to_voxels = to_voxels,
+                  .to_normals = glm::transpose(glm::dmat3(to_voxels)) * edge,
+                  .low = volume.low,
+                  .high = volume.high,
+                  .per_length = static_cast<float>(volume.density / edge),
+                  .shading = volume.shading,
+                  .corners = {}};
+    const auto corners = Box{volume.low, volume.high}.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        item.corners[i] = to_scene * glm::dvec4(corners[i], 1);
+    return item;
+}
+
 // An instance, or what all that is drawn of it has in common.
 SceneItem item_of(const Instance& instance, const Picture& picture, const Box& box,
                   const glm::dvec3& origin_world, Mirror& mirror, const DeformedMesh* deformed)
@@ -228,7 +263,7 @@ CasterKey casters_of(const Scene& scene)
 }
 
 Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
-               const TileMirror& tiles)
+               const TileMirror& tiles, VolumeMirror& volumes)
 {
     Scene scene;
     std::vector<Box> boxes;
@@ -242,6 +277,11 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
     for (const Curve& curve : picture.curves)
         if (const Box box = box_of(curve); !box.empty()) {
             scene.curve_boxes.push_back(box);
+            all.add(box);
+            standing.add(box);
+        }
+    for (const CastVolume& volume : picture.volumes)
+        if (const Box box = box_of(volume); !box.empty()) {
             all.add(box);
             standing.add(box);
         }
@@ -267,6 +307,15 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
             add_instance(scene, whole, picture, boxes[i], mirror, nullptr);
         } else
             add_instance(scene, picture.instances[i], picture, boxes[i], mirror, deformed.of(i));
+    for (const CastVolume& volume : picture.volumes)
+        if (const Box box = box_of(volume); !box.empty())
+            if (const MirroredVolume* mirrored = volumes.volume(volume.data, !picture.draft))
+                scene.volumes.push_back(item_of(volume, scene.origin_world, *mirrored));
+    const glm::dmat4 view = view_matrix(picture.camera);
+    std::ranges::stable_sort(scene.volumes, {}, [&](const CastItem& item) {
+        const glm::dvec3 middle(item.corners[0] + item.corners[6]);
+        return (view * glm::dvec4(scene.origin_world + middle / 2.0, 1)).z;
+    });
     const ValueColors values = picture.value_colors.value_or(ValueColors{});
     scene.map_colors = map_colors(values);
     const float length = values.range.y - values.range.x;

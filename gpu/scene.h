@@ -6,6 +6,7 @@
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
 #include "gpu/tiles/tile_mirror.h"
+#include "gpu/volume_mirror.h"
 
 namespace trivar::gpu {
 
@@ -46,10 +47,23 @@ struct SceneItem {
     int drawn_count() const;
 };
 
+// A CastItem is a volume ready to be cast.
+struct CastItem {
+    const MirroredVolume* mirrored;
+    int id;
+    glm::mat4 to_voxels;  // of scene space
+    glm::mat3 to_normals; // slopes per voxel to slopes along scene axes, per voxel length
+    glm::vec3 low, high;  // the box that is seen, in voxels
+    float per_length;     // voxel lengths in a unit of scene space, times the density
+    float shading;
+    std::array<glm::vec3, 8> corners; // of the box, in scene space
+};
+
 struct Scene {
     glm::dvec3 origin_world{0};
     std::vector<SceneItem> items;    // one per instance, or two where some of its copies mirror
     std::vector<Box> curve_boxes;    // world; of the picture's finite curves
+    std::vector<CastItem> volumes;   // the farthest first
     std::vector<SceneItem> outlined; // what is outlined of it: the same items, or some copies
     std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of the outlined copies
     glm::vec3 lo{0}, hi{0}; // of all items and curves; unset where there are none
@@ -79,6 +93,6 @@ CasterKey casters_of(const Scene& scene);
 // Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is not
 // finite are left out.
 Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
-               const TileMirror& tiles);
+               const TileMirror& tiles, VolumeMirror& volumes);
 
 } // namespace trivar::gpu

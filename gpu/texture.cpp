@@ -72,6 +72,15 @@ Texture2D Texture2D::view(unsigned format) const
     return result;
 }
 
+Texture2D Texture2D::row_of(std::span<const glm::vec4> texels)
+{
+    const auto count = static_cast<int>(texels.size());
+    Texture2D result(GL_RGBA32F, {count, 1}, true);
+    result.bind(spare_unit);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, count, 1, GL_RGBA, GL_FLOAT, texels.data());
+    return result;
+}
+
 void Texture2D::write_rgba(std::span<const std::uint8_t> rgba)
 {
     assert(rgba.size() == static_cast<std::size_t>(size_px_.x) * size_px_.y * 4);

@@ -19,6 +19,8 @@ public:
     Texture2D& operator=(Texture2D&& other) noexcept;
     ~Texture2D();
 
+    // One row of floats, four a texel, sampled linearly.
+    static Texture2D row_of(std::span<const glm::vec4> texels);
     // The same texels seen through another format of the same size.
     Texture2D view(unsigned format) const;
     // 8-bit RGBA, first row first; makes the smaller levels.

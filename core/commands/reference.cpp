@@ -190,6 +190,10 @@ std::string commands_markdown()
             field_table(fields_of(RelinkedPicture{}));
     text += "## level\n\nA level of volume data as it is shown.\n\n" +
             field_table(fields_of(VoxelLevel{}));
+    text += "## casting\n\nHow volume data are seen as a whole.\n\n" +
+            field_table(fields_of(VolumeCasting{}));
+    text += "## transfer point\n\nHow a value of volume data looks.\n\n" +
+            field_table(fields_of(TransferPoint{}));
     text += "## lines\n\nHow lines are drawn.\n\n" + field_table(fields_of(LineStyle{}));
     text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
             "picture.\n\n" +

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_levels = 64;
+constexpr std::size_t most_levels = 64, most_transfer_points = 256;
 
 std::string level_words(const VoxelLevel& level)
 {
@@ -39,6 +39,13 @@ void check(const VoxelShape& shape)
     if (shape.path.empty()) throw Rejected("field \"path\" names no file");
     if (shape.levels.size() > most_levels)
         throw Rejected(fmt::format("field \"levels\": at most {} levels are shown", most_levels));
+    const VolumeCasting& casting = shape.casting;
+    if (casting.points.size() > most_transfer_points)
+        throw Rejected(fmt::format("field \"points\": a transfer function has at most {}",
+                                   most_transfer_points));
+    if (!glm::all(glm::lessThan(casting.crop_low, casting.crop_high)))
+        throw Rejected("field \"crop_low\": the box is empty; use shares below those of "
+                       "\"crop_high\"");
 }
 
 std::string size_words(const VoxelShape& shape)
@@ -62,6 +69,7 @@ StepTitle title(const SetVoxels& c, const StepDocuments& step)
     const auto* old = object ? std::get_if<VoxelShape>(&object->source) : nullptr;
     if (!old) return {"Volume data of " + name, {}};
     if (old->path != c.shape.path) return {"File of " + name, size_words(c.shape)};
+    if (old->casting != c.shape.casting) return {"Casting of " + name, {}};
     if (old->levels.size() < c.shape.levels.size())
         return {"Level of " + name, level_words(c.shape.levels.back())};
     if (old->levels.size() > c.shape.levels.size()) return {"Remove level of " + name, {}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/surfacing.h"
+#include "core/document/volume_casting.h"
 #include "core/silhouette/ink.h"
 #include "core/silhouette/visibility.h"
 
@@ -33,6 +34,7 @@ struct VoxelShape {
     int blur = 0; // number of times that (1 2 1)/4 is applied to the samples along each axis
     LevelSide body = LevelSide::above; // on which side of its level a body is
     std::vector<VoxelLevel> levels = {};
+    VolumeCasting casting = {};
     bool operator==(const VoxelShape&) const = default;
 };
 

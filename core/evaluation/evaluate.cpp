@@ -9,6 +9,7 @@
 #include "core/evaluation/inside_material.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/shapes.h"
+#include "core/evaluation/shown_volume.h"
 
 #include <algorithm>
 #include <set>
@@ -101,6 +102,9 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
         for (const Part& part : with_points(stage->parts, stage->curves))
             box.add(bounds_in_world(part));
         if (shows_volume) add_control_points(box, *stage->seen_cage());
+        if (stage->shape->volume)
+            for (const glm::dvec3& p : stage->shape->volume->cast_corners(stage->own_to_world))
+                box.add(p);
         return box;
     });
     return result;

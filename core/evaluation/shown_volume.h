@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/box.h"
+#include "core/casting/casting.h"
 #include "core/document/voxel_shape.h"
 #include "core/silhouette/voxel_field.h"
 
@@ -20,6 +22,26 @@ struct ShownVolume {
     LevelSide side = LevelSide::above; // of the bodies, as samples
     glm::dmat4 to_model{1};            // voxels to the object's model
     std::vector<Level> levels;
+    Ref<Casting> casting = {}; // null: it is not seen as a whole
+    VolumeCasting seen_as = {};
+
+    Box cast_box() const // of what is cast, in voxels; empty: nothing is
+    {
+        const bool some = glm::all(glm::lessThan(seen_as.crop_low, seen_as.crop_high));
+        if (!casting || !some) return {};
+        const glm::dvec3 end(field->field().end());
+        return {end * glm::dvec3(seen_as.crop_low), end * glm::dvec3(seen_as.crop_high)};
+    }
+    // Its corners, where the object's model is put into the world; none: nothing is cast.
+    std::vector<glm::dvec3> cast_corners(const glm::dmat4& to_world) const
+    {
+        std::vector<glm::dvec3> out;
+        const Box box = cast_box();
+        if (!box.empty())
+            for (const glm::dvec3& p : box.corners())
+                out.emplace_back(to_world * to_model * glm::dvec4(p, 1));
+        return out;
+    }
 };
 
 } // namespace trivar

@@ -18,6 +18,20 @@ std::string name_of(const VoxelLevel& level)
 
 } // namespace
 
+Ref<Casting> VoxelShapes::casting(const Ref<VoxelField>& field, const Ref<VoxelGrid>& grid,
+                                  const VolumeCasting& wanted, Timings& timings)
+{
+    return castings_({field, wanted.points}, [&] {
+        return timed(timings, "casting", [&] {
+            const VolumeSummary& summary =
+                *summaries_(grid, [&] { return make_ref(summary_of(*grid)); });
+            return make_ref(casting_of(
+                field, wanted.points.empty() ? usual_transfer(summary, *grid) : wanted.points,
+                summary.least, summary.greatest));
+        });
+    });
+}
+
 Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                               const Progress& progress)
 {
@@ -48,21 +62,24 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         });
         shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink});
         if (!level.surface) continue;
-        const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale}, [&] {
+        const auto material = static_cast<std::uint32_t>(model.materials.size());
+        const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale, material}, [&] {
             return timed(timings, "level", [&] {
                 Mesh made = shown.field->surface(*mesh, source.body, shown.to_model);
+                made.face_material.assign(made.face_count(), material);
                 return make_ref(std::move(made));
             });
         });
         if (surface->face_count() == 0) continue;
-        Mesh of_level = *surface;
-        of_level.face_material.assign(of_level.face_count(),
-                                      static_cast<std::uint32_t>(model.materials.size()));
         model.nodes.push_back(
             {name_of(level), -1, glm::dmat4(1), static_cast<int>(model.meshes.size())});
-        model.meshes.push_back(make_ref(std::move(of_level)));
+        model.meshes.push_back(surface);
         model.materials.push_back(material_of(level.look));
         model.materials.back().name = name_of(level);
+    }
+    if (shown.field && source.casting.shown) {
+        shown.casting = casting(shown.field, loaded.grid, source.casting, timings);
+        shown.seen_as = source.casting;
     }
     if (model.materials.empty()) model.materials.emplace_back();
     Shape out = shape_of(make_ref(std::move(model)));

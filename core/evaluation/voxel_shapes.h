@@ -16,18 +16,26 @@ namespace trivar {
 class VoxelShapes {
 public:
     // Throws Rejected for trouble with the data; a file that is missing gives an empty shape that
-    // says so. Throws Cancelled. Stages: import, field, level.
+    // says so. Throws Cancelled. Stages: import, field, level, casting.
     Shape operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                      const Progress& progress);
 
 private:
+    Ref<Casting> casting(const Ref<VoxelField>& field, const Ref<VoxelGrid>& grid,
+                         const VolumeCasting& wanted, Timings& timings);
+
     using FieldKey = std::pair<Ref<VoxelGrid>, VoxelFieldOptions>;
     using LevelKey = std::pair<Ref<VoxelField>, double>;
-    using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double>; // with the scale
+    // with the scale and the number of its material
+    using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double, std::uint32_t>;
+
+    using CastingKey = std::pair<Ref<VoxelField>, std::vector<TransferPoint>>;
 
     Recent<FieldKey, Ref<VoxelField>> fields_;
     Recent<LevelKey, Ref<LevelMesh>> levels_;
     Recent<SurfaceKey, Ref<Mesh>> surfaces_;
+    Recent<Ref<VoxelGrid>, Ref<VolumeSummary>> summaries_;
+    Recent<CastingKey, Ref<Casting>> castings_;
 };
 
 } // namespace trivar

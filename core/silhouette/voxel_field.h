@@ -29,6 +29,8 @@ public:
     const VoxelGrid& grid() const { return *grid_; }
     const ScalarField<float>& field() const { return field_; }
     const FieldHulls& hulls() const { return hulls_; }
+    // Whether its values at the points of the grid are the samples.
+    bool goes_through_samples() const { return blurred_.empty() && lattice_.empty(); }
 
     // The level at a value; on which side of it, as samples, a body is whose values are on a side.
     LevelMesh level(double value, LevelAccuracy accuracy = LevelAccuracy::exact) const;

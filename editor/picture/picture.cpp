@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/picture.h"
 
+#include "core/evaluation/shown_volume.h"
 #include "editor/picture/curves_picture.h"
+#include "editor/picture/volume_casts.h"
 #include "editor/picture/volume_picture.h"
 #include "ui/camera_control.h"
 
@@ -82,6 +84,8 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
         const std::vector<gpu::Curve>& lines =
             values.volume_lines(*ref, to_world(document, id), camera, wider);
         picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());
+        if (std::optional<gpu::CastVolume> cast = cast_volume_of(*ref))
+            picture.volumes.push_back(std::move(*cast));
     }
     if (document.render->volumes) {
         const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
@@ -101,6 +105,9 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
         for (const glm::vec3& p : part.mesh()->positions)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
     }
+    if (!object.shape || !object.shape->volume) return;
+    for (const glm::dvec3& p : object.shape->volume->cast_corners(object.own_to_world))
+        points.push_back(p);
 }
 
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)

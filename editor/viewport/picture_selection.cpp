@@ -10,6 +10,7 @@ void leave_out(gpu::Picture& picture, const std::vector<Id>& ids)
     const auto is_out = [&](const auto& each) { return std::ranges::binary_search(ids, each.id); };
     std::erase_if(picture.instances, is_out);
     std::erase_if(picture.curves, is_out);
+    std::erase_if(picture.volumes, is_out);
 }
 
 void outline_selected(gpu::Picture& picture, const Members& selected)

@@ -51,6 +51,17 @@ constexpr std::array of_maps{
          }},
 };
 
+template <int band>
+constexpr Pass pass_of_band{"casting",
+                            [](const Brushes&, const Work& w) {
+                                return !w.scene.volumes.empty() &&
+                                       (band == 0 || w.quality.cast_divisor == 1);
+                            },
+                            [](Brushes& b, const Work& w, const Frame& frame) {
+                                b.cast.draw(b.tools, *w.targets, frame, w.scene, w.quality, band);
+                            }};
+static_assert(CastPass::bands == 16);
+
 constexpr std::array of_sample{
     Pass{"surfaces", by_all,
          [](Brushes& b, const Work& w, const Frame& frame) {
@@ -73,6 +84,22 @@ constexpr std::array of_sample{
     Pass{
         "curves", [](const Brushes& b, const Work&) { return b.curves.any(); },
         [](Brushes& b, const Work& w, const Frame&) { b.curves.draw_within(b.tools, *w.targets); }},
+    pass_of_band<0>,
+    pass_of_band<1>,
+    pass_of_band<2>,
+    pass_of_band<3>,
+    pass_of_band<4>,
+    pass_of_band<5>,
+    pass_of_band<6>,
+    pass_of_band<7>,
+    pass_of_band<8>,
+    pass_of_band<9>,
+    pass_of_band<10>,
+    pass_of_band<11>,
+    pass_of_band<12>,
+    pass_of_band<13>,
+    pass_of_band<14>,
+    pass_of_band<15>,
     Pass{"see-through", [](const Brushes& b, const Work& w) { return b.see_through.any(w.scene); },
          [](Brushes& b, const Work& w, const Frame& frame) {
              b.see_through.draw(b.tools, *w.targets, frame, w.scene, w.quality);

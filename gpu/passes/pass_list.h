@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/passes/cast.h"
 #include "gpu/passes/contact_map.h"
 #include "gpu/passes/layers.h"
 #include "gpu/passes/lines.h"
@@ -18,6 +19,7 @@ struct Brushes {
     ContactMap contact_map;
     Occluders occluders;
     LinePass lines, curves, outlined_curves;
+    CastPass cast;
     SeeThroughPass see_through;
 };
 

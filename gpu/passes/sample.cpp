@@ -9,9 +9,9 @@ namespace trivar::gpu {
 
 Quality quality_for(int samples, bool draft)
 {
-    if (draft) return {0, 0, 4, false, true};
-    if (samples >= 16) return {1, 6, 6};
-    if (samples >= 4) return {1, 8, 8};
+    if (draft) return {0, 0, 4, false, true, 2, 1.5f};
+    if (samples >= 16) return {1, 6, 6, true, false, 1, 1.0f};
+    if (samples >= 4) return {1, 8, 8, true, false, 1, 0.75f};
     return {};
 }
 

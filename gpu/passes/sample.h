@@ -14,6 +14,8 @@ struct Quality {
     int shadow_blockers = 12, shadow_taps = 16; // no blockers: shadows of one softness
     bool backs_of_bodies = true;                // which only folds show
     bool layers_at_once = false;                // of see-through things
+    int cast_divisor = 1;                       // of the size of what is cast through volumes
+    float cast_pace = 0.5f;                     // voxels in a step of a ray
     std::vector<std::string> shadow_defines() const;
     std::vector<std::string> occlusion_defines() const;
     std::vector<std::string> blur_defines() const;

@@ -6,6 +6,7 @@
 #include "gpu/mirror.h"
 #include "gpu/program.h"
 #include "gpu/tiles/tile_mirror.h"
+#include "gpu/volume_mirror.h"
 
 #include <functional>
 
@@ -49,6 +50,7 @@ public:
     std::string shader_trouble() const;
     Mirror& mirror() { return mirror_; }
     DeformedMeshes& deformed() { return deformed_; }
+    VolumeMirror& volumes() { return volumes_; }
     TileMirror& tiles() { return tiles_; }
     const TileMirror& tiles() const { return tiles_; }
     void set_frame(const Frame& frame);
@@ -64,6 +66,7 @@ private:
     Mirror mirror_;
     DeformedMeshes deformed_;
     TileMirror tiles_;
+    VolumeMirror volumes_;
     VertexArray nothing_;
     Buffer frame_;
     std::vector<Sampler> samplers_;              // by 2 repeat_u + repeat_v

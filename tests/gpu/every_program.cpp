@@ -3,6 +3,7 @@
 
 #include "gpu/ffd/blind_draw.h"
 #include "gpu/ffd/device_poser.h"
+#include "gpu/passes/cast.h"
 #include "gpu/passes/lines.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
@@ -100,6 +101,9 @@ std::vector<ProgramName> every_program()
     out.push_back(full_screen_program("outline", {"DRAFT"}));
     out.push_back(full_screen_program("occlusion_blur", quality_for(1, true).blur_defines()));
     out.push_back(full_screen_program("layers_over", {"LAYERS_AT_ONCE"}));
+    for (const FieldOrder order : {FieldOrder::linear, FieldOrder::quadratic, FieldOrder::cubic})
+        for (const bool rough : {true, false}) out.push_back(cast_program(order, rough));
+    for (const bool ids : {true, false}) out.push_back(cast_over_program(ids));
     for (const char* define : {"", "HELPERS", "IDS", "MASK"}) out.push_back(line_program(define));
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});

@@ -32,7 +32,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/refinement"},
     {"core/placement", "core/limit"},
     {"core/split", "core/incise", "core/silhouette"},
-    {"core/drawing", "core/tiles"},
+    {"core/casting", "core/drawing", "core/tiles"},
     {"core/document"},
     {"core/commands", "core/evaluation"},
     {"core/scene"},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/fields/surfacing_fields.h"
+#include "core/document/fields/volume_casting_fields.h"
 #include "core/document/voxel_shape.h"
 
 namespace trivar {
@@ -100,6 +101,7 @@ template <> struct FieldsOf<VoxelShape> {
         field("body", s.body, "on which side of its level a body is",
               any_value.called("Body").without_keys());
         field("levels", s.levels, "that are shown; none: one that parts the values best");
+        field("casting", s.casting, "how the data are seen as a whole", later);
     }
 };
 

@@ -45,10 +45,13 @@ TEST(PictureSelection, OutlinesCurvesAloneMoreThinly)
     EXPECT_EQ(outline_for(picture, {.width_px = 2}).width_px, 1);
 }
 
-TEST(PictureSelection, LeavesOutInstancesAndCurves)
+TEST(PictureSelection, LeavesOutInstancesCurvesAndVolumes)
 {
     gpu::Picture picture = picture_of_three();
-    leave_out(picture, {1, 3});
+    picture.volumes = {{.id = 4}, {.id = 5}};
+    leave_out(picture, {1, 3, 4});
+    ASSERT_EQ(picture.volumes.size(), 1u);
+    EXPECT_EQ(picture.volumes[0].id, 5);
     ASSERT_EQ(picture.instances.size(), 1u);
     EXPECT_EQ(picture.instances[0].id, 2);
     EXPECT_TRUE(picture.curves.empty());

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/casting/transfer.h"
+
+namespace trivar {
+
+// A TransferTable holds the integrals of a transfer function over the values of some data, so that
+// what lies between two values along a ray is a difference of two entries, however thin it is
+// [Engel, Kraus, Ertl 2001]. Values are told as shares, 0..1, of the range of the data.
+struct TransferTable {
+    static constexpr int cells = 1024;
+    double least = 0, greatest = 1; // of the data
+    // From the share 0 to each end of a cell: the density of extinction per voxel, in w, and the
+    // linear colour times that density.
+    std::vector<glm::vec4> before;
+
+    // Whether nothing is seen of values from `low` to `high`, or next to them.
+    bool empty(double low, double high) const;
+    std::size_t bytes() const { return before.size() * sizeof(glm::vec4); }
+};
+
+// 0.1 ms.
+TransferTable transfer_table(std::span<const TransferPoint> points, double least, double greatest);
+
+} // namespace trivar

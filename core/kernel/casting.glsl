@@ -1,0 +1,181 @@
+// Rays through volume data that glow and hold back light.   GLSL and C++: see core/casting/cast_ray.cpp
+//
+// Places are in voxels; values are shares of the range of the data. Supplied:
+//   int order()                     of the spline: 2 linear through the samples, 3 quadratic, 4 cubic
+//   bool rough()                    slopes of linear fields by differences forward
+//   vec3 last()                     the greatest coordinates of the grid
+//   float sample_at(vec3 p)         the samples, linear in between
+//   float coefficient_at(vec3 p)    the same of the spline's coefficients, which begin at -1
+//   int empty_reach(ivec3 brick)    see EmptyBricks; beyond the grid as at its border
+//   vec4 transfer_before(float u)   see TransferTable
+//   vec3 lit(vec3 color, vec3 p, vec3 slope)   the colour of what has that slope, in linear light
+
+const float TRANSFER_CELLS = 1024.0f;
+const float BRICK = 4.0f;      // cells along each axis
+const float OPAQUE = 0.985f;   // what lies behind is not looked at
+const float LIT_FROM = 0.002f; // share of the picture from which light matters
+const int MOST_STEPS = 8192;
+
+// Where a spline is the mean of linear fetches, two along each axis [Sigg, Hadwiger 2005]: its value
+// is their mix by the share, a slope is the share of their difference.
+struct Taps {
+    vec3 lower, upper, share;
+};
+
+Taps value_taps(vec3 p)
+{
+    Taps taps;
+    if (order() == 4) {
+        vec3 i = clamp(floor(p), vec3(0.0f), last() - 1.0f), t = p - i, s = 1.0f - t;
+        vec3 w0 = s * s * s / 6.0f, w1 = (t * t * (3.0f * t - 6.0f) + 4.0f) / 6.0f, w3 = t * t * t / 6.0f;
+        taps.share = 1.0f - w0 - w1;
+        taps.lower = i - 1.0f + w1 / (w0 + w1);
+        taps.upper = i + 1.0f + w3 / taps.share;
+    } else {
+        vec3 i = clamp(floor(p + 0.5f), vec3(0.0f), last()), t = p - i, a = 0.5f - t, b = 0.5f + t;
+        vec3 w0 = a * a * 0.5f, w1 = 0.75f - t * t;
+        taps.share = b * b * 0.5f;
+        taps.lower = i - 1.0f + w1 / (w0 + w1);
+        taps.upper = i + 1.0f;
+    }
+    return taps;
+}
+
+Taps slope_taps(vec3 p)
+{
+    Taps taps;
+    if (order() == 4) {
+        vec3 i = clamp(floor(p), vec3(0.0f), last() - 1.0f), t = p - i;
+        taps.share = 0.5f + t - t * t;
+        taps.lower = i - 1.0f + t * (2.0f - 1.5f * t) / taps.share;
+        taps.upper = i + 1.0f + 0.5f * t * t / taps.share;
+    } else {
+        taps.share = vec3(1.0f);
+        taps.lower = p - 0.5f;
+        taps.upper = p + 0.5f;
+    }
+    return taps;
+}
+
+// Means over two axes at a place of the third.
+float mean_yz(float x, Taps v)
+{
+    float low = mix(coefficient_at(vec3(x, v.lower.y, v.lower.z)),
+                    coefficient_at(vec3(x, v.upper.y, v.lower.z)), v.share.y);
+    float high = mix(coefficient_at(vec3(x, v.lower.y, v.upper.z)),
+                     coefficient_at(vec3(x, v.upper.y, v.upper.z)), v.share.y);
+    return mix(low, high, v.share.z);
+}
+float mean_xz(float y, Taps v)
+{
+    float low = mix(coefficient_at(vec3(v.lower.x, y, v.lower.z)),
+                    coefficient_at(vec3(v.upper.x, y, v.lower.z)), v.share.x);
+    float high = mix(coefficient_at(vec3(v.lower.x, y, v.upper.z)),
+                     coefficient_at(vec3(v.upper.x, y, v.upper.z)), v.share.x);
+    return mix(low, high, v.share.z);
+}
+float mean_xy(float z, Taps v)
+{
+    float low = mix(coefficient_at(vec3(v.lower.x, v.lower.y, z)),
+                    coefficient_at(vec3(v.upper.x, v.lower.y, z)), v.share.x);
+    float high = mix(coefficient_at(vec3(v.lower.x, v.upper.y, z)),
+                     coefficient_at(vec3(v.upper.x, v.upper.y, z)), v.share.x);
+    return mix(low, high, v.share.y);
+}
+
+float value_at(vec3 p)
+{
+    if (order() == 2) return sample_at(p);
+    Taps v = value_taps(p);
+    return mix(mean_yz(v.lower.x, v), mean_yz(v.upper.x, v), v.share.x);
+}
+
+// Per voxel. `value` is the value at p.
+vec3 slope_at(vec3 p, float value)
+{
+    if (order() == 2) {
+        vec3 x = vec3(1.0f, 0.0f, 0.0f), y = vec3(0.0f, 1.0f, 0.0f), z = vec3(0.0f, 0.0f, 1.0f);
+        vec3 above = vec3(sample_at(p + x), sample_at(p + y), sample_at(p + z));
+        if (rough()) return above - value;
+        return 0.5f * (above - vec3(sample_at(p - x), sample_at(p - y), sample_at(p - z)));
+    }
+    Taps v = value_taps(p), d = slope_taps(p);
+    return d.share * vec3(mean_yz(d.upper.x, v) - mean_yz(d.lower.x, v),
+                          mean_xz(d.upper.y, v) - mean_xz(d.lower.y, v),
+                          mean_xy(d.upper.z, v) - mean_xy(d.lower.z, v));
+}
+
+// The mean of the transfer function over the values from one to another: colour times density, and
+// density per voxel.
+vec4 transfer_between(float a, float b)
+{
+    a = clamp(a, 0.0f, 1.0f);
+    b = clamp(b, 0.0f, 1.0f);
+    float range = max(abs(a - b), 1.0f / TRANSFER_CELLS);
+    float low = clamp(0.5f * (a + b - range), 0.0f, 1.0f - range);
+    return (transfer_before(low + range) - transfer_before(low)) / range;
+}
+
+int reach_at(vec3 p) { return empty_reach(ivec3(max(p, vec3(0.0f)) / BRICK)); }
+
+// How much farther a ray at p stays in the empty cube of the brick there.
+float empty_way(vec3 p, vec3 along, int reach)
+{
+    vec3 brick = floor(p / BRICK);
+    vec3 low = (brick - float(reach) + 1.0f) * BRICK - p, high = (brick + float(reach)) * BRICK - p;
+    vec3 out_by = max(low / along, high / along);
+    return max(min(out_by.x, min(out_by.y, out_by.z)), 0.0f);
+}
+
+// What a ray gathers.
+struct Gathered {
+    vec3 color;    // linear, times the opacity
+    float opacity;
+    float hit;     // where half of the light is held back; the end: it never is
+};
+
+// Goes from `from` by along * t, t from 0 to `end`, in steps of `pace` of which the first is the share
+// `jitter`, 0..1. `thickness`: length in voxels per t, times the density. No component of `along` is 0.
+Gathered cast_ray(vec3 from, vec3 along, float end, float pace, float jitter, float thickness)
+{
+    Gathered out_of;
+    out_of.color = vec3(0.0f);
+    out_of.opacity = 0.0f;
+    out_of.hit = end;
+    float t = 0.0f, next = pace * max(jitter, 0.01f), before = 0.0f;
+    bool known = false;
+    int reach = reach_at(from);
+    for (int i = 0; i < MOST_STEPS; i++) {
+        if (t >= end || out_of.opacity >= OPAQUE) break;
+        float until = min(next, end);
+        vec3 p = from + along * until;
+        int reach_there = reach_at(p);
+        if (reach > 0 && reach_there > 0) {
+            t = until + pace * floor(empty_way(p, along, reach_there) / pace);
+            known = false;
+        } else {
+            if (!known) before = value_at(from + along * t);
+            float value = value_at(p);
+            vec4 glow = transfer_between(before, value);
+            float held = glow.w * thickness * (until - t);
+            if (held > 1e-5f) {
+                float share = (1.0f - out_of.opacity) * (1.0f - exp(-held));
+                vec3 color = vec3(glow.x, glow.y, glow.z) / glow.w;
+                if (share > LIT_FROM) color = lit(color, p, slope_at(p, value));
+                out_of.color += share * color;
+                if (out_of.opacity < 0.5f && out_of.opacity + share >= 0.5f) out_of.hit = until;
+                out_of.opacity += share;
+            }
+            before = value;
+            known = true;
+            t = until;
+        }
+        next = t + pace;
+        reach = reach_there;
+    }
+    if (out_of.opacity >= OPAQUE) {
+        out_of.color /= out_of.opacity;
+        out_of.opacity = 1.0f;
+    }
+    return out_of;
+}

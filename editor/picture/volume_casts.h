@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/evaluated.h"
+#include "gpu/cast_volume.h"
+
+#include <optional>
+
+namespace trivar {
+
+// What of an object is cast; nothing for what is no volume data, or shows none of them as a whole.
+std::optional<gpu::CastVolume> cast_volume_of(const EvaluatedObject& object);
+
+} // namespace trivar
