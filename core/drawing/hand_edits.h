@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drawing/drawing.h"
+#include "core/drawing/drawing_sheet.h"
 #include "core/silhouette/line_ids.h"
 
 #include <map>
+#include <string>
+#include <string_view>
 
 namespace trivar {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drawing/drawing.h"
+#include "core/drawing/drawing_sheet.h"
+
+#include <string>
 
 namespace trivar {
 

@@ -4,6 +4,7 @@
 #include "core/base/box.h"
 #include "core/base/rejected.h"
 #include "core/document/fields/voxel_fields.h"
+#include "core/drawing/drawing_file.h"
 #include "core/drawing/hand_edits.h"
 #include "core/files/file_bytes.h"
 #include "core/silhouette/level_drawing.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/drawing/drawing_file.h"
 #include "core/drawing/hand_edits.h"
 #include "core/drawing/svg.h"
 

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/drawing_layer.h"
+#include "core/drawing/drawing_sheet.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace trivar {
-
-// A DrawingSheet is lines in layers on a sheet, ready to be written to a file.
-struct DrawingSheet {
-    std::vector<DrawingLayer> layers;
-    glm::dvec2 size{1000};                         // pixels
-    std::optional<glm::vec3> paper = glm::vec3(1); // sRGB; none: nothing behind the lines
-    glm::dmat4 to_metres{1};                       // of the points that lines have in space
-};
-
-// The id of a line in files, of its layer's name, whether it is hidden, and its own id. All lines
-// that are drawn for one stroke have the same.
-std::string line_id(const DrawingLayer& layer, const InkedLine& line);
 
 // The kinds of files that a drawing can be written to.
 enum class DrawingFormat { svg, pdf, png, obj };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drawing/drawing.h"
+#include "core/drawing/drawing_file.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"

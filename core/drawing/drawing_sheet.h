@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/silhouette/drawing_layer.h"
+
+#include <optional>
+
+namespace trivar {
+
+// A DrawingSheet is lines in layers on a sheet, ready to be written to a file.
+struct DrawingSheet {
+    std::vector<DrawingLayer> layers;
+    glm::dvec2 size{1000};                         // pixels
+    std::optional<glm::vec3> paper = glm::vec3(1); // sRGB; none: nothing behind the lines
+    glm::dmat4 to_metres{1};                       // of the points that lines have in space
+};
+
+} // namespace trivar
