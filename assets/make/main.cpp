@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // trivar-make FOLDER [NAME...]: writes FOLDER/NAME.glb for each model named, or for all of them;
-// "volumes", "cages" and "pictures" are names too. --preview FOLDER adds four shaded views of each;
+// "volumes", "volumes/NAME", "cages" and "pictures" are names too. --preview FOLDER adds four
+// shaded views of each;
 // --quiet prints nothing of them.
 #include "assets/make/check.h"
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
 #include "assets/make/models/pictures.h"
 #include "assets/make/preview.h"
+#include "assets/make/volumes/volumes.h"
 #include "assets/make/write_model.h"
 
 #include <algorithm>
@@ -52,10 +54,19 @@ void print(const std::string& name, const make::Report& r)
                 double(r.hi.y - r.lo.y), double(r.hi.z - r.lo.z));
 }
 
+void write_volumes(const Order& order)
+{
+    for (const make::NamedVolume& volume : make::volumes()) {
+        if (!order.wants("volumes") && !order.wants("volumes/" + volume.name)) continue;
+        std::filesystem::create_directories(order.folder + "/volumes");
+        make::write_nrrd(volume.build(), order.folder + "/volumes/" + volume.name + ".nrrd");
+    }
+}
+
 void run(const Order& order)
 {
     std::filesystem::create_directories(order.folder);
-    if (order.wants("volumes")) make::write_volumes(order.folder + "/volumes");
+    write_volumes(order);
     if (order.wants("pictures")) make::write_pictures(order.folder + "/pictures");
     if (order.wants("cages")) make::write_cages(order.folder + "/cages");
     for (const make::Entry& entry : make::catalogue()) {

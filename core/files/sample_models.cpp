@@ -29,6 +29,8 @@ SampleOrder order_for(const fs::path& file, const fs::path& made_by)
         return {"cages", models}; // all at once
     if (file.extension() == ".png" && file.parent_path() == models / "pictures")
         return {"pictures", models};
+    if (file.extension() == ".nrrd" && file.parent_path() == models / "volumes")
+        return {"volumes/" + file.stem().string(), models};
     return {};
 }
 

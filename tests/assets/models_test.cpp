@@ -3,10 +3,13 @@
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
 #include "assets/make/texture.h"
+#include "assets/make/volumes/volumes.h"
 #include "assets/make/write_model.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "tests/support/fixtures.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -190,6 +193,44 @@ TEST(WovenTiles, EndAsTheyBegin)
                 EXPECT_LT(glm::distance(begin[i] + vec3(1, 0, 0), end[i]), 1e-5f) << name;
         }
     }
+}
+
+TEST(Volumes, AreOfSizesThatTheManualSaysAndMadeByTheBuild)
+{
+    for (const make::NamedVolume& each : make::volumes()) {
+        const std::string path = TRIVAR_BINARY_DIR "/assets/models/volumes/" + each.name + ".nrrd";
+        ASSERT_TRUE(std::filesystem::exists(path)) << path;
+        EXPECT_LT(std::filesystem::file_size(path), 4'000'000u) << path;
+        const std::string head = trivar::read_text_file(path).substr(0, 8);
+        EXPECT_EQ(head, "NRRD0004") << path;
+    }
+}
+
+TEST(Volumes, AreTheSameBitsWithOneThreadAndWithTwo)
+{
+    const auto samples = [](int threads) {
+        const trivar::ThreadLimit limit(threads);
+        return make::rounded(make::foot()).samples;
+    };
+    EXPECT_EQ(samples(1), samples(2));
+}
+
+// A scanner's values: air, fat, muscle, bone; and tooth enamel is the hardest.
+TEST(Volumes, HaveTheValuesOfTheirTissues)
+{
+    const auto share = [](const make::Volume& volume, int from, int to) {
+        const auto count = std::ranges::count_if(
+            volume.samples, [&](std::int16_t v) { return v >= from && v < to; });
+        return double(count) / double(volume.samples.size());
+    };
+    const make::Volume foot = make::rounded(make::foot());
+    EXPECT_GT(share(foot, -1001, -980), .5);
+    EXPECT_GT(share(foot, -110, -70), .02);
+    EXPECT_GT(share(foot, 30, 80), .05);
+    EXPECT_GT(share(foot, 600, 1300), .05);
+    const make::Volume jaw = make::rounded(make::jaw());
+    EXPECT_GT(share(jaw, 1900, 2600), .0005);
+    EXPECT_EQ(share(jaw, 2600, 4000), 0);
 }
 
 TEST(Cages, AreClosedQuadsWithTheirCreasesOnEdges)

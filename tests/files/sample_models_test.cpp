@@ -43,6 +43,16 @@ TEST(MissingModels, AreMadeOfCagesTogether)
     EXPECT_FALSE(can_be_made(here.models / "cages" / "torus.glb", here.program));
 }
 
+TEST(MissingModels, AreMadeOfVolumeDataOneByOne)
+{
+    const Beside here;
+    const fs::path file = here.models / "volumes" / "silicon.nrrd";
+    EXPECT_TRUE(can_be_made(file, here.program));
+    make_sample_model(file, {}, here.program);
+    EXPECT_TRUE(fs::exists(file));
+    EXPECT_FALSE(fs::exists(here.models / "volumes" / "protein.nrrd"));
+}
+
 TEST(MissingModels, AreMadeOfSampleModelsAlone)
 {
     const Beside here;

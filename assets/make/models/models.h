@@ -15,8 +15,6 @@ struct Entry {
 std::vector<Entry> catalogue();
 Model build(const Entry& entry); // named
 
-void write_volumes(const std::string& folder); // NRRD, bytes, x fastest
-
 Model snake();
 Model crocodile();
 Model horse();

@@ -71,18 +71,6 @@ float hand_bone(vec3 p)
     return std::min(d, bone(p, {{.034f, -.02f, 0}, {.032f, .165f, 0}, .023f}, .66f));
 }
 
-float hand_skin(vec3 p)
-{
-    static const auto B = hand_bones();
-    float d = 1e9f;
-    for (size_t i = 0; i < B.size(); i++)
-        d = smin(d, capsule(p, B[i].a, B[i].b, .034f, .030f), .030f);
-    d = smin(d, ellipsoid(p, {-.012f, .36f, 0}, {.105f, .13f, .042f}), .04f);
-    d = smin(d, ellipsoid(p, {-.10f, .29f, .022f}, {.045f, .075f, .04f}), .04f);
-    return smin(d, capsule(p * vec3(1, 1, 1.35f), {0, -.05f, 0}, {0, .20f, 0}, .082f, .070f) * .8f,
-                .05f);
-}
-
 float jaw_bone(vec3 p0)
 {
     vec3 p(p0.x, p0.y, std::abs(p0.z));
