@@ -50,14 +50,28 @@ Look dark()
     return look;
 }
 
+// An even ground, of the white of paper or black, under the light of another look.
+Look on_ground(Look look, glm::vec3 ground)
+{
+    look.backdrop = {.top = ground, .middle = ground, .bottom = ground, .corners = 0};
+    return look;
+}
+
 } // namespace
 
 Look look_named(std::string_view name)
 {
     if (name == "dark") return dark();
+    if (name == "paper") return on_ground(studio(), glm::vec3(1));
+    if (name == "black") return on_ground(dark(), glm::vec3(0));
     Look look = studio();
     if (name == "clay") look.clay = glm::vec3(0.56f, 0.385f, 0.30f);
     return look;
+}
+
+bool is_dark(std::string_view name)
+{
+    return name == "dark" || name == "black";
 }
 
 } // namespace trivar::gpu

@@ -27,7 +27,11 @@ struct Look {
     std::optional<glm::vec3> clay; // where set, every material is matt and has this colour
 };
 
-// "studio", "clay", "dark"; any other name gives the studio.
+// "studio", "clay", "dark"; "paper" and "black" are even grounds for drawings; any other name gives
+// the studio.
 Look look_named(std::string_view name);
+
+// Whether what is written over a picture of that look must be light.
+bool is_dark(std::string_view name);
 
 } // namespace trivar::gpu

@@ -2,6 +2,7 @@
 #include "editor/picture/captions.h"
 
 #include "core/base/rounded.h"
+#include "gpu/look.h"
 #include "ui/headless.h"
 #include "ui/widgets.h"
 
@@ -133,7 +134,7 @@ Image with_captions(Image image, const std::vector<Caption>& captions, const Cam
     constexpr float usual_px = 540;
     ui::ThemeOptions options;
     options.scale = std::clamp(std::min(size.x, size.y) / usual_px, 0.75f, 3.0f);
-    options.look.light = settings.look != "dark";
+    options.look.light = !gpu::is_dark(settings.look);
     Camera of_image = camera;
     of_image.size_px = glm::dvec2(image.size_px);
     return ui::drawn_over(image, options, [&](ui::Frame& frame) {

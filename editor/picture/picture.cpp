@@ -5,6 +5,7 @@
 #include "editor/picture/curves_picture.h"
 #include "editor/picture/volume_casts.h"
 #include "editor/picture/volume_picture.h"
+#include "gpu/look.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
             picture.volumes.push_back(std::move(*cast));
     }
     if (document.render->volumes) {
-        const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
+        const ui::Palette color = ui::palette_of({.light = !gpu::is_dark(document.render->look)});
         add_volumes(picture, evaluated, document, color, wider);
     }
     return picture;

@@ -6,6 +6,7 @@
 #include "editor/picture/picture.h"
 #include "editor/viewport/picture_selection.h"
 #include "gpu/context.h"
+#include "gpu/look.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -279,7 +280,7 @@ ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& setti
                              bool as_in_pictures)
 {
     ui::Look look = theme.look;
-    look.light = settings.look != "dark" && (as_in_pictures || theme.look.light);
+    look.light = !gpu::is_dark(settings.look) && (as_in_pictures || theme.look.light);
     if (look.light == theme.look.light) return theme;
     ui::Theme over = theme;
     over.color = ui::with_overlays(theme.color, look);

@@ -49,7 +49,7 @@ struct ViewportStyle {
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures);
 
-// The theme with the backdrop and the overlays that suit the scene: the look "dark" stays dark.
+// The theme with the backdrop and the overlays that suit the scene: dark looks stay dark.
 ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
                              bool as_in_pictures);
 

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 #include <limits>
+#include <utility>
 
 namespace trivar::gpu::testing {
 
@@ -31,6 +32,17 @@ TEST_F(TheRenderer, DrawsAnEmptyPictureAsABackdropWithoutStructure)
             EXPECT_NEAR(rgb_at(image, {3, y})[c], rgb_at(image, {60, y})[c], 2); // dither
     EXPECT_NE(rgb_at(image, {0, 0}), rgb_at(image, {0, 47}));
     EXPECT_EQ(image.rgba[3], 255);
+}
+
+TEST_F(TheRenderer, DrawsOnPaperAndOnBlackWithoutAnyShade)
+{
+    for (const auto& [look, level] : {std::pair("paper", 255), std::pair("black", 0)}) {
+        Picture picture;
+        picture.settings.look = look;
+        const Image image = renderer.render(picture, {64, 48});
+        for (const glm::ivec2 at : {glm::ivec2(0, 0), glm::ivec2(32, 24), glm::ivec2(63, 47)})
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb_at(image, at)[c], level, 1) << look;
+    }
 }
 
 TEST(Texture, SaysWhereTheCardHasNoRoom)

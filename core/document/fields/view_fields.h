@@ -8,7 +8,7 @@ namespace trivar {
 template <> struct FieldsOf<RenderSettings> {
     static void fields(auto& s, auto&& field)
     {
-        field("look", s.look, "light and background", one_of("studio|clay|dark"));
+        field("look", s.look, "light and background", one_of("studio|clay|dark|paper|black"));
         field("exposure", s.exposure, "brightness, in stops", in_range(-20, 20).in(Unit::stops));
         field("sun_azimuth", s.sun_azimuth, "direction of the sun round Z, 0 along +X, in radians",
               in_range(-100, 100).called("Sun direction").in(Unit::radians));
