@@ -2,6 +2,7 @@
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
 #include "assets/make/models/pictures.h"
+#include "assets/make/volumes/volumes.h"
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
 #include "core/document/named_files.h"
@@ -42,6 +43,13 @@ TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
                     return picture.name == path.stem();
                 })) << path;
             }
+        if (const auto* data = std::get_if<trivar::VoxelShape>(&object->source)) {
+            const std::filesystem::path path(data->path);
+            EXPECT_EQ(path.parent_path(), "../../build/assets/models/volumes");
+            EXPECT_TRUE(std::ranges::any_of(make::volumes(), [&](const make::NamedVolume& volume) {
+                return volume.name == path.stem();
+            })) << path;
+        }
         const auto* file = std::get_if<trivar::ImportedFile>(&object->source);
         if (!file) continue;
         const std::filesystem::path path(file->path);
@@ -66,7 +74,8 @@ TEST_P(EveryScene, ChangesSomethingAndSaysWhereItsPictureIsTakenFrom)
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
         return entry.second->stroke || entry.second->tiles || entry.second->splitting ||
                entry.second->cutting || entry.second->incising ||
-               std::holds_alternative<trivar::LatticeShape>(entry.second->source);
+               std::holds_alternative<trivar::LatticeShape>(entry.second->source) ||
+               std::holds_alternative<trivar::VoxelShape>(entry.second->source);
     }));
 }
 
@@ -98,7 +107,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder",
                     "sphere_cylinder_stitched", "sphere_cylinder_ends", "part_profile",
                     "bunny_cylinder", "sliced", "pineapple", "crossing_cuts", "face_incisions",
-                    "forearm_layers", "pumpkin_carved"),
+                    "forearm_layers", "pumpkin_carved", "jaw_silhouette", "jaw_overlay",
+                    "neck_levels", "foot_skin_bone", "iron_protein_levels", "iron_protein_volume",
+                    "iron_protein_widths", "crystal_chromadepth", "foot_chromadepth",
+                    "knee_gradient", "density_fans", "anatomical_plate"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
