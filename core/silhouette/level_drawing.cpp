@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/silhouette/border_lines.h"
+#include "core/silhouette/dash_table.h"
 #include "core/silhouette/fans.h"
 #include "core/silhouette/silhouette_finder.h"
 
@@ -40,7 +41,12 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
 {
     const LevelBody own{field, hulls, level.mesh.level, level.side};
     Silhouettes silhouettes;
-    if (options.certified_depth < 0) {
+    StrokeOptions joining = options.strokes;
+    if (options.dash_rows > 0) {
+        silhouettes =
+            DashTable(field, hulls, level.mesh.level, options.dash_rows)(field, view.from);
+        joining.join = joining.shortest = 0;
+    } else if (options.certified_depth < 0) {
         silhouettes = SilhouetteFinder()(field, level.mesh, view.from);
     } else {
         CertifiedSilhouettes certified = certified_silhouettes(field, hulls, level.mesh.level,
@@ -50,7 +56,7 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
     }
     std::array<std::vector<Stroke>, 2> out;
     out[0] = strokes(silhouettes, hidden_points(silhouettes, view.from, own, others), view.to_image,
-                     options.strokes);
+                     joining);
     if (!level.border) return out;
     const Silhouettes border = border_lines(field, level.mesh);
     out[1] = strokes(border, hidden_points(border, view.from, own, others), view.to_image,

@@ -34,6 +34,7 @@ struct LevelDrawingOptions {
     StrokeOptions strokes = {};
     bool hide_each_other = false; // bodies hide what is behind them of other levels, too
     int certified_depth = -1;     // of certified_silhouettes(); below 0: quick ones
+    int dash_rows = 0; // of a DashTable that is made and used instead; 0: connected lines
     std::map<std::string, LineIds>* ids = nullptr; // by the names of levels: kept from view to view
 };
 

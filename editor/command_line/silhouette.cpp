@@ -150,6 +150,7 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
                        {.hide_each_other = command.hide_each_other,
                         .certified_depth = command.certified,
+                        .dash_rows = command.dashes,
                         .ids = &ids});
 }
 

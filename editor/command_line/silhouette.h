@@ -28,6 +28,7 @@ struct SilhouetteCommand {
     std::vector<std::string> colors; // by level, the last for all that follow
     int seed = 1;
     std::string edited; // an .svg that a hand has changed; empty: none
+    int dashes = 0;     // rows of the thesis's table; 0: connected lines
     int certified = -1; // halvings of a voxel; below 0: quick
 };
 

@@ -93,6 +93,13 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->check(CLI::Range(0.0, 1000.0));
     silhouette->add_option("--seed", o.seed, "of the wobble and the pencil")->type_name("N");
     silhouette
+        ->add_option(
+            "--dashes", o.dashes,
+            "unconnected dashes by a lookup table of that many rows, as in the thesis, to\n"
+            "compare with; parallel views")
+        ->type_name("ROWS")
+        ->check(CLI::Range(1, 65536));
+    silhouette
         ->add_option("--certified", o.certified,
                      "prove that no line is missing that is larger than 2^-N voxel, 0 to 5")
         ->type_name("N")

@@ -4,6 +4,10 @@
 // manual_silhouette_views turn STEPS [FOLDER]: turns views by 0.1 degree a step and tells how far
 // the points of curves move in an image of 1024 pixels, and what share of the length of the lines
 // that are seen keeps its id.
+// manual_silhouette_views recall VIEWS [FOLDER]: compares certified silhouettes with boxes of 1/16
+// voxel with what an exhaustive search finds, and points that are hidden with a march in small
+// steps.
+#include "core/silhouette/certified.h"
 #include "core/silhouette/level_drawing.h"
 #include "core/silhouette/silhouette_curves.h"
 #include "core/silhouette/silhouette_finder.h"
@@ -11,6 +15,7 @@
 #include "core/voxels/read_volume.h"
 #include "core/voxels/usual_level.h"
 #include "tests/silhouette/scenes.h"
+#include "tests/silhouette/true_silhouette.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -233,6 +238,64 @@ void turn(int steps, const std::string& folder)
     }
 }
 
+// Whether a march in steps of a fiftieth of a voxel says that a body hides a point.
+bool is_hidden_by_steps(const LevelBody& body, const glm::dvec3& p, const glm::dvec3& to_eye)
+{
+    const double sign = body.side == LevelSide::above ? 1 : -1;
+    const glm::dvec3 end(body.field.end());
+    for (double way = 0.1;; way += 0.02) {
+        const glm::dvec3 at = p + way * to_eye;
+        if (glm::any(glm::lessThan(at, glm::dvec3(0))) || glm::any(glm::greaterThan(at, end)))
+            return false;
+        if (sign * double{body.field.at<0>(glm::vec3(at)).value - body.level} > 0) return true;
+    }
+}
+
+void recall(int views, const std::string& folder)
+{
+    constexpr int depth = 4;
+    constexpr double near = 0.15; // voxels
+    std::mt19937 random(5);
+    for (const Subject& subject : subjects(folder, 40)) {
+        if (subject.name == "noise" || subject.name == "tooth.nrrd") continue;
+        const ScalarField<float>& field = subject.field->field();
+        const VoxelGrid& grid = subject.field->grid();
+        std::vector<double> samples;
+        std::visit([&](const auto& all) { samples.assign(all.begin(), all.end()); }, grid.samples);
+        const ScalarField<double> exact(std::span<const double>(samples), grid.size);
+        std::size_t places = 0, open = 0, points = 0, wrong = 0;
+        double found = 0;
+        for (int i = 0; i < views; ++i) {
+            const ViewPoint view = random_view(random, grid.size);
+            const CertifiedSilhouettes certified = certified_silhouettes(
+                field, subject.field->hulls(), subject.mesh.level, view, depth);
+            const std::vector<glm::dvec3> truth =
+                testing::true_silhouette(exact, double{subject.mesh.level}, view);
+            found += testing::share_near(truth, certified.curves, near) *
+                     static_cast<double>(truth.size());
+            places += truth.size();
+            open += certified.open;
+            if (view.at.w != 0) continue;
+            const Silhouettes quick = SilhouetteFinder()(field, subject.mesh, view);
+            const LevelBody body{field, subject.field->hulls(), subject.mesh.level};
+            const std::vector<char> hidden = hidden_points(quick, view, body);
+            for (std::size_t k = 0; k < quick.points.size(); k += 7) {
+                const SilhouettePoint& point = quick.points[k];
+                const bool hollow = point.bend > 0;
+                const bool by_steps = hollow || is_hidden_by_steps(body, glm::dvec3(point.p),
+                                                                   -glm::normalize(view.sight({})));
+                ++points;
+                wrong += by_steps != static_cast<bool>(hidden[k]);
+            }
+        }
+        fmt::print("{}: {:.6f} of {} places are within {} voxel, {} boxes open; {:.3f} % of {} "
+                   "points are hidden where steps say they are seen, or the other way round\n",
+                   subject.name, found / static_cast<double>(places), places, near, open,
+                   100 * static_cast<double>(wrong) / static_cast<double>(points), points);
+        std::fflush(stdout);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -240,6 +303,10 @@ int main(int argc, char** argv)
     const std::string first = argc > 1 ? argv[1] : "1000";
     if (first == "turn") {
         turn(argc > 2 ? std::atoi(argv[2]) : 100, argc > 3 ? argv[3] : "");
+        return 0;
+    }
+    if (first == "recall") {
+        recall(argc > 2 ? std::atoi(argv[2]) : 20, argc > 3 ? argv[3] : "");
         return 0;
     }
     return find_faults(std::atoi(first.c_str()),
