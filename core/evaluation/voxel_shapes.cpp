@@ -40,14 +40,14 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     Model model;
     ShownVolume shown;
     if (loaded.grid) {
-        shown.field = fields_({loaded.grid, {source.spline, source.order, source.blur}}, [&] {
+        const VoxelFieldOptions options{source.spline, source.order, source.blur, source.coarsen};
+        shown.field = fields_({loaded.grid, options}, [&] {
             return timed(timings, "field", [&] {
-                return std::make_shared<const VoxelField>(
-                    loaded.grid, VoxelFieldOptions{source.spline, source.order, source.blur});
+                return std::make_shared<const VoxelField>(loaded.grid, options);
             });
         });
         shown.side = shown.field->side(source.body);
-        shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * loaded.grid->to_metres;
+        shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
         levels_.keep(kept_changes * (source.levels.size() + 1));
         surfaces_.keep(kept_changes * (source.levels.size() + 1));
     }

@@ -3,6 +3,7 @@
 
 #include "core/silhouette/blur.h"
 #include "core/silhouette/level_surface.h"
+#include "core/voxels/coarsened.h"
 
 namespace trivar {
 namespace {
@@ -27,7 +28,7 @@ ScalarField<float> field_of(const VoxelGrid& grid, const std::vector<float>& blu
 } // namespace
 
 VoxelField::VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options)
-    : grid_(std::move(grid)),
+    : grid_(options.coarsen > 1 ? make_ref(coarsened(*grid, options.coarsen)) : std::move(grid)),
       blurred_(samples_after(*grid_, options.blur)),
       field_(field_of(*grid_, blurred_, options)),
       hulls_(field_)

@@ -13,7 +13,8 @@ namespace trivar {
 struct VoxelFieldOptions {
     FieldSpline spline = FieldSpline::interpolating;
     FieldOrder order = FieldOrder::cubic;
-    int blur = 0; // see blurred()
+    int blur = 0;    // see blurred()
+    int coarsen = 1; // see coarsened(); before all else
     bool operator==(const VoxelFieldOptions&) const = default;
 };
 
@@ -26,6 +27,7 @@ public:
     // Rejected.
     VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options);
 
+    // The grid that it is of; voxels are those of this grid.
     const VoxelGrid& grid() const { return *grid_; }
     const ScalarField<float>& field() const { return field_; }
     const FieldHulls& hulls() const { return hulls_; }

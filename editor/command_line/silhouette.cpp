@@ -183,10 +183,11 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     if (values.empty()) values.push_back(usual_level(summary_of(*grid), *grid));
     const auto start = std::chrono::steady_clock::now();
     const FieldSpline spline = command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
-    const VoxelField volume(grid, {.spline = spline, .blur = command.blur});
+    const VoxelField volume(grid,
+                            {.spline = spline, .blur = command.blur, .coarsen = command.coarsen});
     LevelDrawing levels = drawing_of(command, volume, values, edits);
     DrawingSheet drawing{std::move(levels.layers), picture_size(command.size), paper,
-                         grid->to_metres};
+                         volume.grid().to_metres};
     apply(edits, drawing);
     const std::string text = drawing_bytes(drawing, format);
     write_bytes(command.out, text);

@@ -64,6 +64,11 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->delimiter(',')
         ->type_name("COLOR")
         ->allow_extra_args(false);
+    silhouette
+        ->add_option("--coarsen", o.coarsen,
+                     "make one sample of that many along each axis before, 1 to 64")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64));
     silhouette->add_option("--width", o.width, "of lines in pixels; 1.8 by default")
         ->type_name("W")
         ->check(CLI::Range(0.05, 100.0));

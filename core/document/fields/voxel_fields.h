@@ -96,6 +96,9 @@ template <> struct FieldsOf<VoxelShape> {
         field("spline", s.spline,
               "interpolating: through the samples; smoothing: the samples are its control points",
               any_value.called("Samples").without_keys());
+        field("coarsen", s.coarsen,
+              "how many samples along each axis become one, their mean: less memory, less detail",
+              in_range(1, 64).called("Coarsen").resting_at(1).counts(Counting::named));
         field("blur", s.blur, "how often the samples are smoothed before",
               in_range(0, 64).called("Blur").zero_is("none"));
         field("body", s.body, "on which side of its level a body is",
