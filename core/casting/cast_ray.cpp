@@ -83,8 +83,7 @@ CastLight cast_ray(const Casting& casting, const CastRay& ray, FieldOrder order)
 CastValue cast_value(const Casting& casting, const glm::vec3& p, FieldOrder order)
 {
     kernel::CastingKernel kernel{casting, casting.field->field(), order};
-    const float value = kernel.value_at(p);
-    return {value, kernel.slope_at(p, value)};
+    return {kernel.value_at(p), kernel.slope_at(p)};
 }
 
 } // namespace trivar

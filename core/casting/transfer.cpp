@@ -61,12 +61,12 @@ std::vector<TransferPoint> usual_transfer(const VolumeSummary& summary, const Vo
         if (summary.least + range * static_cast<double>(i) / 256 < lower) dense.histogram[i] = 0;
     const double upper = std::max(usual_level(dense, grid), lower + range / 16);
     const double soft = std::min(0.03 * range, 0.2 * (upper - lower));
-    return {{lower - soft, skin, 0},
-            {lower + soft, skin, 0.05},
-            {lower + 2.2 * soft, flesh, 0.01},
-            {upper - soft, flesh, 0.015},
-            {upper + soft, bone, 0.45},
-            {std::max(summary.greatest, upper + 2 * soft), glm::vec3(1), 0.8}};
+    return {{lower, skin, 0},
+            {lower + 2 * soft, skin, 0.05},
+            {lower + 3.5 * soft, flesh, 0.01},
+            {upper, flesh, 0.015},
+            {upper + 2 * soft, bone, 0.45},
+            {std::max(summary.greatest, upper + 3 * soft), glm::vec3(1), 0.8}};
 }
 
 } // namespace trivar

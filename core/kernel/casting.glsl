@@ -13,7 +13,8 @@
 const float TRANSFER_CELLS = 1024.0f;
 const float BRICK = 4.0f;      // cells along each axis
 const float OPAQUE = 0.985f;   // what lies behind is not looked at
-const float LIT_FROM = 0.002f; // share of the picture from which light matters
+const float LIT_FROM = 0.01f;  // share of the picture from which light matters
+const float SURFACE_FROM = 0.1f; // share of a step that may show a surface
 const int MOST_STEPS = 8192;
 
 // Where a spline is the mean of linear fetches, two along each axis [Sigg, Hadwiger 2005]: its value
@@ -90,13 +91,13 @@ float value_at(vec3 p)
     return mix(mean_yz(v.lower.x, v), mean_yz(v.upper.x, v), v.share.x);
 }
 
-// Per voxel. `value` is the value at p.
-vec3 slope_at(vec3 p, float value)
+// Per voxel.
+vec3 slope_at(vec3 p)
 {
     if (order() == 2) {
         vec3 x = vec3(1.0f, 0.0f, 0.0f), y = vec3(0.0f, 1.0f, 0.0f), z = vec3(0.0f, 0.0f, 1.0f);
         vec3 above = vec3(sample_at(p + x), sample_at(p + y), sample_at(p + z));
-        if (rough()) return above - value;
+        if (rough()) return above - sample_at(p);
         return 0.5f * (above - vec3(sample_at(p - x), sample_at(p - y), sample_at(p - z)));
     }
     Taps v = value_taps(p), d = slope_taps(p);
@@ -114,6 +115,21 @@ vec4 transfer_between(float a, float b)
     float range = max(abs(a - b), 1.0f / TRANSFER_CELLS);
     float low = clamp(0.5f * (a + b - range), 0.0f, 1.0f - range);
     return (transfer_before(low + range) - transfer_before(low)) / range;
+}
+
+// The share of a step from one value to another after which half of what it holds back is held back,
+// at most what lets half of the light through: there is the surface, if it shows one. `thickness`: of
+// the step.
+float surface_share(float before, float value, float held, float thickness)
+{
+    float enough = min(0.5f * held, 0.7f), low = 0.0f, high = 1.0f;
+    for (int i = 0; i < 4; i++) {
+        float middle = 0.5f * (low + high);
+        float there = transfer_between(before, mix(before, value, middle)).w * thickness * middle;
+        if (there < enough) low = middle;
+        else high = middle;
+    }
+    return high;
 }
 
 int reach_at(vec3 p) { return empty_reach(ivec3(max(p, vec3(0.0f)) / BRICK)); }
@@ -161,7 +177,12 @@ Gathered cast_ray(vec3 from, vec3 along, float end, float pace, float jitter, fl
             if (held > 1e-5f) {
                 float share = (1.0f - out_of.opacity) * (1.0f - exp(-held));
                 vec3 color = vec3(glow.x, glow.y, glow.z) / glow.w;
-                if (share > LIT_FROM) color = lit(color, p, slope_at(p, value));
+                if (share > LIT_FROM) {
+                    float at = 0.5f;
+                    if (share > SURFACE_FROM) at = surface_share(before, value, held, thickness * (until - t));
+                    vec3 there = from + along * mix(t, until, at);
+                    color = lit(color, there, slope_at(there));
+                }
                 out_of.color += share * color;
                 if (out_of.opacity < 0.5f && out_of.opacity + share >= 0.5f) out_of.hit = until;
                 out_of.opacity += share;

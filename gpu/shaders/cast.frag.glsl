@@ -40,7 +40,7 @@ int empty_reach(ivec3 brick)
 }
 vec4 transfer_before(float u) { return textureLod(transfer, vec2((u * 1024.0 + 0.5) / 1025.0, 0.5), 0.0); }
 
-vec3 toward_eye; // scene, unit
+vec3 toward_eye = vec3(0.0, 0.0, 1.0); // scene, unit
 
 // Where values change, what is seen is a surface across the slope, and lit from the side of the eye.
 vec3 lit(vec3 color, vec3 p, vec3 slope)
@@ -91,7 +91,8 @@ void main()
         end = min(end, uintBitsToFloat(solid.g) - air);
     }
     if (begin >= end) return;
-    float jitter = noise_at(gl_FragCoord.xy, frame.scene.w);
+    // The samples of a pixel share the step among them, by the golden ratio.
+    float jitter = fract(noise_at(gl_FragCoord.xy, 0.0) + 0.618034 * frame.scene.w);
     Gathered g = cast_ray(from + along * begin, along, end - begin, shading_pace.y * by_voxel, jitter,
                           length(ahead) * last_per_length.w);
     if (g.opacity <= 0.0) return;
