@@ -43,6 +43,7 @@ struct Renderer::State {
     glm::ivec2 whole_px{0};                  // its size before scaling
     bool kept = false;                       // its copy is what shows
     const bool software = is_software();
+    bool casts_on_card = !software;
     bool may_lag = false; // what is drawn now
     StudioKey studio_key;
     std::optional<Studio> studio;
@@ -94,8 +95,8 @@ struct Renderer::State {
         else
             choose_tiles();
         clock.pass("upload", [&] {
-            scene =
-                scene_of(picture, tools.mirror(), tools.deformed(), tools.tiles(), tools.volumes());
+            scene = scene_of(picture, tools.mirror(), tools.deformed(), tools.tiles(),
+                             casts_on_card ? &tools.volumes() : nullptr);
             brushes.see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
@@ -316,6 +317,11 @@ const TileCounts& Renderer::tile_counts() const
 void Renderer::choose_tiles_on_card(bool on_card)
 {
     state_->brushes.tools.tiles().choose_on_card(on_card);
+}
+
+void Renderer::cast_on_card(bool on_card)
+{
+    state_->casts_on_card = on_card;
 }
 
 const Timings& Renderer::timings() const

@@ -56,6 +56,9 @@ public:
     // Whether the graphics card chooses which tiles are drawn, or the processor does; the same
     // tiles. Without a call the faster one. Without OpenGL 4.3 it is always the processor.
     void choose_tiles_on_card(bool on_card);
+    // Whether the graphics card casts rays through volumes, or the processor does; the same picture
+    // but for rounding. Without a call the faster one.
+    void cast_on_card(bool on_card);
     // A sentence that says what of the last picture was not drawn as asked; empty: everything was.
     const std::string& notice() const;
     // A sentence with file and line that says why a shader of the picture is not the given one;

@@ -68,21 +68,17 @@ Box box_of(const CastVolume& volume)
 }
 
 CastItem item_of(const CastVolume& volume, const glm::dvec3& origin_world,
-                 const MirroredVolume& mirrored)
+                 const MirroredVolume* mirrored)
 {
     glm::dmat4 to_scene = volume.to_world;
     to_scene[3] -= glm::dvec4(origin_world, 0);
     const double edge = std::cbrt(std::abs(glm::determinant(glm::dmat3(to_scene))));
     const glm::dmat4 to_voxels = glm::inverse(to_scene);
-    CastItem item{.mirrored = &mirrored,
-                  .id = volume.id,
-                  .to_voxels = to_voxels,
-                  .to_normals = glm::transpose(glm::dmat3(to_voxels)) * edge,
-                  .low = volume.low,
-                  .high = volume.high,
-                  .per_length = static_cast<float>(volume.density / edge),
-                  .shading = volume.shading,
-                  .corners = {}};
+    CastItem item{volume.data, mirrored, volume.id, to_voxels, {}, {}};
+    item.view.low = glm::vec4(volume.low, 0);
+    item.view.high = glm::vec4(volume.high, 0);
+    item.view.look = {volume.density / edge, volume.shading, 0, 0};
+    item.view.to_normals = glm::transpose(glm::dmat3(to_voxels)) * edge;
     const auto corners = Box{volume.low, volume.high}.corners();
     for (std::size_t i = 0; i < corners.size(); ++i)
         item.corners[i] = to_scene * glm::dvec4(corners[i], 1);
@@ -263,7 +259,7 @@ CasterKey casters_of(const Scene& scene)
 }
 
 Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
-               const TileMirror& tiles, VolumeMirror& volumes)
+               const TileMirror& tiles, VolumeMirror* volumes)
 {
     Scene scene;
     std::vector<Box> boxes;
@@ -307,10 +303,13 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
             add_instance(scene, whole, picture, boxes[i], mirror, nullptr);
         } else
             add_instance(scene, picture.instances[i], picture, boxes[i], mirror, deformed.of(i));
-    for (const CastVolume& volume : picture.volumes)
-        if (const Box box = box_of(volume); !box.empty())
-            if (const MirroredVolume* mirrored = volumes.volume(volume.data, !picture.draft))
-                scene.volumes.push_back(item_of(volume, scene.origin_world, *mirrored));
+    for (const CastVolume& volume : picture.volumes) {
+        if (box_of(volume).empty()) continue;
+        const MirroredVolume* mirrored =
+            volumes ? volumes->volume(volume.data, !picture.draft) : nullptr;
+        if (!volumes || mirrored)
+            scene.volumes.push_back(item_of(volume, scene.origin_world, mirrored));
+    }
     const glm::dmat4 view = view_matrix(picture.camera);
     std::ranges::stable_sort(scene.volumes, {}, [&](const CastItem& item) {
         const glm::dvec3 middle(item.corners[0] + item.corners[6]);

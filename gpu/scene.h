@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/casting/cast_image.h"
 #include "gpu/color_map.h"
 #include "gpu/ffd/deformed_meshes.h"
 #include "gpu/mirror.h"
@@ -49,13 +50,11 @@ struct SceneItem {
 
 // A CastItem is a volume ready to be cast.
 struct CastItem {
-    const MirroredVolume* mirrored;
+    Ref<Casting> data;
+    const MirroredVolume* mirrored; // null: it is cast on the processor
     int id;
-    glm::mat4 to_voxels;  // of scene space
-    glm::mat3 to_normals; // slopes per voxel to slopes along scene axes, per voxel length
-    glm::vec3 low, high;  // the box that is seen, in voxels
-    float per_length;     // voxel lengths in a unit of scene space, times the density
-    float shading;
+    glm::mat4 to_voxels;              // of scene space
+    CastView view;                    // without what follows from the frame
     std::array<glm::vec3, 8> corners; // of the box, in scene space
 };
 
@@ -90,9 +89,9 @@ struct CasterKey {
 };
 CasterKey casters_of(const Scene& scene);
 
-// Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is not
-// finite are left out.
+// Uploads what is missing; volumes only with a mirror for them. Instances without a mesh, without
+// triangles or with a matrix that is not finite are left out.
 Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed,
-               const TileMirror& tiles, VolumeMirror& volumes);
+               const TileMirror& tiles, VolumeMirror* volumes);
 
 } // namespace trivar::gpu

@@ -74,11 +74,23 @@ Texture2D Texture2D::view(unsigned format) const
 
 Texture2D Texture2D::row_of(std::span<const glm::vec4> texels)
 {
-    const auto count = static_cast<int>(texels.size());
-    Texture2D result(GL_RGBA32F, {count, 1}, true);
-    result.bind(spare_unit);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, count, 1, GL_RGBA, GL_FLOAT, texels.data());
+    Texture2D result(GL_RGBA32F, {static_cast<int>(texels.size()), 1}, true);
+    result.write({0, 0}, result.size_px_, texels);
     return result;
+}
+
+void Texture2D::write(glm::ivec2 lo_px, glm::ivec2 count_px, std::span<const glm::vec4> rgba) const
+{
+    bind(spare_unit);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, lo_px.x, lo_px.y, count_px.x, count_px.y, GL_RGBA, GL_FLOAT,
+                    rgba.data());
+}
+
+void Texture2D::write(glm::ivec2 lo_px, glm::ivec2 count_px, std::span<const float> red) const
+{
+    bind(spare_unit);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, lo_px.x, lo_px.y, count_px.x, count_px.y, GL_RED, GL_FLOAT,
+                    red.data());
 }
 
 void Texture2D::write_rgba(std::span<const std::uint8_t> rgba)

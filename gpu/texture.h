@@ -25,6 +25,9 @@ public:
     Texture2D view(unsigned format) const;
     // 8-bit RGBA, first row first; makes the smaller levels.
     void write_rgba(std::span<const std::uint8_t> rgba);
+    // A rectangle of float texels, the lowest row first.
+    void write(glm::ivec2 lo_px, glm::ivec2 count_px, std::span<const glm::vec4> rgba) const;
+    void write(glm::ivec2 lo_px, glm::ivec2 count_px, std::span<const float> red) const;
     void bind(unsigned unit) const;
     unsigned name() const { return name_; }
     glm::ivec2 size_px() const { return size_px_; }

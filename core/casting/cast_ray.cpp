@@ -45,24 +45,11 @@ struct CastingKernel {
         return linear(p, -1, field.size(),
                       [&](int x, int y, int z) { return field.coefficient(x, y, z); });
     }
-    int empty_reach(ivec3 b) const
-    {
-        const ivec3& n = casting.empty.count;
-        b = min(b, n - 1);
-        return casting.empty
-            .reach[static_cast<std::size_t>(b.x) +
-                   static_cast<std::size_t>(n.x) *
-                       (static_cast<std::size_t>(b.y) +
-                        static_cast<std::size_t>(n.y) * static_cast<std::size_t>(b.z))];
-    }
-    vec4 transfer_before(float u) const
-    {
-        const float at = u * TransferTable::cells;
-        const auto i = std::min(static_cast<std::size_t>(at), casting.transfer.before.size() - 2);
-        return mix(casting.transfer.before[i], casting.transfer.before[i + 1],
-                   at - static_cast<float>(i));
-    }
+    int empty_reach(ivec3 b) const { return casting.empty.of(b); }
+    vec4 transfer_before(float u) const { return casting.transfer.before_share(u); }
     vec3 lit(vec3 color, vec3, vec3) const { return color; }
+
+#include "core/kernel/spline_taps.glsl"
 
 #include "core/kernel/casting.glsl"
 };

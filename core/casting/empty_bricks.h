@@ -14,6 +14,12 @@ namespace trivar {
 struct EmptyBricks {
     glm::ivec3 count{0};
     std::vector<std::uint8_t> reach; // x fastest; at most 255
+
+    int of(glm::ivec3 brick) const // not below 0; beyond the grid as at its border
+    {
+        brick = glm::min(brick, count - 1);
+        return reach[static_cast<std::size_t>(brick.x + count.x * (brick.y + count.y * brick.z))];
+    }
 };
 
 // `share_of_sample`: maps a sample a to x a + y, its share of the range of the table. O(#bricks),

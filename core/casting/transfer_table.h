@@ -15,6 +15,14 @@ struct TransferTable {
     // linear colour times that density.
     std::vector<glm::vec4> before;
 
+    // The integral up to a share, 0..1.
+    glm::vec4 before_share(float share) const
+    {
+        const float at = share * cells;
+        const int i = glm::min(static_cast<int>(at), cells - 1);
+        const glm::vec4* const entry = &before[static_cast<std::size_t>(i)];
+        return entry[0] + (at - static_cast<float>(i)) * (entry[1] - entry[0]);
+    }
     // Whether nothing is seen of values from `low` to `high`, or next to them.
     bool empty(double low, double high) const;
     std::size_t bytes() const { return before.size() * sizeof(glm::vec4); }

@@ -20,8 +20,10 @@ public:
               const Quality& quality, int band);
 
 private:
-    void draw(Tools& tools, const Targets& targets, const CastItem& item, const Quality& quality,
-              const LayerBounds& bounds);
+    void draw(Tools& tools, const Targets& targets, const CastItem& item, const CastView& view,
+              const Quality& quality, const LayerBounds& bounds);
+    void cast_on_processor(const Targets& targets, const CastItem& item, const CastView& view,
+                           glm::ivec2 size_px, const LayerBounds& there, bool linear) const;
     Texture2D gathered_, hits_; // as large as the largest picture yet
     Framebuffer to_gathered_;
 };

@@ -54,10 +54,11 @@ Picture picture_of_head(int size)
     return picture;
 }
 
-void draw_often(benchmark::State& state, const Picture& picture)
+void draw_often(benchmark::State& state, const Picture& picture, bool on_card = false)
 {
     const HeadlessContext context;
     Renderer renderer;
+    renderer.cast_on_card(on_card);
     renderer.draw(picture, {1280, 720});
     glFinish();
     for (auto _ : state) {
@@ -67,7 +68,6 @@ void draw_often(benchmark::State& state, const Picture& picture)
     state.SetLabel(describe_context());
     for (const auto& stage : renderer.timings().stages)
         state.counters[stage.name + " ms"] = stage.time_ms;
-    state.counters["MB"] = static_cast<double>(renderer.uploaded_bytes()) / 1e6;
 }
 
 // What a window of 1280 x 720 shows while the view moves, at a share of its size in percent.
@@ -87,6 +87,14 @@ void cast_full(benchmark::State& state)
     draw_often(state, picture);
 }
 
+// The baseline: the same by the shaders of software GL.
+void cast_baseline_shaders(benchmark::State& state)
+{
+    Picture picture = picture_of_head(static_cast<int>(state.range(0)));
+    picture.samples = 1;
+    draw_often(state, picture, true);
+}
+
 // What a new transfer function costs before a picture.
 void cast_transfer(benchmark::State& state)
 {
@@ -99,6 +107,7 @@ void cast_transfer(benchmark::State& state)
 
 BENCHMARK(cast_draft)->Args({256, 85})->Args({256, 50})->Unit(benchmark::kMillisecond);
 BENCHMARK(cast_full)->Args({256, 1})->Args({256, 4})->Unit(benchmark::kMillisecond)->Iterations(2);
+BENCHMARK(cast_baseline_shaders)->Arg(256)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(cast_transfer)->Arg(256)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
-#include "core/casting/casting.h"
+#include "core/casting/cast_image.h"
 #include "tests/casting/volumes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
 #include "core/casting/cast_ray.h"
 #include "tests/casting/volumes.h"
 #include "tests/gpu/support.h"
@@ -111,28 +112,57 @@ protected:
     Renderer renderer;
 };
 
-TEST_F(VolumesCast, AreWhatRaysOnTheProcessorGatherInBothProjections)
+TEST_F(VolumesCast, AreWhatSingleRaysGatherInBothProjections)
 {
-    for (const bool perspective : {true, false})
-        for (const FieldOrder order :
-             {FieldOrder::linear, FieldOrder::quadratic, FieldOrder::cubic})
-            for (const bool bytes : {true, false}) {
-                picture.camera.perspective = perspective;
-                show(shells_of(order, bytes));
-                const glm::dvec2 difference = off(drawn(), order);
-                // Jitter moves the steps; a border of one pixel may be inside or outside.
-                EXPECT_LE(difference.x, 12) << perspective << ' ' << static_cast<int>(order);
-                EXPECT_LE(difference.y, 0.6) << perspective << ' ' << static_cast<int>(order);
-            }
+    for (const bool on_card : {true, false})
+        for (const bool perspective : {true, false})
+            for (const FieldOrder order :
+                 {FieldOrder::linear, FieldOrder::quadratic, FieldOrder::cubic})
+                for (const bool bytes : {true, false}) {
+                    renderer.cast_on_card(on_card);
+                    picture.camera.perspective = perspective;
+                    show(shells_of(order, bytes));
+                    const glm::dvec2 difference = off(drawn(), order);
+                    // Rays begin with another step; at the rim a pixel may be inside or outside.
+                    EXPECT_LE(difference.x, 12) << on_card << perspective << int(order);
+                    EXPECT_LE(difference.y, 0.6) << on_card << perspective << int(order);
+                }
 }
 
-TEST_F(VolumesCast, AreTheSamePictureEachTime)
+TEST_F(VolumesCast, AreTheSameOnTheCardAsOnTheProcessorWithLightToo)
 {
-    const Image first = drawn();
-    Renderer other;
-    EXPECT_EQ(other.render(picture, cast_px).rgba, first.rgba);
-    picture.draft = true;
-    EXPECT_EQ(other.render(picture, cast_px).rgba, drawn().rgba);
+    picture.volumes[0].shading = 1;
+    picture.volumes[0].density = 3;
+    for (const bool draft : {true, false}) {
+        picture.draft = draft;
+        renderer.cast_on_card(true);
+        const Image on_card = drawn();
+        renderer.cast_on_card(false);
+        const Image on_processor = drawn();
+        int most = 0;
+        double sum = 0;
+        for (std::size_t i = 0; i < on_card.rgba.size(); ++i) {
+            const int d = std::abs(on_card.rgba[i] - on_processor.rgba[i]);
+            most = std::max(most, d);
+            sum += d;
+        }
+        EXPECT_LE(most, 16) << draft;
+        EXPECT_LE(sum / static_cast<double>(on_card.rgba.size()), 0.2) << draft;
+    }
+}
+
+TEST_F(VolumesCast, AreTheSamePictureEachTimeForAnyNumberOfThreads)
+{
+    for (const bool on_card : {true, false})
+        for (const bool draft : {true, false}) {
+            renderer.cast_on_card(on_card);
+            picture.draft = draft;
+            const Image first = drawn();
+            const ThreadLimit one(1);
+            Renderer other;
+            other.cast_on_card(on_card);
+            EXPECT_EQ(other.render(picture, cast_px).rgba, first.rgba);
+        }
 }
 
 TEST_F(VolumesCast, LookNearlyTheSameInDrafts)
@@ -158,8 +188,9 @@ TEST_F(VolumesCast, StopAtSurfacesAndHideWhatIsBehindThem)
         picture.instances = {instance_of(sphere_mesh(0.3, 24, 12), moved(at.x, at.y, at.z), white)};
         return rgb_at(drawn(), middle);
     };
-    for (const bool perspective : {true, false}) {
-        picture.camera.perspective = perspective;
+    for (const int way : {0, 1, 2, 3}) {
+        renderer.cast_on_card(way < 2);
+        picture.camera.perspective = way % 2 == 0;
         const glm::ivec3 before = wall_at(1.6), within = wall_at(0.3), behind = wall_at(-2);
         EXPECT_GT(before.g, 120) << "nothing veils it";
         EXPECT_GT(within.g + 10, behind.g);
@@ -226,6 +257,7 @@ TEST_F(VolumesCast, AreLitWhereTheirValuesChange)
 
 TEST_F(VolumesCast, TakeNoMoreMemoryThanTheirSamplesAndCoefficients)
 {
+    renderer.cast_on_card(true);
     picture.draft = true;
     drawn();
     const std::size_t voxels = 25 * 21 * 23, bricks = 2 * 6 * 5 * 6, table = 1025 * 16;
