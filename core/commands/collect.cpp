@@ -6,6 +6,7 @@
 #include "core/files/companions.h"
 #include "core/files/copies.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
@@ -16,11 +17,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A Bundle is the file of a model and the files that it names, or a picture alone, relative to one
-// folder.
+// A Bundle is the file of a model and the files that it names, a picture alone, or the files of
+// volume data, relative to one folder.
 struct Bundle {
     fs::path from;
-    std::vector<fs::path> files; // the model first
+    std::vector<fs::path> files; // the one that is named first, unless the folder is named
+    bool folder = false;         // it is the folder that is named
+    // What a folder for it alone is called.
+    std::string stem() const
+    {
+        return folder ? from.filename().string() : files.front().stem().string();
+    }
 };
 
 Bundle bundle_of(const fs::path& path, bool of_model)
@@ -31,10 +38,33 @@ Bundle bundle_of(const fs::path& path, bool of_model)
     return bundle;
 }
 
+Bundle bundle_of(const VoxelShape& shape, const fs::path& path, const AssetStore& assets)
+{
+    const bool folder = fs::is_directory(path);
+    Bundle bundle{folder ? path : path.parent_path(), {}, folder};
+    for (const std::string& each : files_of_volume(shape, assets))
+        bundle.files.push_back(fs::path(each).lexically_relative(bundle.from));
+    if (bundle.files.empty())
+        throw Rejected(
+            fmt::format("{}: cannot be read; find it first, then collect again", shape.path));
+    return bundle;
+}
+
+// Whether nothing else lies there: all files of a folder of volume data may be slices of it.
+bool only_holds(const Bundle& bundle, const fs::path& folder)
+{
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (std::ranges::find(bundle.files, at->path().filename()) == bundle.files.end())
+            return false;
+    return true;
+}
+
 // Says whether a bundle can be copied there: no file of the same name has other content.
 bool fits(const Bundle& bundle, const fs::path& folder)
 {
     std::error_code ignored;
+    if (bundle.folder && !only_holds(bundle, folder)) return false;
     for (const fs::path& each : bundle.files)
         if (fs::exists(folder / each, ignored) && !same_content(bundle.from / each, folder / each))
             return false;
@@ -45,12 +75,11 @@ bool fits(const Bundle& bundle, const fs::path& folder)
 // of their own.
 fs::path place_for(const Bundle& bundle, const fs::path& folder)
 {
-    const bool alone = bundle.files.size() == 1;
-    const fs::path stem = bundle.files.front().stem();
+    const bool alone = bundle.files.size() == 1 && !bundle.folder;
+    const std::string stem = bundle.stem();
     if (alone && fits(bundle, folder)) return folder;
     for (int n = 1;; ++n) {
-        const fs::path own =
-            folder / (n == 1 ? stem : fs::path(fmt::format("{}_{}", stem.string(), n)));
+        const fs::path own = folder / (n == 1 ? stem : fmt::format("{}_{}", stem, n));
         std::error_code ignored;
         if ((!fs::exists(own, ignored) || fs::is_directory(own, ignored)) && fits(bundle, own))
             return own;
@@ -67,6 +96,7 @@ bool lies_in(const fs::path& file, const fs::path& folder)
 struct Users {
     std::vector<Id> models;
     std::vector<RelinkedPicture> pictures;
+    std::vector<Id> volumes;
 };
 
 } // namespace
@@ -75,17 +105,19 @@ Collection collect_files(const Document& document, const AssetStore& assets,
                          const std::string& folder, const Progress& progress)
 {
     std::map<std::string, Users> users; // of each file
-    const auto users_of = [&](const std::string& name) -> Users* {
-        const std::string path = fs::absolute(assets.resolve(name)).string();
+    const auto users_of = [&](const std::string& name, bool or_folder = false) -> Users* {
+        const std::string path = fs::absolute(assets.resolve(name)).lexically_normal().string();
         if (lies_in(path, folder)) return nullptr;
         std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored))
+        if (!fs::is_regular_file(path, ignored) && !(or_folder && fs::is_directory(path, ignored)))
             throw Rejected(fmt::format("{}: is missing; find it first, then collect again", name));
         return &users[path];
     };
     for (const auto& [id, each] : document.objects) {
         if (const auto* file = std::get_if<ImportedFile>(&each->source))
             if (Users* of_file = users_of(file->path)) of_file->models.push_back(id);
+        if (const auto* voxels = std::get_if<VoxelShape>(&each->source))
+            if (Users* of_file = users_of(voxels->path, true)) of_file->volumes.push_back(id);
         for (const UsedPicture& picture : pictures_of(*each))
             if (Users* of_file = users_of(picture.path))
                 of_file->pictures.push_back({id, picture.mask, {}, picture.hash});
@@ -96,7 +128,11 @@ Collection collect_files(const Document& document, const AssetStore& assets,
     Relink command;
     std::size_t done = 0;
     for (const auto& [path, uses] : users) {
-        const Bundle bundle = bundle_of(path, !uses.models.empty());
+        const Bundle bundle =
+            uses.volumes.empty()
+                ? bundle_of(path, !uses.models.empty())
+                : bundle_of(std::get<VoxelShape>(object(document, uses.volumes.front()).source),
+                            path, assets);
         const fs::path to = place_for(bundle, folder);
         for (const fs::path& each : bundle.files) {
             report(progress, static_cast<double>(done) / static_cast<double>(users.size()),
@@ -110,7 +146,7 @@ Collection collect_files(const Document& document, const AssetStore& assets,
             ++result.copied;
         }
         ++done;
-        const fs::path copy = to / bundle.files.front();
+        const fs::path copy = bundle.folder ? to : to / bundle.files.front();
         std::string name = copy.lexically_relative(assets.folder()).string();
         if (name.empty()) name = copy.string();
         for (const Id id : uses.models) {
@@ -123,6 +159,9 @@ Collection collect_files(const Document& document, const AssetStore& assets,
             picture.image = name;
             command.pictures.push_back(std::move(picture));
         }
+        for (const Id id : uses.volumes)
+            command.volumes.push_back(
+                {id, name, std::get<VoxelShape>(object(document, id).source).hash});
     }
     copies.keep();
     result.command = std::move(command);

@@ -45,6 +45,18 @@ Document with_picture(Document document, const RelinkedPicture& picture)
     });
 }
 
+Document with_volume(Document document, const RelinkedVolume& volume)
+{
+    if (volume.path.empty()) throw Rejected("field \"path\" names no file");
+    if (!std::holds_alternative<VoxelShape>(object(document, volume.object).source))
+        throw Rejected(fmt::format("field \"volumes\": {} is no volume data", volume.object));
+    return with_changed(std::move(document), volume.object, [&](Object& o) {
+        auto& shape = std::get<VoxelShape>(o.source);
+        shape.path = volume.path;
+        shape.hash = volume.hash;
+    });
+}
+
 } // namespace
 
 Document applied(Document document, const ImportModel& command)
@@ -92,19 +104,27 @@ Document applied(Document document, const Relink& command)
         document = with_file(std::move(document), command.objects[i], "objects", command.files[i]);
     for (const RelinkedPicture& each : command.pictures)
         document = with_picture(std::move(document), each);
+    for (const RelinkedVolume& each : command.volumes)
+        document = with_volume(std::move(document), each);
     return document;
 }
 
 StepTitle title(const Relink& c, const StepDocuments& step)
 {
-    if (c.objects.size() == 1 && c.files.size() == 1 && c.pictures.empty())
+    if (c.objects.size() == 1 && c.files.size() == 1 && c.pictures.empty() && c.volumes.empty())
         return title(EditImport{c.objects.front(), c.files.front()}, step);
-    if (c.objects.empty() && c.pictures.size() == 1)
+    if (c.objects.empty() && c.pictures.empty() && c.volumes.size() == 1)
+        return {"File of " + name_in(step.before, c.volumes.front().object),
+                excerpt(std::filesystem::path(c.volumes.front().path).filename().string())};
+    if (c.objects.empty() && c.pictures.size() == 1 && c.volumes.empty())
         return {"Picture of " + name_in(step.before, c.pictures.front().object),
                 excerpt(std::filesystem::path(c.pictures.front().image).filename().string())};
     std::vector<Id> all = c.objects;
-    for (const RelinkedPicture& each : c.pictures)
-        if (std::ranges::find(all, each.object) == all.end()) all.push_back(each.object);
+    const auto add = [&](Id id) {
+        if (std::ranges::find(all, id) == all.end()) all.push_back(id);
+    };
+    for (const RelinkedPicture& each : c.pictures) add(each.object);
+    for (const RelinkedVolume& each : c.volumes) add(each.object);
     return {"Files of " + names_in(step.before, all), {}};
 }
 } // namespace trivar

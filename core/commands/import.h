@@ -67,20 +67,39 @@ template <> struct FieldsOf<RelinkedPicture> {
     }
 };
 
+// A RelinkedVolume is the file or the folder of volume data of an object.
+struct RelinkedVolume {
+    Id object = 0;
+    std::string path, hash;
+    bool operator==(const RelinkedVolume&) const = default;
+};
+template <> struct FieldsOf<RelinkedVolume> {
+    static constexpr std::string_view told_as = "[volume](#volume)";
+    static void fields(auto& v, auto&& field)
+    {
+        field("object", v.object, "id of volume data", required);
+        field("path", v.path, "its file or folder, relative to the scene file's folder", required);
+        field("hash", v.hash, "digest of its content; empty: any");
+    }
+};
+
 struct Relink {
     static constexpr std::string_view
         verb = "relink",
-        summary = "Replace the files of models, one each, or their import settings, and the "
-                  "pictures of masks and heights, in place.";
+        summary =
+            "Replace the files of models, one each, or their import settings, the pictures of "
+            "masks and heights, and the files of volume data, in place.";
     std::vector<Id> objects;
     std::vector<ImportedFile> files;
     std::vector<RelinkedPicture> pictures = {};
+    std::vector<RelinkedVolume> volumes = {};
     bool operator==(const Relink&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of imported models", required);
         field("files", c.files, "files of the objects, in the same order", required);
         field("pictures", c.pictures, "pictures of masks and heights, each with what has it");
+        field("volumes", c.volumes, "files of volume data, each with what has it");
     }
 };
 Document applied(Document document, const Relink& command);

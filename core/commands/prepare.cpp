@@ -58,13 +58,14 @@ void prepare_voxels(VoxelShape& shape, const AssetStore& assets, const Progress&
 {
     if (shape.path.empty()) return;
     shape.path = path_in_log(shape.path, assets.folder());
-    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, progress);
+    const AssetStore::LoadedVolume loaded =
+        assets.load_volume(shape.path, {}, progress, shape.reading);
     if (!loaded.grid)
         throw Rejected(loaded.notices.empty() ? shape.path + ": cannot be read"
                                               : loaded.notices.front());
     shape.hash = loaded.hash;
     if (shape.levels.empty())
-        shape.levels.push_back({.value = usual_level(summary_of(*loaded.grid), *loaded.grid)});
+        shape.levels.push_back({.value = usual_level(*loaded.summary, *loaded.grid)});
 }
 
 // Stores the digest of the font that was found, or none if another one replaces it. A font file

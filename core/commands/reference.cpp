@@ -188,6 +188,10 @@ std::string commands_markdown()
             field_table(fields_of(ImportedFile{}));
     text += "## picture\n\nA picture that a mask or heights read.\n\n" +
             field_table(fields_of(RelinkedPicture{}));
+    text += "## volume\n\nThe file or the folder of volume data.\n\n" +
+            field_table(fields_of(RelinkedVolume{}));
+    text += "## reading\n\nWhat files of volume data do not say.\n\n" +
+            field_table(fields_of(VolumeReading{}));
     text += "## level\n\nA level of volume data as it is shown.\n\n" +
             field_table(fields_of(VoxelLevel{}));
     text += "## casting\n\nHow volume data are seen as a whole.\n\n" +

@@ -60,6 +60,24 @@ std::string hash_of_volume(const std::string& path, const std::vector<std::strin
     return digest.hex();
 }
 
+ReadVolumeOptions options_of(const VolumeReading& reading)
+{
+    ReadVolumeOptions options;
+    options.spacing = reading.spacing_mm;
+    if (reading.size.x > 0)
+        options.raw = RawLayout{{{reading.size.x, reading.size.y, reading.size.z}, reading.type},
+                                reading.order,
+                                static_cast<std::uint64_t>(reading.header_bytes)};
+    return options;
+}
+
+std::string key_of(const VolumeReading& r)
+{
+    return fmt::format("{} {} {} {} {} {} {} {} {}", r.size.x, r.size.y, r.size.z,
+                       static_cast<int>(r.type), static_cast<int>(r.order), r.header_bytes,
+                       r.spacing_mm.x, r.spacing_mm.y, r.spacing_mm.z);
+}
+
 } // namespace
 
 struct AssetStore::State {
@@ -67,8 +85,8 @@ struct AssetStore::State {
     std::map<std::string, std::string> relinked;
     using Key = std::tuple<std::string, UpAxis, double>; // the path, and how the file was read
     std::map<Key, LoadedModel> loaded;
-    std::map<std::string, LoadedImage> images;   // by path
-    std::map<std::string, LoadedVolume> volumes; // by path
+    std::map<std::string, LoadedImage> images;                           // by path
+    std::map<std::pair<std::string, std::string>, LoadedVolume> volumes; // by path and reading
     std::mutex mutex;
 };
 
@@ -158,17 +176,20 @@ AssetStore::LoadedImage AssetStore::load_image(const std::string& name,
 }
 
 AssetStore::LoadedVolume AssetStore::load_volume(const std::string& name, const std::string& hash,
-                                                 const Progress& progress) const
+                                                 const Progress& progress,
+                                                 const VolumeReading& reading) const
 {
     const std::string path = resolve(name);
     const std::lock_guard guard(state_->mutex);
-    const auto [entry, fresh] = state_->volumes.try_emplace(path);
+    const auto [entry, fresh] = state_->volumes.try_emplace({path, key_of(reading)});
     LoadedVolume& kept = entry->second;
     if (fresh) try {
             make_sample_model(path, progress);
-            ReadVolume read = read_volume(path, {}, progress);
+            ReadVolume read = read_volume(path, options_of(reading), progress);
             kept.hash = hash_of_volume(path, read.companions);
             kept.notices = read.grid.notices;
+            kept.companions = std::move(read.companions);
+            kept.summary = make_ref(summary_of(read.grid));
             kept.grid = make_ref(std::move(read.grid));
         } catch (const Rejected& error) {
             kept.notices = {short_sentence(error.what())};
@@ -191,7 +212,8 @@ void AssetStore::forget(const std::string& path) const
         return std::get<0>(entry.first) == file;
     });
     state_->images.erase(resolve(path));
-    state_->volumes.erase(resolve(path));
+    std::erase_if(state_->volumes,
+                  [file = resolve(path)](const auto& entry) { return entry.first.first == file; });
 }
 
 } // namespace trivar

@@ -5,7 +5,7 @@
 #include "core/document/document.h"
 #include "core/mesh/grey_image.h"
 #include "core/mesh/model.h"
-#include "core/voxels/voxel_grid.h"
+#include "core/voxels/volume_summary.h"
 
 #include <array>
 #include <map>
@@ -42,14 +42,17 @@ public:
     // is read once and kept.
     LoadedImage load_image(const std::string& path, const std::string& hash) const;
     struct LoadedVolume {
-        Ref<VoxelGrid> grid; // null: missing or unreadable
-        std::string hash;    // of the contents of all its files; empty: missing
+        Ref<VoxelGrid> grid;                 // null: missing or unreadable
+        Ref<VolumeSummary> summary;          // of the grid, if there is one
+        std::string hash;                    // of the contents of all its files; empty: missing
+        std::vector<std::string> companions; // files beside the one that is named, or in the folder
         std::vector<std::string> notices;
     };
     // Volume data, with the hash that they are expected to have; empty: any. They are read once and
     // kept. Throws Cancelled only.
     LoadedVolume load_volume(const std::string& path, const std::string& hash,
-                             const Progress& progress = {}) const;
+                             const Progress& progress = {},
+                             const VolumeReading& reading = {}) const;
     void forget(const std::string& path) const; // reads the file again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
     // The names by which --set may call the file of that path: the path itself, or its last part.

@@ -3,6 +3,8 @@
 
 #include "core/text/installed_fonts.h"
 
+#include <filesystem>
+
 namespace trivar {
 
 std::vector<NamedFile> files_named(const Object& object)
@@ -16,6 +18,19 @@ std::vector<NamedFile> files_named(const Object& object)
         out.push_back({NamedFile::Kind::volume, voxels->path});
     for (UsedPicture& picture : pictures_of(object))
         out.push_back({NamedFile::Kind::image, std::move(picture.path)});
+    return out;
+}
+
+std::vector<std::string> files_of_volume(const VoxelShape& shape, const AssetStore& assets)
+{
+    const std::filesystem::path path = std::filesystem::absolute(assets.resolve(shape.path));
+    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, {}, shape.reading);
+    if (loaded.hash.empty()) return {};
+    const bool is_folder = std::filesystem::is_directory(path);
+    std::vector<std::string> out;
+    if (!is_folder) out.push_back(path.string());
+    for (const std::string& name : loaded.companions)
+        out.push_back(((is_folder ? path : path.parent_path()) / name).string());
     return out;
 }
 

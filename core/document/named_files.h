@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/asset_store.h"
 
 #include <string>
 #include <vector>
@@ -16,6 +16,10 @@ struct NamedFile {
 // The files that an object names; empty: it is made from no file. A font that is named by its
 // family and not by its file does not count.
 std::vector<NamedFile> files_named(const Object& object);
+
+// The files that volume data are read from, absolute; the one that is named is the first unless it
+// is a folder. Reads the data where they are not in memory. Empty: they are missing.
+std::vector<std::string> files_of_volume(const VoxelShape& shape, const AssetStore& assets);
 
 // A UsedPicture is a picture of numbers that an object uses, as the scene names it.
 struct UsedPicture {

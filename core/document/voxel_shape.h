@@ -3,6 +3,7 @@
 
 #include "core/document/surfacing.h"
 #include "core/document/volume_casting.h"
+#include "core/document/volume_reading.h"
 #include "core/silhouette/ink.h"
 #include "core/silhouette/visibility.h"
 
@@ -36,6 +37,7 @@ struct VoxelShape {
     LevelSide body = LevelSide::above; // on which side of its level a body is
     std::vector<VoxelLevel> levels = {};
     VolumeCasting casting = {};
+    VolumeReading reading = {};
     bool operator==(const VoxelShape&) const = default;
 };
 

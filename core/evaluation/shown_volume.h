@@ -5,6 +5,7 @@
 #include "core/casting/casting.h"
 #include "core/document/voxel_shape.h"
 #include "core/silhouette/voxel_field.h"
+#include "core/voxels/volume_summary.h"
 
 namespace trivar {
 
@@ -19,6 +20,7 @@ struct ShownVolume {
         LineStyle ink = {};
     };
     Ref<VoxelField> field;
+    Ref<VolumeSummary> summary;
     LevelSide side = LevelSide::above; // of the bodies, as samples
     glm::dmat4 to_model{1};            // voxels to the object's model
     std::vector<Level> levels;

@@ -35,8 +35,9 @@ Ref<Casting> VoxelShapes::casting(const Ref<VoxelField>& field, const Ref<VoxelG
 Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                               const Progress& progress)
 {
-    const AssetStore::LoadedVolume loaded = timed(
-        timings, "import", [&] { return assets.load_volume(source.path, source.hash, progress); });
+    const AssetStore::LoadedVolume loaded = timed(timings, "import", [&] {
+        return assets.load_volume(source.path, source.hash, progress, source.reading);
+    });
     Model model;
     ShownVolume shown;
     if (loaded.grid) {
@@ -46,6 +47,7 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
                 return std::make_shared<const VoxelField>(loaded.grid, options);
             });
         });
+        shown.summary = loaded.summary;
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
         levels_.keep(kept_changes * (source.levels.size() + 1));

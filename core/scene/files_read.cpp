@@ -30,12 +30,12 @@ std::string content_of_image(const std::string& path, const AssetStore& assets,
     return loaded.hash;
 }
 
-std::string content_of_volume(const std::string& path, const AssetStore& assets,
-                              bool missing_is_well)
+std::string content_of(const VoxelShape& shape, const AssetStore& assets, bool missing_is_well)
 {
-    const AssetStore::LoadedVolume loaded = assets.load_volume(path, {});
+    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, {}, shape.reading);
     if (loaded.hash.empty() && !missing_is_well)
-        throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
+        throw Rejected(loaded.notices.empty() ? shape.path + ": cannot be read"
+                                              : loaded.notices.front());
     return loaded.hash;
 }
 
@@ -69,15 +69,14 @@ std::string digest_of_files(const Document& document, const AssetStore& assets,
                 contents[file->path] = content_of(*file, assets, missing_is_well);
         } else if (const auto* text = std::get_if<TextShape>(&object->source)) {
             contents["font " + text->font] = content_of(*text, assets);
+        } else if (const auto* voxels = std::get_if<VoxelShape>(&object->source)) {
+            contents["volume " + voxels->path] = content_of(*voxels, assets, missing_is_well);
         }
     for (const auto& [id, object] : document.objects)
         for (const NamedFile& file : files_named(*object))
             if (file.kind == NamedFile::Kind::image)
                 contents["image " + file.path] =
                     content_of_image(file.path, assets, missing_is_well);
-            else if (file.kind == NamedFile::Kind::volume)
-                contents["volume " + file.path] =
-                    content_of_volume(file.path, assets, missing_is_well);
     if (contents.empty()) return {};
     Digest digest;
     for (const auto& [name, content] : contents) {
@@ -98,6 +97,10 @@ SourceFiles source_files(const Document& document, const AssetStore& assets, con
             const std::string path = assets.resolve(file.path);
             files.add(path);
             if (file.kind == NamedFile::Kind::model) add_companions(files, path);
+            if (file.kind == NamedFile::Kind::volume)
+                for (const std::string& each :
+                     files_of_volume(std::get<VoxelShape>(object->source), assets))
+                    files.add(each);
         }
     return files;
 }

@@ -23,6 +23,7 @@ template <class C> auto files_of(C& command)
     if (auto* relink = std::get_if<Relink>(&command)) {
         for (auto& file : relink->files) add(file.path);
         for (auto& picture : relink->pictures) add(picture.image);
+        for (auto& volume : relink->volumes) add(volume.path);
     }
     if (auto* kept = std::get_if<KeepShape>(&command))
         for (auto& file : kept->files) add(file.path);

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/companions.h"
+#include "core/files/image.h"
 #include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
 
@@ -182,6 +183,53 @@ TEST(Collect, LeavesNothingBehindWhereAFileIsMissingOrTheDiskIsFull)
                     HasSubstr("b.obj: cannot be copied"));
     }
     EXPECT_FALSE(fs::exists(folder));
+}
+
+std::string volume_path(const Document& document, Id id)
+{
+    return std::get<VoxelShape>(object(document, id).source).path;
+}
+
+TEST(Collect, TakesAllFilesOfVolumeData)
+{
+    const TemporaryFolder disk;
+    const std::string folder = disk.file("scene/a.assets");
+    write_file(disk.file("one/head.mhd"), "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\n"
+                                          "ElementType = MET_UCHAR\n"
+                                          "ElementDataFile = head.raw\n");
+    write_file(disk.file("one/head.raw"), "01234567");
+    const AssetStore assets(disk.file("scene"));
+    Document document =
+        after(after({}, AddVoxels{.shape = {.path = "../one/head.mhd", .levels = {{.value = 50}}}}),
+              AddVoxels{.shape = {.path = "../one/head.mhd"}});
+    const Collection done = collect_files(document, assets, folder);
+    EXPECT_THAT(all_in(folder), ElementsAre("head/head.mhd", "head/head.raw"));
+    document = after(document, *done.command);
+    for (const Id id : {1, 2}) EXPECT_EQ(volume_path(document, id), "a.assets/head/head.mhd");
+    EXPECT_TRUE(assets.load_volume(volume_path(document, 1), {}).grid);
+    EXPECT_FALSE(collect_files(document, assets, folder).command) << "nothing is left to do";
+}
+
+TEST(Collect, TakesFoldersOfSlices)
+{
+    const TemporaryFolder disk;
+    const std::string folder = disk.file("scene/a.assets");
+    for (const char* slice : {"s1.png", "s2.png"}) {
+        Image image;
+        image.size_px = {2, 2};
+        image.rgba.assign(16, 200);
+        fs::create_directories(disk.file("two"));
+        write_image(image, disk.file(std::string("two/") + slice));
+    }
+    write_file(disk.file("two/about.txt"), "no slice");
+    write_file(disk.file("scene/a.assets/two/s3.png"), "a slice of other data");
+    const AssetStore assets(disk.file("scene"));
+    Document document = after({}, AddVoxels{.shape = {.path = "../two"}});
+    const Collection done = collect_files(document, assets, folder);
+    EXPECT_EQ(done.copied, 2u);
+    document = after(document, *done.command);
+    EXPECT_EQ(volume_path(document, 1), "a.assets/two_2") << "no slices of other data are in it";
+    EXPECT_EQ(assets.load_volume("a.assets/two_2", {}).hash, assets.load_volume("../two", {}).hash);
 }
 
 } // namespace

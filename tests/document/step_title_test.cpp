@@ -27,7 +27,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
     const std::vector<std::string> expected{
         "Import snail.obj",
         "File of snail shell.obj",
-        "Files of snail and Heights",
+        "Files of 3 objects",
         "Add Plane 4 × 4 m",
         "Add Box 1 × 1 × 1 m",
         "Add Sphere radius 0.5 m",

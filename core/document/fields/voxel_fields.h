@@ -28,6 +28,30 @@ inline constexpr std::array<std::string_view, 3> choice_names<FieldOrder>{"linea
 template <>
 inline constexpr std::array<std::string_view, 2> choice_names<LevelSide>{"above", "below"};
 
+template <>
+inline constexpr std::array<std::string_view, 10> choice_names<SampleType>{
+    "u8", "i8", "u16", "i16", "u32", "i32", "u64", "i64", "f32", "f64"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<ByteOrder>{"little", "big"};
+
+template <> struct FieldsOf<VolumeReading> {
+    static constexpr std::string_view told_as = "[reading](#reading)";
+    static void fields(auto& r, auto&& field)
+    {
+        field("size", r.size,
+              "number of samples along each axis of a file without a head; 0: as its name says",
+              in_range(0, 1e9).called("Size").without_keys());
+        field("type", r.type, "of its samples: signed, unsigned or floating point, and bits",
+              any_value.called("Type").without_keys());
+        field("order", r.order, "of the bytes of a sample",
+              any_value.called("Byte order").without_keys());
+        field("header_bytes", r.header_bytes, "before the samples",
+              in_range(0, 2e9).called("Header").without_keys());
+        field("spacing_mm", r.spacing_mm,
+              "between samples of files that do not say it, millimetres",
+              in_range(1e-9, 1e9).called("Spacing").without_keys());
+    }
+};
 template <> struct FieldsOf<LineStyle> {
     static constexpr std::string_view told_as = "[lines](#lines)";
     static void fields(auto& s, auto&& field)
@@ -105,6 +129,7 @@ template <> struct FieldsOf<VoxelShape> {
               any_value.called("Body").without_keys());
         field("levels", s.levels, "that are shown; none: one that parts the values best");
         field("casting", s.casting, "how the data are seen as a whole", later);
+        field("reading", s.reading, "what its files do not say", later.without_keys());
     }
 };
 
