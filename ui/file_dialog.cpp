@@ -301,6 +301,16 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
         just_opened_ = open_; // typing goes on where Enter took the keyboard away
         focus_ = Focus::field;
     }
+    if (!request_.take_folder.empty()) {
+        at(left, bottom);
+        if (button(theme, request_.take_folder, ButtonKind::plain, {0, 0}, icon::folder) && open_) {
+            const auto i = static_cast<std::size_t>(selected_);
+            const bool of_list = selected_ >= 0 && entries_[i].folder;
+            chosen = (of_list ? folder_ / entries_[i].name : folder_).string();
+            next_folder_ = folder_;
+            open_ = false;
+        }
+    }
     if (open_ && nothing_typed && ImGui::IsKeyPressed(key_backspace, false))
         enter(folder_.parent_path());
     if (cancelled) open_ = false;

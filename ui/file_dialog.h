@@ -21,6 +21,8 @@ struct FileRequest {
     std::string name;    // suggested
     std::string option = {}; // of a check box at the foot; empty: none
     bool option_on = false;  // at first
+    // Of a button that takes the folder that is selected, else the one that is shown; empty: none.
+    std::string take_folder = {};
 };
 
 // A FileDialog browses folders inside the window: click and double click, arrows, Enter, Backspace

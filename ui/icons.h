@@ -24,8 +24,8 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *lock = "\uf023", *open_lock = "\uf09c", *more = "\uf141",
                             *travel = "\uf018", *first = "\uf048", *back = "\uf04a",
                             *play = "\uf04b", *pause = "\uf04c", *forward = "\uf04e",
-                            *last = "\uf051", *again = "\uf079", *mask = "\uf042",
-                            *split = "\uf127", *incise = "\uf0c4", *reverse = "\uf07e",
-                            *mirror = "\uf0ec";
+                            *last = "\uf051", *again = "\uf079", *mask = "\uf1fc",
+                            *silhouettes = "\uf042", *split = "\uf127", *incise = "\uf0c4",
+                            *reverse = "\uf07e", *mirror = "\uf0ec";
 
 } // namespace trivar::ui::icon

@@ -171,6 +171,7 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "what was asked for.");
     replay->footer(
         "Examples:\n"
+        "  trivar head.nrrd                                      look at volume data\n"
         "  trivar replay snake.trivar --image snake.png --size 1920x1080\n"
         "  trivar replay snake.trivar --export snake.glb snake.obj\n"
         "  trivar replay ants.trivar --frame 48 --image ants_048.png\n"
@@ -309,9 +310,10 @@ std::vector<std::string> sample_scenes_in(const std::string& folder)
 Status dispatch(const std::vector<std::string>& arguments, const Streams& streams)
 {
     Choices choices;
-    CLI::App app("Trivar lays deformable models on any scene with one stroke.\n\n"
-                 "Without a command it opens the editor with the scenes and models given.",
-                 "trivar");
+    CLI::App app(
+        "Trivar lays deformable models on any scene with one stroke.\n\n"
+        "Without a command it opens the editor with the scenes, models and volume data\ngiven.",
+        "trivar");
     app.footer(
         "Examples:\n"
         "  trivar snake.trivar                                   open a scene\n"
@@ -320,7 +322,8 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "  trivar render ants.trivar --frames 1:240 --out ants/a.####.png      and its frames\n\n"
         "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
         "3 a check failed, 130 stopped by Ctrl C.");
-    app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
+    app.add_option("FILE", choices.files, "scenes (.trivar), models and volume data to open")
+        ->type_name("");
     add_shaders(app, choices.shaders);
     app.add_flag("--tell-steps", choices.tell_steps,
                  "write to standard output, before each frame of the window is shown, how\nmany "

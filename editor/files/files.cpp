@@ -10,6 +10,7 @@
 #include "core/files/write_model.h"
 #include "core/scene/files_read.h"
 #include "editor/files/relink.h"
+#include "editor/files/volume_names.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
@@ -78,6 +79,18 @@ const std::vector<std::string>& image_extensions()
     static const std::vector<std::string> extensions{".png",  ".jpg",  ".jpeg", ".exr", ".tif",
                                                      ".tiff", ".webp", ".hdr",  ".tga", ".bmp"};
     return extensions;
+}
+
+Files::Files(Session& session, Recovery& recovery)
+    : volumes(session),
+      session_(&session),
+      recovery_(&recovery)
+{
+}
+
+bool Files::asking() const
+{
+    return dialog_.is_open() || question_.has_value() || volumes.offering() || opening();
 }
 
 void Files::keep_or(std::function<void()> go_on)
@@ -163,10 +176,13 @@ void Files::ask_discarded()
 
 void Files::ask_import()
 {
-    ask_for_file(Purpose::import, {.title = "Import a model",
+    std::vector<std::string> extensions = model_extensions();
+    extensions.insert(extensions.end(), volume_extensions().begin(), volume_extensions().end());
+    ask_for_file(Purpose::import, {.title = "Import a model or volume data",
                                    .action = "Import",
-                                   .extensions = model_extensions(),
-                                   .name = {}});
+                                   .extensions = std::move(extensions),
+                                   .name = {},
+                                   .take_folder = "Folder of slices"});
 }
 
 void Files::ask_image(const std::string& title, std::function<void(const std::string&)> then)
@@ -180,13 +196,17 @@ void Files::ask_image(const std::string& title, std::function<void(const std::st
 void Files::ask_relink(Id object)
 {
     relinked_ = object;
-    const bool picture = relinks_picture(*session_, object);
+    const NamedFile::Kind kind = kind_to_relink(*session_, object);
+    const bool picture = kind == NamedFile::Kind::image, volume = kind == NamedFile::Kind::volume;
     ask_for_file(Purpose::relink,
                  {.title = (picture ? "Choose the picture of " : "Choose the file of ") +
                            name_of(session_->committed(), object),
                   .action = picture ? "Use picture" : "Use file",
-                  .extensions = picture ? image_extensions() : model_extensions(),
-                  .name = {}});
+                  .extensions = picture  ? image_extensions()
+                                : volume ? volume_extensions()
+                                         : model_extensions(),
+                  .name = {},
+                  .take_folder = volume ? "Folder of slices" : ""});
 }
 
 void Files::ask_missing()
@@ -399,6 +419,7 @@ void Files::use_file(const std::string& path)
 void Files::draw(const ui::Theme& theme)
 {
     measure_imported();
+    volumes.poll();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (!waiting_.empty() && !asking() && !popup) take_dropped(std::exchange(waiting_, {}));
     if (question_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/files/volume_imports.h"
 #include "editor/session/recovery.h"
 #include "ui/dialog.h"
 #include "ui/file_dialog.h"
@@ -24,7 +25,7 @@ inline constexpr const char* scene_extension = ".trivar";
 // writing run as jobs; a file that cannot be read changes nothing.
 class Files {
 public:
-    Files(Session& session, Recovery& recovery) : session_(&session), recovery_(&recovery) {}
+    Files(Session& session, Recovery& recovery);
 
     void new_scene(std::function<void()> then = nullptr);
     void recover(); // the scene without a name that an ended program left
@@ -44,14 +45,11 @@ public:
     void open_scene(const std::string& path); // asks first if the present one has no name
     // Opens a copy, and the file stays unchanged; `then` is called when the copy is the scene.
     void open_copy(const std::string& path, std::function<void()> then);
-    // Imports a model. The first model of a scene is framed, and with `frame_all` the whole scene.
-    // `then` is called with its id when it is there. `name`: of the object; empty: the file's.
+    // Imports a model, or reads volume data, which are offered then. The first model of a scene is
+    // framed, and with `frame_all` the whole scene. `then` is called with the id of the model when
+    // it is there. `name`: of the object; empty: the file's.
     void import(const std::string& path, bool frame_all = false,
-                std::function<void(Id)> then = nullptr, std::string name = {})
-    {
-        read_model_of(path, frame_all,
-                      std::make_shared<Batch>(Batch{1, {}, std::move(then), std::move(name)}));
-    }
+                std::function<void(Id)> then = nullptr, std::string name = {});
     // Reads a model that somebody else brings into the scene: `take` is called with its import.
     void read_model(const std::string& path, std::function<void(const ImportModel&)> take,
                     std::string name = {});
@@ -68,8 +66,9 @@ public:
     // Whether a scene is being read that replaces the present one: keys do not count for the
     // present one then.
     bool opening() const { return !opening_.expired(); }
-    bool asking() const { return dialog_.is_open() || question_.has_value() || opening(); }
+    bool asking() const; // something is asked, or a scene is being read
     bool close_agreed() const { return close_agreed_; }
+    VolumeImports volumes;
 
     // Scenes to try, offered over an empty viewport: a copy is opened, they stay unchanged.
     std::vector<std::string> samples;
@@ -114,6 +113,7 @@ private:
     void use_file(const std::string& path);
     void read_model_of(const std::string& path, bool frame_all,
                        const std::shared_ptr<Batch>& batch);
+    void read_volume_of(const std::string& path, const std::shared_ptr<Batch>& batch);
     // The notices of its reader are told once it was taken, where `take` says that it was.
     void read_in_background(const std::string& path, const std::string& name,
                             std::function<bool(const ImportModel&)> take,

@@ -3,6 +3,7 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "editor/files/files.h"
+#include "editor/files/volume_names.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/session_facts.h"
@@ -161,6 +162,24 @@ void Files::read_model_of(const std::string& path, bool frame_all,
     });
 }
 
+void Files::read_volume_of(const std::string& path, const std::shared_ptr<Batch>& batch)
+{
+    volumes.read(path, [this, path, batch](const std::string& why) {
+        if (!why.empty()) batch->lost.push_back({file_name(path), why});
+        tell_lost(*batch);
+    });
+}
+
+void Files::import(const std::string& path, bool frame_all, std::function<void(Id)> then,
+                   std::string name)
+{
+    const auto batch = std::make_shared<Batch>(Batch{1, {}, std::move(then), std::move(name)});
+    if (!is_model(path) && is_volume(path))
+        read_volume_of(path, batch);
+    else
+        read_model_of(path, frame_all, batch);
+}
+
 void Files::read_model(const std::string& path, std::function<void(const ImportModel&)> take,
                        std::string name)
 {
@@ -245,28 +264,29 @@ void Files::drop(const std::vector<std::string>& paths)
 
 void Files::take_dropped(const std::vector<std::string>& paths)
 {
-    std::vector<std::string> scenes, models, images;
+    std::vector<std::string> scenes, models, volume_data, images;
     const auto batch = std::make_shared<Batch>();
-    std::error_code ignored;
     for (const std::string& path : paths)
-        if (fs::is_directory(path, ignored))
-            batch->lost.push_back(
-                {file_name(path) + "/", "that is a folder; drop the files inside it instead"});
-        else if (extension_of(path) == scene_extension)
+        if (extension_of(path) == scene_extension)
             scenes.push_back(path);
         else if (is_model(path))
             models.push_back(path);
+        else if (is_volume(path))
+            volume_data.push_back(path);
         else if (is_picture(path) && use_dropped_image)
             images.push_back(path);
         else
-            batch->lost.push_back({file_name(path), "Trivar reads scenes (.trivar) and models: "
-                                                    "glTF, OBJ, PLY, STL, OFF"});
+            batch->lost.push_back(
+                {file_name(path),
+                 "Trivar reads scenes (.trivar), models (glTF, OBJ, PLY, STL, OFF) and volume data "
+                 "(NRRD, NIfTI, MetaImage, VTK, DICOM, raw, and folders of slices)"});
     for (std::size_t i = 0; i + 1 < scenes.size(); ++i)
         batch->lost.push_back({file_name(scenes[i]), "only one scene is open at a time"});
-    batch->coming = models.size();
+    batch->coming = models.size() + volume_data.size();
     const bool fresh = session_->committed().objects.empty();
     for (const std::string& path : models) read_model_of(path, fresh, batch);
-    if (models.empty()) tell_lost(*batch);
+    for (const std::string& path : volume_data) read_volume_of(path, batch);
+    if (batch->coming == 0) tell_lost(*batch);
     if (!images.empty()) use_dropped_image(images.back());
     if (!scenes.empty()) open_scene(scenes.back());
 }

@@ -2,7 +2,6 @@
 #include "editor/files/relink.h"
 
 #include "core/base/rejected.h"
-#include "core/document/named_files.h"
 #include "core/files/sample_models.h"
 
 #include <algorithm>
@@ -13,10 +12,10 @@ namespace trivar {
 namespace fs = std::filesystem;
 namespace {
 
-// A FileUse is a file that an object reads: its model, or a picture.
+// A FileUse is a file that an object reads: its model, its volume data, or a picture.
 struct FileUse {
     Id object = 0;
-    std::optional<int> picture; // number of its mask, or 0 for its heights; none: its model
+    std::optional<int> picture; // number of its mask, or 0 for its heights; none: what it is of
     std::string path;           // as the scene names it
 };
 
@@ -27,6 +26,8 @@ std::vector<FileUse> uses_of(const Session& session, Id id)
     if (found == session.committed().objects.end()) return out;
     if (const auto* file = std::get_if<ImportedFile>(&found->second->source))
         out.push_back({id, {}, file->path});
+    if (const auto* voxels = std::get_if<VoxelShape>(&found->second->source))
+        out.push_back({id, {}, voxels->path});
     for (const UsedPicture& each : pictures_of(*found->second))
         out.push_back({id, each.mask, each.path});
     return out;
@@ -61,6 +62,11 @@ std::optional<FileUse> replaced_use(const Session& session, Id object)
 Command with_file(const Session& session, const FileUse& use, const std::string& path)
 {
     const Object& object = trivar::object(session.committed(), use.object);
+    if (const auto* voxels = std::get_if<VoxelShape>(&object.source); voxels && !use.picture) {
+        SetVoxels set{use.object, *voxels};
+        set.shape.path = path;
+        return set;
+    }
     if (!use.picture) {
         EditImport edit{use.object, std::get<ImportedFile>(object.source)};
         edit.file.path = path;
@@ -124,10 +130,14 @@ std::string file_to_relink(const Session& session, Id object)
     return use ? session.assets()->resolve(use->path) : std::string();
 }
 
-bool relinks_picture(const Session& session, Id object)
+NamedFile::Kind kind_to_relink(const Session& session, Id object)
 {
     const std::optional<FileUse> use = replaced_use(session, object);
-    return use && use->picture;
+    if (use && use->picture) return NamedFile::Kind::image;
+    const auto found = session.committed().objects.find(object);
+    const bool volume = found != session.committed().objects.end() &&
+                        std::holds_alternative<VoxelShape>(found->second->source);
+    return volume ? NamedFile::Kind::volume : NamedFile::Kind::model;
 }
 
 void relink(Session& session, Id object, const std::string& path)

@@ -58,6 +58,7 @@ void draw_preferences(Editor& editor, const ui::Theme& theme);
 void draw_record_dialog(Editor& editor, const ui::Theme& theme);
 void draw_export_dialog(Editor& editor, const ui::Theme& theme);
 void draw_plain_mesh_dialog(Editor& editor, const ui::Theme& theme);
+void draw_volume_dialog(Editor& editor, const ui::Theme& theme); // of what would come in
 void draw_not_certified(Editor& editor, const ui::Theme& theme); // where it is read
 void draw_record_button(Editor& editor, const ui::Theme& theme, glm::vec2 at);
 // The lines between the panels; before the panels, so that they lie over them.
@@ -91,6 +92,8 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 // Parts of the inspector. Each proposes what is being changed.
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_text(Editor& editor, const ui::Theme& theme, Id id); // of one that is letters
+void draw_volume_data(Editor& editor, const ui::Theme& theme,
+                      Id id); // levels and how they are read
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);

@@ -49,6 +49,17 @@ const gpu::Texture2D* StoredPictures::of(const std::string& path, int width_px)
     return entry->second ? &*entry->second : nullptr;
 }
 
+const gpu::Texture2D& StoredPictures::given(const std::string& name, long version,
+                                            const Image& image)
+{
+    const auto found = given_.find(name);
+    if (found != given_.end() && found->second.first == version) return found->second.second;
+    gpu::Texture2D texture(GL_RGBA8, image.size_px, true);
+    texture.write_rgba(image.rgba);
+    return given_.insert_or_assign(name, std::pair(version, std::move(texture)))
+        .first->second.second;
+}
+
 double StoredPictures::shape(const std::string& path, int width_px)
 {
     const gpu::Texture2D* texture = of(path, width_px);

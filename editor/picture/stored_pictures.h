@@ -20,12 +20,19 @@ public:
     const gpu::Texture2D* of(const std::string& path, int width_px);
     // Width over height once it is read; before that the usual ratio.
     double shape(const std::string& path, int width_px);
-    void forget_gpu() { pictures_.clear(); } // before the context goes
-    void poll() { jobs_.poll(); }            // once a frame
+    // A picture that is in memory already, under a name; another version takes its place.
+    const gpu::Texture2D& given(const std::string& name, long version, const Image& image);
+    void forget_gpu() // before the context goes
+    {
+        pictures_.clear();
+        given_.clear();
+    }
+    void poll() { jobs_.poll(); } // once a frame
     bool reading() const { return jobs_.status().has_value(); }
 
 private:
     std::map<std::pair<std::string, int>, std::optional<gpu::Texture2D>> pictures_;
+    std::map<std::string, std::pair<long, gpu::Texture2D>> given_;
     Jobs jobs_;
 };
 

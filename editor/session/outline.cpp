@@ -129,6 +129,7 @@ std::string type_of(const Object& object)
     if (object.stroke) return "Placed";
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
     if (std::holds_alternative<TextShape>(object.source)) return "Text";
+    if (std::holds_alternative<VoxelShape>(object.source)) return "Volume data";
     return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
 }
 
@@ -137,6 +138,7 @@ const char* icon_of(const Object& object)
     if (std::holds_alternative<LatticeShape>(object.source)) return ui::icon::volume;
     if (object.tiles) return ui::icon::tiles;
     if (object.stroke) return ui::icon::place;
+    if (std::holds_alternative<VoxelShape>(object.source)) return ui::icon::volume;
     return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
 }
 

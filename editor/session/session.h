@@ -5,6 +5,7 @@
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
 #include "editor/session/chosen_incision.h"
+#include "editor/session/chosen_level.h"
 #include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
 #include "ui/notices.h"
@@ -28,8 +29,7 @@ public:
     const Document& document() const { return now_; }
     const Document& committed() const { return scene_.history().committed(); } // as it was said
     const Evaluation& evaluated() const { return evaluated_; } // may be a moment behind
-    // Counts up with every new evaluation; equal numbers mean equal effects.
-    long evaluation() const { return evaluation_; }
+    long evaluation() const { return evaluation_; }            // another number: other effects
     const Timings& timings() const { return timings_; } // of the last that had something to do
     // Counts up with every change of the document, proposed or committed.
     long change() const { return asked_ticket_; }
@@ -86,9 +86,8 @@ public:
     std::string make_shapes_folder() { return scene_.make_shapes_folder(); } // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
-    void poll(); // takes in what other threads finished; once a frame
-    // Tries again every few seconds while steps are not on disk.
-    void try_to_write(double time_s);
+    void poll();                      // takes in what other threads finished; once a frame
+    void try_to_write(double time_s); // again every few seconds while steps are not on disk
     // Takes up, once per second, lines that were added to a file that is only looked at.
     void follow_file(double time_s);
     Jobs& jobs() { return jobs_; }
@@ -98,6 +97,7 @@ public:
     // The selection belongs to the person and is no part of the document and of no undo step.
     Selection selected;
     ChosenIncision incision; // of the active object
+    ChosenLevel level;       // likewise
     // ascending: left out of the picture while the person works on others
     std::vector<Id> hidden_here;
     // selects all objects from that id up, without those in groups among them

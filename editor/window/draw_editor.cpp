@@ -221,6 +221,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_record_dialog(editor, theme);
     draw_export_dialog(editor, theme);
     draw_plain_mesh_dialog(editor, theme);
+    draw_volume_dialog(editor, theme);
     draw_not_certified(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.

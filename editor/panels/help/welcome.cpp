@@ -153,7 +153,7 @@ void draw_drop_target(const ui::Theme& theme, const ui::Rect& r)
 {
     const ui::Palette& c = theme.color;
     const std::string bold = "Drop a file anywhere",
-                      formats = "glTF, OBJ, PLY, STL, OFF  ·  Trivar scenes";
+                      formats = "glTF, OBJ, PLY, STL, OFF  ·  volume data  ·  Trivar scenes";
     ui::paint_box(r, c.chip, theme.size.rounding_small);
     paint_dashed(r, ui::faded(c.chip_text, 0.6f), theme.px(4), theme.size.hairline);
     const float icon = theme.px(24), gap = theme.px(16);

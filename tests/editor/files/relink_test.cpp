@@ -2,7 +2,7 @@
 #include "editor/files/relink.h"
 
 #include "core/files/image.h"
-#include "tests/editor/rig.h"
+#include "tests/editor/volume_rig.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
@@ -115,7 +115,7 @@ TEST(Relink, FindsPicturesOfMasksAndHeights)
     DisplacedRig rig;
     Session& session = rig.editor.session;
     EXPECT_THAT(missing_files(session), IsEmpty());
-    EXPECT_TRUE(relinks_picture(session, DisplacedRig::sheet));
+    EXPECT_EQ(kind_to_relink(session, DisplacedRig::sheet), NamedFile::Kind::image);
     fs::create_directory(rig.folder.file("moved"));
     for (const char* name : {"hills.png", "spots.png"})
         fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
@@ -151,6 +151,28 @@ TEST(Relink, ReadsAFileAnewThatHasChanged)
     const EvaluatedObject& object = *rig.editor.session.evaluated().objects.at(2);
     EXPECT_THAT(object.notices, IsEmpty());
     EXPECT_EQ(object.parts.at(0).mesh()->positions.at(1).x, 5);
+}
+
+TEST(Relink, FindsVolumeDataAndFoldersOfSlices)
+{
+    testing::VolumeRig rig;
+    Session& session = rig.editor.session;
+    rig.add_ball({50});
+    testing::write_slices(rig.folder.file("head"));
+    AddVoxels head;
+    head.shape.path = rig.folder.file("head");
+    ASSERT_TRUE(session.run(prepare(head, *session.assets())));
+    rig.wait();
+    fs::create_directory(rig.folder.file("moved"));
+    for (const char* name : {"ball.nrrd", "head"})
+        fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
+    EXPECT_THAT(missing_files(session), ElementsAre(1, 2));
+    EXPECT_EQ(kind_to_relink(session, 2), NamedFile::Kind::volume);
+    relink(session, 2, rig.folder.file("moved/head"));
+    rig.wait();
+    EXPECT_THAT(missing_files(session), IsEmpty());
+    for (const Id id : {1, 2})
+        EXPECT_TRUE(session.evaluated().objects.at(id)->shape->volume) << "it was read there";
 }
 
 } // namespace

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+const std::vector<std::string>& volume_extensions(); // of files that may be volume data
+// Whether it may be volume data: a folder, or a file by its name.
+bool is_volume(const std::string& path);
+// Whether a file has no head that says how its samples lie, by its name.
+bool is_raw_volume(const std::string& path);
+// What an object is called that is read from it: "anatomical" of "anatomical.nii.gz".
+std::string volume_name(const std::string& path);
+
+} // namespace trivar

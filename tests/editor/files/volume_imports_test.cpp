@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files/volume_names.h"
+#include "editor/session/session_facts.h"
+#include "tests/editor/volume_rig.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::VolumeRig, testing::write_file, testing::write_slices;
+
+TEST(VolumeImports, ShowWhatWasReadBeforeItIsTaken)
+{
+    VolumeRig rig;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    const VolumeOffer* offer = rig.editor.files.volumes.offered();
+    ASSERT_TRUE(offer);
+    EXPECT_TRUE(rig.editor.files.asking());
+    EXPECT_EQ(rig.steps(), 0u);
+    EXPECT_EQ(offer->summary->size, glm::ivec3(24));
+    for (const VolumeSlice& slice : offer->slices) {
+        EXPECT_EQ(slice.image.size_px, glm::ivec2(24));
+        EXPECT_NEAR(slice.shape, 1, 1e-6);
+    }
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 1u);
+    EXPECT_FALSE(rig.editor.files.asking());
+    EXPECT_EQ(object(rig.editor.session.committed(), 1).name, "ball");
+    EXPECT_EQ(rig.shape().levels.size(), 1u);
+    EXPECT_TRUE(rig.editor.session.selected.contains(1));
+    const Box box = bounds_of(rig.editor.session, 1);
+    EXPECT_NEAR(box.center().x, 0, 1e-3) << "in the middle";
+    const PicturePoint seen = project(rig.editor.session.view.camera, box.center());
+    const glm::dvec2 middle = glm::dvec2(rig.editor.session.view.camera.size_px) / 2.0;
+    EXPECT_LT(glm::distance(seen.p_px, middle), 60) << "the view shows it";
+}
+
+TEST(VolumeImports, LeaveNothingWhereTheyAreCancelled)
+{
+    VolumeRig rig;
+    rig.drop({rig.folder.file("ball.nrrd"), rig.folder.file("ball.nrrd")});
+    rig.key({ui::key_escape});
+    EXPECT_TRUE(rig.editor.files.volumes.offering()) << "one after the other";
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(rig.editor.files.volumes.offering());
+    EXPECT_EQ(rig.steps(), 0u);
+}
+
+TEST(VolumeImports, StandAsTheOfferSays)
+{
+    VolumeRig rig;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    VolumeOffer& offer = *rig.editor.files.volumes.offered();
+    const double wide = size_of(offer).x;
+    for (const DataUp up :
+         {DataUp::minus_z, DataUp::y, DataUp::minus_y, DataUp::x, DataUp::minus_x}) {
+        offer.up = up;
+        offer.scale = 10;
+        EXPECT_NEAR(size_of(offer).z, 10 * wide, 1e-9);
+        const AddVoxels command = command_of(offer);
+        EXPECT_EQ(command.shape.scale, 10);
+        EXPECT_NEAR(glm::abs(glm::determinant(command.transform.matrix())), 1, 1e-9);
+    }
+    offer.centered = false;
+    EXPECT_EQ(command_of(offer).transform.translation, glm::dvec3(0));
+}
+
+TEST(VolumeImports, TakeFoldersOfPictures)
+{
+    VolumeRig rig;
+    write_slices(rig.folder.file("head"));
+    rig.drop({rig.folder.file("head") + "/"});
+    ASSERT_TRUE(rig.editor.files.volumes.offering());
+    EXPECT_TRUE(rig.editor.files.volumes.offered()->says_no_spacing);
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 1u);
+    EXPECT_EQ(object(rig.editor.session.committed(), 1).name, "head");
+    EXPECT_FALSE(rig.editor.session.evaluated().objects.at(1)->parts.empty());
+}
+
+TEST(VolumeImports, SayWhyNothingCame)
+{
+    VolumeRig rig;
+    write_file(rig.folder.file("empty/about.txt"), "no slices");
+    write_file(rig.folder.file("cut.nrrd"), "NRRD0004\nencoding: raw\n");
+    rig.drop({rig.folder.file("empty"), rig.folder.file("cut.nrrd")});
+    EXPECT_FALSE(rig.editor.files.volumes.offering());
+    EXPECT_EQ(rig.steps(), 0u);
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+}
+
+TEST(VolumeImports, AskHowAFileWithoutAHeadLies)
+{
+    VolumeRig rig;
+    const VoxelGrid grid = testing::ball_grid();
+    const auto& samples = std::get<std::vector<std::uint8_t>>(grid.samples);
+    write_file(rig.folder.file("ball.raw"), "head" + std::string(samples.begin(), samples.end()));
+    rig.drop({rig.folder.file("ball.raw")});
+    VolumeImports& imports = rig.editor.files.volumes;
+    ASSERT_TRUE(imports.offering());
+    EXPECT_TRUE(imports.offered()->raw);
+    imports.offered()->command.shape.reading = {.size = glm::ivec3(24), .header_bytes = 3};
+    imports.read_again();
+    rig.wait();
+    EXPECT_FALSE(imports.offered()->grid);
+    EXPECT_THAT(imports.offered()->trouble, HasSubstr("13,82"));
+    imports.offered()->command.shape.reading.header_bytes = 4;
+    imports.read_again();
+    rig.wait();
+    ASSERT_TRUE(imports.offered()->grid);
+    EXPECT_EQ(imports.offered()->grid->samples, grid.samples);
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 1u);
+    EXPECT_EQ(rig.shape().reading.header_bytes, 4);
+    EXPECT_FALSE(rig.editor.session.evaluated().objects.at(1)->parts.empty());
+}
+
+TEST(VolumeImports, KnowTheirFilesByName)
+{
+    for (const char* name : {"a.nrrd", "b.NII.GZ", "c.mhd", "d.dcm", "e.raw"})
+        EXPECT_TRUE(is_volume(name)) << name;
+    for (const char* name : {"a.obj", "b.gz", "c.png", "d"}) EXPECT_FALSE(is_volume(name)) << name;
+    EXPECT_EQ(volume_name("x/anatomical.nii.gz"), "anatomical");
+    EXPECT_TRUE(is_raw_volume("head.RAW"));
+}
+
+} // namespace
+} // namespace trivar
