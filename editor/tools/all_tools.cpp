@@ -7,6 +7,7 @@
 #include "editor/tools/place.h"
 #include "editor/tools/press.h"
 #include "editor/tools/select.h"
+#include "editor/tools/silhouettes.h"
 #include "editor/tools/split.h"
 #include "editor/tools/tiles.h"
 #include "editor/tools/transform.h"
@@ -27,6 +28,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     tools.push_back(std::make_unique<MaskTool>());
     tools.push_back(std::make_unique<InciseTool>());
     tools.push_back(std::make_unique<SplitTool>());
+    tools.push_back(std::make_unique<SilhouettesTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;
 }

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "editor/picture/limit_colors.h"
 #include "editor/picture/picture.h"
+#include "editor/session/volume_levels.h"
 #include "editor/viewport/picture_selection.h"
 #include "gpu/context.h"
 #include "gpu/look.h"
@@ -52,6 +53,8 @@ gpu::Picture picture_of(const Session& session, const Evaluation& seen, gpu::Lev
     if (style.at_limits != 0) color_by_limits(picture, style.at_limits);
     leave_out(picture, session.hidden_here);
     outline_selected(picture, Members(session.document(), session.selected.ids()));
+    for (gpu::Curve& curve : picture.curves) // the colours of levels stay as they are
+        if (volume_of(session.document(), curve.id)) curve.highlighted = false;
     shade(picture, style);
     return picture;
 }

@@ -75,6 +75,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {has_a_volume, draw_shaping},
         {is_made_of<ImportedFile>,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},
+        {is_made_of<VoxelShape>, draw_volume_data},
         {is_made_of<TextShape>, draw_text},
         {is_made_of<HeightShape>, draw_heights},
         {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,

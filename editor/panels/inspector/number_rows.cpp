@@ -16,6 +16,7 @@ bool only_by_keys(const Object& object, const Parameter& number)
     const std::string& name = number.name;
     if (name.starts_with("shape."))
         return !std::holds_alternative<TextShape>(object.source) &&
+               !std::holds_alternative<VoxelShape>(object.source) &&
                !std::holds_alternative<ImportedFile>(object.source);
     const bool step = name.find(".press.") != name.npos || name.find(".shift.") != name.npos ||
                       name.find(".warp.") != name.npos;

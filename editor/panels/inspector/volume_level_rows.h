@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/shown_volume.h"
+#include "editor/panels/inspector/value_rows.h"
+
+#include <string>
+
+namespace trivar {
+
+// What of volume data the rows of its levels are drawn with.
+struct LevelRows {
+    const ShownVolume* shown = nullptr;      // null: not evaluated yet, or it cannot be read
+    std::string unit = {};                   // of the values
+    std::string parameter(int number) const; // "shape.levels.0"
+};
+
+// The histogram with its levels as lines that are dragged.
+void draw_level_histogram(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
+// A row of each level: colour, name, value, and what of it is shown. A click on the name chooses
+// it.
+void draw_level_list(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
+// How the lines of a level are drawn.
+void draw_line_rows(ValueRows& rows, const LevelRows& of, VoxelLevel& level, int number);
+
+} // namespace trivar
