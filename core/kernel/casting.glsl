@@ -21,8 +21,8 @@ vec4 transfer_between(float a, float b)
     a = clamp(a, 0.0f, 1.0f);
     b = clamp(b, 0.0f, 1.0f);
     float range = max(abs(a - b), 1.0f / TRANSFER_CELLS);
-    float low = clamp(0.5f * (a + b - range), 0.0f, 1.0f - range);
-    return (transfer_before(low + range) - transfer_before(low)) / range;
+    float least = clamp(0.5f * (a + b - range), 0.0f, 1.0f - range);
+    return (transfer_before(least + range) - transfer_before(least)) / range;
 }
 
 // The share of a step from one value to another after which half of what it holds back is held back,
@@ -30,14 +30,14 @@ vec4 transfer_between(float a, float b)
 // the step.
 float surface_share(float before, float value, float held, float thickness)
 {
-    float enough = min(0.5f * held, 0.7f), low = 0.0f, high = 1.0f;
+    float enough = min(0.5f * held, 0.7f), begin = 0.0f, last = 1.0f;
     for (int i = 0; i < 4; i++) {
-        float middle = 0.5f * (low + high);
+        float middle = 0.5f * (begin + last);
         float there = transfer_between(before, mix(before, value, middle)).w * thickness * middle;
-        if (there < enough) low = middle;
-        else high = middle;
+        if (there < enough) begin = middle;
+        else last = middle;
     }
-    return high;
+    return last;
 }
 
 int reach_at(vec3 p) { return empty_reach(ivec3(max(p, vec3(0.0f)) / BRICK)); }
@@ -46,8 +46,8 @@ int reach_at(vec3 p) { return empty_reach(ivec3(max(p, vec3(0.0f)) / BRICK)); }
 float empty_way(vec3 p, vec3 along, int reach)
 {
     vec3 brick = floor(p / BRICK);
-    vec3 low = (brick - float(reach) + 1.0f) * BRICK - p, high = (brick + float(reach)) * BRICK - p;
-    vec3 out_by = max(low / along, high / along);
+    vec3 lower = (brick - float(reach) + 1.0f) * BRICK - p, upper = (brick + float(reach)) * BRICK - p;
+    vec3 out_by = max(lower / along, upper / along);
     return max(min(out_by.x, min(out_by.y, out_by.z)), 0.0f);
 }
 

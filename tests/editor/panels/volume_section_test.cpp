@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/shown_volume.h"
 #include "tests/editor/panels/number_rows.h"
 #include "tests/editor/volume_rig.h"
 
