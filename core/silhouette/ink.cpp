@@ -16,6 +16,7 @@ constexpr float wobble_wave = 24;   // pixels
 constexpr float grain_wave = 5;     // pixels, of a pencil
 constexpr int pencil_passes = 3;    // over a line
 constexpr float pencil_sway = 0.8f; // pixels that a pass goes aside, at most
+constexpr float finest_strength = 0.3f; // share of the width of a line that is hardly there
 
 glm::vec3 hue(float share) // from red over yellow, green and cyan to blue
 {
@@ -120,7 +121,8 @@ private:
         for (std::size_t i = 0; i < stroke.points.size(); ++i) {
             const StrokePoint& p = stroke.points[i];
             if (i > 0) way += glm::distance(p.at, stroke.points[i - 1].at);
-            float width = width_at(p) * (fine ? fine_hidden : 1);
+            float width = width_at(p) * (fine ? fine_hidden : 1) *
+                          std::lerp(finest_strength, 1.0f, p.strength);
             if (stroke.tapers_first) width *= end_share(way, taper);
             if (stroke.tapers_last) width *= end_share(length - way, taper);
             if (style_.pencil > 0) width *= grain_at(p, seed);

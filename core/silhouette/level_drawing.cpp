@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/level_drawing.h"
 
-#include "core/base/box.h"
 #include "core/silhouette/border_lines.h"
 #include "core/silhouette/dash_table.h"
 #include "core/silhouette/fans.h"
+#include "core/silhouette/line_budget.h"
 #include "core/silhouette/silhouette_finder.h"
 
+#include <fmt/format.h>
 #include <iterator>
 
 namespace trivar {
+namespace {
+
+constexpr float shortest_further_line = 12; // pixels
+
+} // namespace
+
 DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const glm::ivec3& size)
 {
+    return drawing_view(camera, to_world, Box{glm::dvec3(0), glm::dvec3(size - 1)});
+}
+
+DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const Box& box)
+{
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    Box depths; // along the view, of the grid's corners
-    for (const glm::dvec3& corner : Box{glm::dvec3(0), glm::dvec3(size - 1)}.corners())
+    Box depths; // along the view, of the box's corners
+    for (const glm::dvec3& corner : box.corners())
         depths.add(glm::dvec3(
             glm::dot(glm::dvec3(to_world * glm::dvec4(corner, 1)) - camera.eye, forward)));
     const double margin = 1e-3 * std::max(1e-9, depths.size().x),
@@ -64,6 +76,39 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
     return out;
 }
 
+std::vector<KindStrokes> further_strokes(const ScalarField<float>& field, const FieldHulls& hulls,
+                                         const DrawnLevel& level, const DrawingView& view,
+                                         const LevelDrawingOptions& options,
+                                         std::span<const LevelBody> others)
+{
+    std::vector<KindStrokes> out;
+    if (!level.further) return out;
+    const LevelBody own{field, hulls, level.mesh.level, level.side};
+    StrokeOptions further = options.strokes;
+    further.shortest = std::max(further.shortest, shortest_further_line);
+    for (const KindLines& each :
+         lines_seen(*level.further, level.more, view.from, field, level.mesh.level))
+        out.push_back(
+            {each.kind, strokes(each.lines, hidden_points(each.lines, view.from, own, others),
+                                view.to_image, further)});
+    return out;
+}
+
+LineStyle finer(LineStyle style, const MoreLines& wanted)
+{
+    style.width *= wanted.width;
+    return style;
+}
+
+namespace {
+
+std::string layer_name(const DrawnLevel& level, const KindStrokes& kind)
+{
+    return fmt::format("{}: {}", level.name, words_of(kind.kind));
+}
+
+} // namespace
+
 LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hulls,
                          std::span<const DrawnLevel> levels, const DrawingView& view,
                          const LevelDrawingOptions& options)
@@ -77,12 +122,23 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                     others.push_back({field, hulls, other.mesh.level, other.side});
         out.layers.push_back({level.name, {}});
         std::array<std::vector<Stroke>, 2> made =
-            level_strokes(field, hulls, level, view, options, std::move(others), &out.open);
-        if (options.ids) (*options.ids)[level.name](made);
+            level_strokes(field, hulls, level, view, options, others, &out.open);
+        std::vector<KindStrokes> further =
+            further_strokes(field, hulls, level, view, options, others);
+        if (options.ids) {
+            (*options.ids)[level.name](made);
+            for (KindStrokes& kind : further)
+                (*options.ids)[layer_name(level, kind)](std::span(&kind.strokes, 1));
+        }
         const LevelBody body{field, hulls, level.mesh.level, level.side};
         for (const std::vector<Stroke>& kind : made)
-            std::ranges::move(inked_with_fans(body, kind, level.style, view.to_image),
+            std::ranges::move(inked_with_fans(body, within_budget(kind, level.more.amount),
+                                              level.style, view.to_image),
                               std::back_inserter(out.layers.back().lines));
+        for (const KindStrokes& kind : further)
+            out.layers.push_back({layer_name(level, kind),
+                                  inked(within_budget(kind.strokes, level.more.amount),
+                                        finer(level.style, level.more))});
     }
     return out;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/box.h"
 #include "core/base/camera.h"
 #include "core/silhouette/certified.h"
 #include "core/silhouette/drawing_layer.h"
+#include "core/silhouette/level_lines.h"
 #include "core/silhouette/level_mesh.h"
 #include "core/silhouette/line_ids.h"
 #include "core/silhouette/strokes.h"
@@ -20,6 +22,8 @@ struct DrawingView {
 };
 // The view of a camera; `to_world` maps the voxels of a grid of that size, affine and not singular.
 DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const glm::ivec3& size);
+// The same for what is in a box of another space, in place of voxels.
+DrawingView drawing_view(const Camera& camera, const glm::dmat4& to_world, const Box& box);
 
 // A DrawnLevel is a level as it is to be drawn.
 struct DrawnLevel {
@@ -28,6 +32,8 @@ struct DrawnLevel {
     LevelSide side = LevelSide::above;
     LineStyle style = {};
     bool border = true; // also lines where the grid cuts the body off
+    MoreLines more = {};
+    const LevelLines* further = nullptr; // that `more` are found by; null: none of them
 };
 
 struct LevelDrawingOptions {
@@ -45,7 +51,23 @@ level_strokes(const ScalarField<float>& field, const FieldHulls& hulls, const Dr
               const DrawingView& view, const LevelDrawingOptions& options = {},
               std::vector<LevelBody> others = {}, std::size_t* open = nullptr);
 
-// What a drawing gives: a layer per level, and how far it is proven.
+// The strokes of one kind of lines.
+struct KindStrokes {
+    LineKind kind;
+    std::vector<Stroke> strokes;
+};
+
+// The strokes of the further lines of a level, a list per kind; what is hidden of them is found as
+// for silhouettes.
+std::vector<KindStrokes> further_strokes(const ScalarField<float>& field, const FieldHulls& hulls,
+                                         const DrawnLevel& level, const DrawingView& view,
+                                         const LevelDrawingOptions& options = {},
+                                         std::span<const LevelBody> others = {});
+// The style of further lines beside outlines of a style.
+LineStyle finer(LineStyle style, const MoreLines& wanted);
+
+// What a drawing gives: a layer per level, one more per kind of further lines, and how far it is
+// proven.
 struct LevelDrawing {
     std::vector<DrawingLayer> layers;
     std::size_t open = 0; // boxes in which a certified drawing may lack something

@@ -103,7 +103,8 @@ ImageCurves in_image(const Silhouettes& silhouettes, const glm::dmat4& to_image)
                               .depth = static_cast<float>(q.z / q.w),
                               .slope = point.slope,
                               .bend = point.bend,
-                              .p = point.p});
+                              .p = point.p,
+                              .strength = point.strength});
     }
     out.next.resize(out.points.size());
     for (std::size_t c = 0; c < silhouettes.count(); ++c)

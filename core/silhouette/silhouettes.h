@@ -27,6 +27,7 @@ struct SilhouettePoint {
     float bend = 0;         // <v, H v> / |grad D| for the unit direction of sight: above 0 the line
                             // of sight enters D > level on both sides of the point
     float slope = 0;        // |grad D|, per voxel
+    float strength = 1;     // 0 .. 1, of a line that may fade: how distinct it is
 };
 
 // Silhouettes of a level in one view, as connected curves. They have no branches, and open ones end

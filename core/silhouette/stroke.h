@@ -10,10 +10,11 @@ namespace trivar {
 // A StrokePoint is a point of a line drawing. Places are in pixels, x to the right, y down.
 struct StrokePoint {
     glm::vec2 at{0};
-    float depth = 0; // away from the eye, 0 .. 1 between the planes of the view
-    float slope = 0; // |grad D|, per voxel
-    float bend = 0;  // of the silhouette along the line of sight, per voxel
-    glm::vec3 p{0};  // voxels
+    float depth = 0;    // away from the eye, 0 .. 1 between the planes of the view
+    float slope = 0;    // |grad D|, per voxel
+    float bend = 0;     // of the silhouette along the line of sight, per voxel
+    glm::vec3 p{0};     // voxels
+    float strength = 1; // 0 .. 1, see SilhouettePoint
 };
 
 // A Stroke is one line of a drawing, all of it seen or all of it hidden.

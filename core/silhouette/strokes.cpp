@@ -14,9 +14,9 @@ constexpr int reach_of_marks = 2; // points
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, float share)
 {
-    return {glm::mix(a.at, b.at, share), glm::mix(a.depth, b.depth, share),
+    return {glm::mix(a.at, b.at, share),       glm::mix(a.depth, b.depth, share),
             glm::mix(a.slope, b.slope, share), glm::mix(a.bend, b.bend, share),
-            glm::mix(a.p, b.p, share)};
+            glm::mix(a.p, b.p, share),         glm::mix(a.strength, b.strength, share)};
 }
 
 // RunFinder cuts curves where they begin or cease to be hidden.
