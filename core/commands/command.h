@@ -11,6 +11,7 @@
 #include "core/commands/incise.h"
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
+#include "core/commands/line_drawing.h"
 #include "core/commands/mask_tiles.h"
 #include "core/commands/material.h"
 #include "core/commands/mix_tiles.h"
@@ -55,9 +56,10 @@ using AnyCommand =
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
                  RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
-                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels, Unwrap, ClearUnwrap,
-                 Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision,
-                 LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap>;
+                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels,
+                 Unwrap, ClearUnwrap, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise,
+                 EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions,
+                 PeelFlap, LayFlap, SetLineDrawing, ClearLineDrawing>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -7,6 +7,7 @@
 #include "core/commands/import.h"
 #include "core/commands/incise.h"
 #include "core/commands/lattice.h"
+#include "core/commands/line_drawing.h"
 #include "core/commands/material.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
@@ -76,6 +77,7 @@ struct CopiedObject {
     std::optional<CopiedTiling> tiling = {};
     std::optional<Cutting> cutting = {};
     std::optional<CopiedSplitting> splitting = {};
+    std::optional<LineDrawing> line_drawing = {};
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
 };
@@ -141,6 +143,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("tiling", c.tiling, "how copies of it are painted on another object");
         field("cutting", c.cutting, "where it is cut in pieces");
         field("splitting", c.splitting, "what parts it, and how its halves are closed");
+        field("line_drawing", c.line_drawing, "how it is drawn in lines", later);
         field("tracks", c.tracks, "its animated parameters with their keys", later);
     }
 };

@@ -199,6 +199,8 @@ std::string commands_markdown()
     text += "## transfer point\n\nHow a value of volume data looks.\n\n" +
             field_table(fields_of(TransferPoint{}));
     text += "## lines\n\nHow lines are drawn.\n\n" + field_table(fields_of(LineStyle{}));
+    text += "## further lines\n\nLines of a surface besides its outlines.\n\n" +
+            field_table(fields_of(MoreLines{}));
     text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
             "picture.\n\n" +
             field_table(fields_of(Camera{}));

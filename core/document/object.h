@@ -10,6 +10,7 @@
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
+#include "core/silhouette/line_drawing.h"
 #include "core/split/cutting.h"
 #include "core/split/splitting.h"
 #include "core/tiles/tile_cover.h"
@@ -137,6 +138,7 @@ struct Object {
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
     std::optional<Cutting> cutting = {};
     std::optional<Splitting> splitting = {};
+    std::optional<LineDrawing> line_drawing = {};
     Tracks tracks = {}; // of the numbers that change in time, by parameter
     bool operator==(const Object&) const = default;
 };

@@ -5,6 +5,7 @@
 #include "core/document/volume_casting.h"
 #include "core/document/volume_reading.h"
 #include "core/silhouette/ink.h"
+#include "core/silhouette/more_lines.h"
 #include "core/silhouette/visibility.h"
 
 #include <string>
@@ -21,6 +22,7 @@ struct VoxelLevel {
     Surfacing look = {}; // of the surface
     bool lines = true;
     LineStyle ink = {};
+    MoreLines more = {};
     bool operator==(const VoxelLevel&) const = default;
 };
 

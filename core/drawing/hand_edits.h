@@ -23,7 +23,7 @@ struct HandEdits {
     std::map<std::string, std::vector<LineRecord>> lines; // of the .svg, by layer_id()
     std::size_t added = 0; // paths that are not of its list: they are not carried over
 
-    // Where the lines of a layer were, to give the lines of a new drawing their ids.
+    // The ids of a new drawing's lines by the name of its layer, given by where lines were.
     LineIds ids_of(const std::string& layer_name) const;
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/box.h"
 #include "core/casting/casting.h"
 #include "core/document/voxel_shape.h"
+#include "core/silhouette/level_lines.h"
 #include "core/silhouette/voxel_field.h"
 #include "core/voxels/volume_summary.h"
 
@@ -18,6 +19,8 @@ struct ShownVolume {
         Ref<LevelMesh> mesh;
         bool lines = false;
         LineStyle ink = {};
+        MoreLines more = {};
+        Ref<LevelLines> further = {}; // that `more` are found by; null: none of them
     };
     Ref<VoxelField> field;
     Ref<VolumeSummary> summary;

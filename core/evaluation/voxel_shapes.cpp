@@ -32,6 +32,24 @@ Ref<Casting> VoxelShapes::casting(const Ref<VoxelField>& field, const Ref<VoxelG
     });
 }
 
+// What changes the width, or the view, finds no line anew.
+Ref<LevelLines> VoxelShapes::further_lines(const ShownVolume& shown, const Ref<LevelMesh>& mesh,
+                                           const MoreLines& wanted)
+{
+    MoreLines fixed = wanted;
+    fixed.width = fixed.amount = 1;
+    fixed.suggestive = true;
+    return further_({mesh, shown.side, fixed}, [&] {
+        const Ref<ScalarField<float>>& smooth =
+            smooth_({shown.field, wanted.smoothing}, [&]() -> Ref<ScalarField<float>> {
+                if (wanted.smoothing == 0) return {shown.field, &shown.field->field()};
+                return make_ref(smooth_field(*shown.field, wanted.smoothing));
+            });
+        return make_ref(
+            level_lines(*shown.field, *smooth, *mesh, shown.side, shown.to_model, fixed));
+    });
+}
+
 Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                               const Progress& progress)
 {
@@ -43,14 +61,14 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     if (loaded.grid) {
         const VoxelFieldOptions options{source.spline, source.order, source.blur, source.coarsen};
         shown.field = fields_({loaded.grid, options}, [&] {
-            return timed(timings, "field", [&] {
-                return std::make_shared<const VoxelField>(loaded.grid, options);
-            });
+            return timed(timings, "field",
+                         [&] { return std::make_shared<const VoxelField>(loaded.grid, options); });
         });
         shown.summary = loaded.summary;
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
         levels_.keep(kept_changes * (source.levels.size() + 1));
+        further_.keep(kept_changes * (source.levels.size() + 1));
         surfaces_.keep(kept_changes * (source.levels.size() + 1));
     }
     for (std::size_t i = 0; i < source.levels.size() && shown.field; ++i) {
@@ -62,7 +80,10 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
             return timed(timings, "level",
                          [&] { return make_ref(shown.field->level(level.value)); });
         });
-        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink});
+        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink, level.more});
+        if (level.lines && level.more.any())
+            shown.levels.back().further =
+                timed(timings, "lines", [&] { return further_lines(shown, mesh, level.more); });
         if (!level.surface) continue;
         const auto material = static_cast<std::uint32_t>(model.materials.size());
         const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale, material}, [&] {

@@ -16,7 +16,7 @@ namespace trivar {
 class VoxelShapes {
 public:
     // Throws Rejected for trouble with the data; a file that is missing gives an empty shape that
-    // says so. Throws Cancelled. Stages: import, field, level, casting.
+    // says so. Throws Cancelled. Stages: import, field, level, lines, casting.
     Shape operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                      const Progress& progress);
 
@@ -30,12 +30,19 @@ private:
     using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double, std::uint32_t>;
 
     using CastingKey = std::pair<Ref<VoxelField>, std::vector<TransferPoint>>;
+    using SmoothKey = std::pair<Ref<VoxelField>, float>;
+    using FurtherKey = std::tuple<Ref<LevelMesh>, LevelSide, MoreLines>;
+
+    Ref<LevelLines> further_lines(const ShownVolume& shown, const Ref<LevelMesh>& mesh,
+                                  const MoreLines& wanted);
 
     Recent<FieldKey, Ref<VoxelField>> fields_;
     Recent<LevelKey, Ref<LevelMesh>> levels_;
     Recent<SurfaceKey, Ref<Mesh>> surfaces_;
     Recent<Ref<VoxelGrid>, Ref<VolumeSummary>> summaries_;
     Recent<CastingKey, Ref<Casting>> castings_;
+    Recent<SmoothKey, Ref<ScalarField<float>>> smooth_{1};
+    Recent<FurtherKey, Ref<LevelLines>> further_;
 };
 
 } // namespace trivar

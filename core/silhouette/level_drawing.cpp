@@ -126,9 +126,9 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
         std::vector<KindStrokes> further =
             further_strokes(field, hulls, level, view, options, others);
         if (options.ids) {
-            (*options.ids)[level.name](made);
+            options.ids(level.name)(made);
             for (KindStrokes& kind : further)
-                (*options.ids)[layer_name(level, kind)](std::span(&kind.strokes, 1));
+                options.ids(layer_name(level, kind))(std::span(&kind.strokes, 1));
         }
         const LevelBody body{field, hulls, level.mesh.level, level.side};
         for (const std::vector<Stroke>& kind : made)
@@ -136,9 +136,9 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                                               level.style, view.to_image),
                               std::back_inserter(out.layers.back().lines));
         for (const KindStrokes& kind : further)
-            out.layers.push_back({layer_name(level, kind),
-                                  inked(within_budget(kind.strokes, level.more.amount),
-                                        finer(level.style, level.more))});
+            out.layers.push_back(
+                {layer_name(level, kind), inked(within_budget(kind.strokes, level.more.amount),
+                                                finer(level.style, level.more))});
     }
     return out;
 }

@@ -11,7 +11,7 @@
 #include "core/silhouette/strokes.h"
 #include "core/silhouette/visibility.h"
 
-#include <map>
+#include <functional>
 
 namespace trivar {
 
@@ -41,7 +41,8 @@ struct LevelDrawingOptions {
     bool hide_each_other = false; // bodies hide what is behind them of other levels, too
     int certified_depth = -1;     // of certified_silhouettes(); below 0: quick ones
     int dash_rows = 0; // of a DashTable that is made and used instead; 0: connected lines
-    std::map<std::string, LineIds>* ids = nullptr; // by the names of levels: kept from view to view
+    // The ids of the lines of a layer by its name, kept from view to view; none: as they come.
+    std::function<LineIds&(const std::string& layer)> ids = {};
 };
 
 // The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide

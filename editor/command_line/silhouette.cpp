@@ -131,27 +131,49 @@ Camera camera_of(const SilhouetteCommand& command, const VoxelGrid& grid)
     return out;
 }
 
+MoreLines more_lines_of(const SilhouetteCommand& command)
+{
+    MoreLines out{command.suggestive, command.ridges, command.valleys, command.parabolic,
+                  command.isophotes};
+    out.light = glm::vec3(direction_of(command.light, "light"));
+    out.smoothing = static_cast<float>(command.smoothing);
+    out.detail = static_cast<float>(command.detail);
+    out.amount = static_cast<float>(command.amount);
+    return out;
+}
+
 LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
                         const std::vector<double>& values, const HandEdits& edits)
 {
     const VoxelGrid& grid = volume.grid();
     std::vector<LevelMesh> meshes;
     for (const double value : values) meshes.push_back(volume.level(value));
+    const LevelSide side = volume.side(command.below ? LevelSide::below : LevelSide::above);
+    const MoreLines more = more_lines_of(command);
+    std::vector<LevelLines> further;
+    if (more.any()) {
+        const ScalarField<float> smooth = smooth_field(volume, more.smoothing);
+        for (const LevelMesh& mesh : meshes)
+            further.push_back(level_lines(volume, smooth, mesh, side, grid.to_metres, more));
+    }
     std::vector<DrawnLevel> levels;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         levels.push_back(
             {.name = i < command.names.size() ? command.names[i] : fmt::format("level {}", i + 1),
              .mesh = meshes[i],
-             .side = volume.side(command.below ? LevelSide::below : LevelSide::above),
-             .style = style_of(command, i)});
+             .side = side,
+             .style = style_of(command, i),
+             .more = more,
+             .further = more.any() ? &further[i] : nullptr});
     std::map<std::string, LineIds> ids;
-    for (const DrawnLevel& level : levels) ids[level.name] = edits.ids_of(level.name);
     return draw_levels(volume.field(), volume.hulls(), levels,
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
                        {.hide_each_other = command.hide_each_other,
                         .certified_depth = command.certified,
                         .dash_rows = command.dashes,
-                        .ids = &ids});
+                        .ids = [&](const std::string& layer) -> LineIds& {
+                            return ids.try_emplace(layer, edits.ids_of(layer)).first->second;
+                        }});
 }
 
 constexpr std::uintmax_t most_edited_bytes = 256 << 20;
@@ -172,6 +194,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     // Says what is wrong of the options before anything is read.
     for (std::size_t i = 0; i <= command.colors.size(); ++i) style_of(command, i);
     direction_of(command.view, "view");
+    direction_of(command.light, "light");
     const std::optional<glm::vec3> paper = paper_of(command);
     const DrawingFormat format = drawing_format(command.out);
     HandEdits edits;

@@ -28,6 +28,11 @@ struct SilhouetteCommand {
     std::string hidden = "none", paper = "white";
     std::vector<std::string> colors; // by level, the last for all that follow
     int seed = 1;
+    bool suggestive = false, ridges = false, valleys = false, parabolic = false;
+    int isophotes = 0;
+    std::vector<double> light{-0.5, -0.6, 0.65}; // toward it, in the volume's own space
+    double smoothing = 2.4;                      // voxels, of what further lines are found by
+    double detail = 1, amount = 1;
     std::string edited; // an .svg that a hand has changed; empty: none
     int dashes = 0;     // rows of the thesis's table; 0: connected lines
     int certified = -1; // halvings of a voxel; below 0: quick

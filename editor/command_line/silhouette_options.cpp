@@ -104,6 +104,34 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
             "compare with; parallel views")
         ->type_name("ROWS")
         ->check(CLI::Range(1, 65536));
+    silhouette->add_flag("--suggestive", o.suggestive,
+                         "also suggestive contours: outlines of views nearby");
+    silhouette->add_flag("--ridges", o.ridges, "also lines where the surface is bent most outward");
+    silhouette->add_flag("--valleys", o.valleys, "also lines where it is bent most inward");
+    silhouette->add_flag("--parabolic", o.parabolic,
+                         "also lines between what is bent like a ball and like a saddle");
+    silhouette->add_option("--isophotes", o.isophotes, "also N lines of equal light, 0 to 64")
+        ->type_name("N")
+        ->check(CLI::Range(0, 64));
+    silhouette->add_option("--light", o.light, "direction toward the light of --isophotes, X,Y,Z")
+        ->delimiter(',')
+        ->type_name("X,Y,Z")
+        ->allow_extra_args(false);
+    silhouette
+        ->add_option("--smoothing", o.smoothing,
+                     "voxels over which the data are smoothed for these lines, 0 to 5; 2.4 by "
+                     "default")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 5.0));
+    silhouette
+        ->add_option("--detail", o.detail, "2: lines half as distinct are drawn, too; 1 by default")
+        ->type_name("D")
+        ->check(CLI::Range(0.05, 20.0));
+    silhouette
+        ->add_option("--amount", o.amount,
+                     "share of all lines that is drawn, 0 to 1: those that tell most")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 1.0));
     silhouette
         ->add_option("--certified", o.certified,
                      "prove that no line is missing that is larger than 2^-N voxel, 0 to 5")

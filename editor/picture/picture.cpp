@@ -9,6 +9,7 @@
 #include "ui/camera_control.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace trivar {
 
@@ -37,6 +38,14 @@ Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t par
     return values.error_of(object, part, cause->second->refining.value_or(Refining{}));
 }
 
+// How an object is drawn in lines; null: it is not, or was deleted since it was evaluated.
+const LineDrawing* line_drawing(const Document& document, Id id)
+{
+    const auto own = document.objects.find(id);
+    return own != document.objects.end() && own->second->line_drawing ? &*own->second->line_drawing
+                                                                      : nullptr;
+}
+
 } // namespace
 
 gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
@@ -47,7 +56,10 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
     picture.settings = *document.render;
     picture.deform_by = by;
     picture.value_colors = colors_of(document.render->color_by);
-    for (const auto& [id, ref] : evaluated.objects)
+    constexpr double usual_height_px = 720;
+    const auto wider = static_cast<float>(std::max(1.0, camera.size_px.y / usual_height_px));
+    for (const auto& [id, ref] : evaluated.objects) {
+        std::vector<gpu::Instance> instances;
         for (std::size_t p = 0; p < ref->parts.size(); ++p) {
             const Part& part = ref->parts[p];
             gpu::Instance instance;
@@ -72,10 +84,16 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
             if (document.render->color_by == ColorBy::uv_checker && instance.mesh &&
                 !instance.mesh->uvs.empty() && ref->materials)
                 instance.materials = values.checkered(ref->materials->size());
-            picture.instances.push_back(std::move(instance));
+            instances.push_back(std::move(instance));
         }
-    constexpr double usual_height_px = 720;
-    const auto wider = static_cast<float>(std::max(1.0, camera.size_px.y / usual_height_px));
+        if (const LineDrawing* drawing = line_drawing(document, id)) {
+            const std::vector<gpu::Curve>& lines =
+                values.object_lines(*ref, *drawing, camera, wider);
+            picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());
+            values.object_lines.draw_on(instances, *drawing);
+        }
+        std::ranges::move(instances, std::back_inserter(picture.instances));
+    }
     for (const auto& [id, ref] : evaluated.objects)
         for (gpu::Curve& curve : curves_of(*ref, curve_width_px * wider))
             picture.curves.push_back(std::move(curve));

@@ -78,6 +78,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
+        "Draw Table in lines",
+        "Draw Table without lines",
         "Twist and taper of Lattice",
         "Attach Pot to Table",
         "Let Ball go with Table",

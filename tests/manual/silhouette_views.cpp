@@ -194,7 +194,7 @@ void turn(int steps, const std::string& folder)
         if (subject.name == "noise") continue; // it is nothing that anybody draws
         const ScalarField<float>& field = subject.field->field();
         SilhouetteFinder find;
-        std::map<std::string, LineIds> ids;
+        LineIds ids;
         std::set<std::uint64_t> before;
         std::vector<glm::dvec2> old;
         std::vector<double> moved;
@@ -208,8 +208,9 @@ void turn(int steps, const std::string& folder)
             old = in_pixels(curves, view.to_image, false);
             const LevelSide side = subject.name == "torus" ? LevelSide::below : LevelSide::above;
             const DrawnLevel level{subject.name, subject.mesh, side, {}};
-            const LevelDrawing drawing = draw_levels(field, subject.field->hulls(),
-                                                     std::span(&level, 1), view, {.ids = &ids});
+            const LevelDrawing drawing =
+                draw_levels(field, subject.field->hulls(), std::span(&level, 1), view,
+                            {.ids = [&](const std::string&) -> LineIds& { return ids; }});
             std::set<std::uint64_t> after;
             for (const InkedLine& line : drawing.layers[0].lines) {
                 double own = 0;

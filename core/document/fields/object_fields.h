@@ -6,6 +6,7 @@
 #include "core/document/fields/import_fields.h"
 #include "core/document/fields/incising_fields.h"
 #include "core/document/fields/lattice_fields.h"
+#include "core/document/fields/line_fields.h"
 #include "core/document/fields/placement_fields.h"
 #include "core/document/fields/playing_fields.h"
 #include "core/document/fields/primitive_fields.h"
@@ -84,6 +85,8 @@ template <> struct FieldsOf<Object> {
         field("cutting", o.cutting, "where it is cut in pieces",
               any_value.counts(Counting::marked));
         field("splitting", o.splitting, "what parts it, and how its halves are closed",
+              any_value.counts(Counting::marked));
+        field("line_drawing", o.line_drawing, "how it is drawn in lines",
               any_value.counts(Counting::marked));
         field("tracks", o.tracks, "its animated parameters with their keys", later.without_keys());
     }

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/fields/line_fields.h"
 #include "core/document/fields/surfacing_fields.h"
 #include "core/document/fields/volume_casting_fields.h"
 #include "core/document/voxel_shape.h"
 
 namespace trivar {
 
-template <>
-inline constexpr std::array<std::string_view, 4> choice_names<LineWidth>{"even", "slope", "depth",
-                                                                         "bend"};
-template <>
-inline constexpr std::array<std::string_view, 4> choice_names<LineColor>{"plain", "slope", "depth",
-                                                                         "grey"};
-template <>
-inline constexpr std::array<std::string_view, 4> choice_words<LineColor>{
-    "plain", "hue by slope", "hue by depth", "grey by slope"};
-template <>
-inline constexpr std::array<std::string_view, 4> choice_names<HiddenLines>{"none", "faint",
-                                                                           "dashed", "seen"};
 template <>
 inline constexpr std::array<std::string_view, 2> choice_names<FieldSpline>{"interpolating",
                                                                            "smoothing"};
@@ -52,41 +41,6 @@ template <> struct FieldsOf<VolumeReading> {
               in_range(1e-9, 1e9).called("Spacing").without_keys());
     }
 };
-template <> struct FieldsOf<LineStyle> {
-    static constexpr std::string_view told_as = "[lines](#lines)";
-    static void fields(auto& s, auto&& field)
-    {
-        field("width", s.width, "of the lines, pixels", in_range(0.05, 100).called("Line width"));
-        field("finest", s.finest, "share of the width down to which a line may become fine",
-              in_range(0, 1).called("Finest").in(Unit::share));
-        field("width_by", s.width_by,
-              "what the width follows: nothing, the slope of the data (steep: fine), the depth "
-              "(far: fine), or how sharply the surface turns away (sharp: fine)",
-              any_value.called("Width by").without_keys());
-        field("color_by", s.color_by,
-              "what the colour follows: nothing, the slope or the depth as a hue from red to blue, "
-              "or the slope as a grey",
-              any_value.called("Colour by").without_keys());
-        field("color", s.color, "sRGB red, green, blue",
-              in_range(0, 1).called("Line colour").with_axes("red|green|blue"));
-        field("taper", s.taper, "length over which a loose end becomes fine, pixels",
-              in_range(0, 1000).called("Taper"));
-        field("wobble", s.wobble,
-              "greatest distance of a line from its place, as of a hand; pixels",
-              in_range(0, 100).called("Wobble").zero_is("none"));
-        field("pencil", s.pencil,
-              "how far a line is like a pencil's: drawn three times, of uneven width",
-              in_range(0, 1).called("Pencil").in(Unit::share).zero_is("pen"));
-        field("fan_step", s.fan_step,
-              "pixels between the fans that tell how the data fall off outside a line",
-              in_range(0, 1000).called("Fans every").zero_is("none"));
-        field("fan_length", s.fan_length, "of the longest hairs of a fan, pixels",
-              in_range(0.1, 1000).called("Fan length"));
-        field("seed", s.seed, "of the wobble and the pencil", any_value.called("Seed").without_keys());
-        field("hidden_lines", s.hidden, "how hidden lines are drawn",
-              any_value.called("Hidden lines").without_keys());
-    }
-};
 template <> struct FieldsOf<VoxelLevel> {
     static constexpr std::string_view told_as = "[level](#level)";
     static void fields(auto& l, auto&& field)
@@ -101,6 +55,7 @@ template <> struct FieldsOf<VoxelLevel> {
         field("lines", l.lines, "whether its silhouettes are drawn",
               any_value.called("Lines").says("drawn", "off"));
         field("ink", l.ink, "how its lines are drawn");
+        field("more", l.more, "further lines", later);
     }
 };
 template <> struct FieldsOf<VoxelShape> {

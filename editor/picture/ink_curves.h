@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/silhouette/ink.h"
+#include "gpu/curve.h"
+
+#include <vector>
+
+namespace trivar {
+
+// Where inked lines are in the picture and in the world.
+struct PlacedInk {
+    const glm::dmat4& to_world; // of their points in space
+    const glm::dmat4& to_image; // of the same, to pixels and depth: how they were inked
+    int id = 0;                 // of the object
+    float wider = 1; // width of a line in pixels per pixel of a picture of the usual height
+};
+
+// The renderer's curves for lines that were inked in a style, at the end of `out`: through their
+// points in space, or where a hand left them in the picture, at their depth.
+void add_curves(std::vector<gpu::Curve>& out, const std::vector<InkedLine>& lines,
+                const LineStyle& ink, const PlacedInk& placed);
+
+} // namespace trivar
