@@ -9,7 +9,7 @@ namespace {
 Stroke straight(float y, float length, std::uint64_t edge, float slope = 1)
 {
     Stroke out;
-    out.edge = edge;
+    out.id = edge;
     for (float x = 0; x <= length; ++x) out.points.push_back({.at = {x, y}, .slope = slope});
     return out;
 }
@@ -17,7 +17,7 @@ Stroke straight(float y, float length, std::uint64_t edge, float slope = 1)
 std::vector<std::uint64_t> edges(const std::vector<Stroke>& strokes)
 {
     std::vector<std::uint64_t> out;
-    for (const Stroke& stroke : strokes) out.push_back(stroke.edge);
+    for (const Stroke& stroke : strokes) out.push_back(stroke.id);
     return out;
 }
 
