@@ -107,7 +107,7 @@ LevelScout scout_levels(const VoxelGrid& grid, int levels, int most)
             level_mesh(field, std::span<const float>(data.samples), at, LevelAccuracy::quick);
         double length = 0;
         for (const glm::dvec3& sight : scout_sights)
-            length += length_of(find(field, mesh, {glm::dvec4(sight, 0)}, {.polished = false}));
+            length += length_of(find(field, mesh, {glm::dvec4(sight, 0)}));
         out.values.push_back(grid.value(double{at}));
         out.lengths.push_back(length / scout_sights.size());
     }

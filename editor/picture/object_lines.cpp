@@ -12,6 +12,16 @@ namespace trivar {
 namespace {
 
 constexpr std::size_t kept_meshes = 32;
+constexpr float toward_eye = 3e-3f; // of the size
+
+// Moves seen lines toward the eye, so that the surface that they lie on hides no half of them.
+void lift(std::vector<Stroke>& strokes, const ViewPoint& from, float distance)
+{
+    for (Stroke& stroke : strokes)
+        for (StrokePoint& p : stroke.points)
+            if (!stroke.hidden)
+                p.p -= distance * glm::vec3(glm::normalize(from.sight(glm::dvec3(p.p))));
+}
 
 // What of a matrix changes angles: nothing of a similarity, else all of it but the place.
 glm::dmat3 stretch_of(const glm::dmat4& to_world)
@@ -52,6 +62,7 @@ std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
         entries.push_back(
             {rays_(mesh, [&] { return std::make_shared<const RayMesh>(mesh); }), part.to_world});
     }
+    if (entries.empty()) return {};
     const RayScene scene(std::move(entries));
     std::vector<gpu::Curve> out;
     for (const Part& part : object.parts) {
@@ -66,7 +77,9 @@ std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
         for (const glm::vec3& p : shaped->shape.points) box.add(glm::dvec3(p));
         if (shaped->shape.points.empty()) continue;
         const DrawingView view = drawing_view(camera, to_world, box);
-        for (const KindStrokes& each : mesh_strokes(*shaped, drawing, view, {scene, to_world})) {
+        std::vector<KindStrokes> found = mesh_strokes(*shaped, drawing, view, {scene, to_world});
+        for (KindStrokes& each : found) {
+            lift(each.strokes, view.from, toward_eye * shaped->shape.surface.size);
             const LineStyle style = style_of(each.kind, drawing);
             add_curves(out, inked(within_budget(each.strokes, drawing.more.amount), style), style,
                        {to_world, view.to_image, object.id, wider});

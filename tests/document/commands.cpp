@@ -228,8 +228,6 @@ std::vector<Command> fitting_commands()
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},
             ClearSimplify{{1}},
-            SetLineDrawing{{1}, {.paper = true, .more = {.suggestive = true}}},
-            ClearLineDrawing{{1}},
             SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}},
             Attach{.object = 3, .attach = Attachment{{attached_host(1, glm::dmat4(1), true)}}},
             SetParent{.objects = {2}, .parent = 1},
@@ -264,7 +262,9 @@ std::vector<Command> fitting_commands()
             ClearIncisions{.objects = {5}},
             SwapIncisions{.object = 5, .first = 1, .second = 2},
             PeelFlap{.object = 5, .flap = {.side_of_first = IncisionSide::right, .lift = 0.0425}},
-            LayFlap{.object = 5, .number = 1}};
+            LayFlap{.object = 5, .number = 1},
+            SetLineDrawing{{1}, {.paper = true, .more = {.suggestive = true}}},
+            ClearLineDrawing{{1}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -78,8 +78,6 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
-        "Draw Table in lines",
-        "Draw Table without lines",
         "Twist and taper of Lattice",
         "Attach Pot to Table",
         "Let Ball go with Table",
@@ -114,6 +112,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Swap incision 1 and incision 2 of snail",
         "Peel a flap of snail 0.0425 m",
         "Lay flap 1 of snail back",
+        "Draw Table in lines",
+        "Draw Table without lines",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -21,7 +21,7 @@ VoxelGrid balls(int n)
             for (int x = 0; x < n; ++x) {
                 const double r = glm::length(glm::dvec3(x, y, z) * (2.0 / (n - 1)) - 1.0);
                 const auto wall = [&](double radius) {
-                    return 0.5 - 0.5 * std::tanh((r - radius) * 30);
+                    return 0.5 - 0.5 * std::tanh((r - radius) * 12);
                 };
                 samples.push_back(static_cast<float>(4 * wall(0.8) + 6 * wall(0.3)));
             }
