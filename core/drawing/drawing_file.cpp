@@ -40,6 +40,11 @@ std::string obj_of(const DrawingSheet& drawing)
 
 } // namespace
 
+bool is_line_sheet(std::string_view path)
+{
+    return path.ends_with(".svg") || path.ends_with(".pdf");
+}
+
 DrawingFormat drawing_format(std::string_view path)
 {
     for (std::size_t i = 0; i < endings.size(); ++i)

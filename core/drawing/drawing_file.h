@@ -11,6 +11,9 @@ namespace trivar {
 // The kinds of files that a drawing can be written to.
 enum class DrawingFormat { svg, pdf, png, obj };
 
+// Whether a file is one of lines on a sheet, by the end of its name: .svg or .pdf.
+bool is_line_sheet(std::string_view path);
+
 // The format of a file by the end of its name. Throws Rejected where there is none.
 DrawingFormat drawing_format(std::string_view path);
 

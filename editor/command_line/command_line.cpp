@@ -194,7 +194,9 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
     replay->add_flag("--instances", o.instances,
                      "in a .glb, write every tile type and every copied mesh once, with instances: "
                      "tiles\nunbent where that moves them by at most --epsilon, or 0.001 metres");
-    replay->add_option("--image", o.image, "draw a picture (.png, .jpg, .exr ...)")
+    replay
+        ->add_option("--image", o.image,
+                     "draw a picture (.png, .jpg, .exr ...), or its lines alone (.svg, .pdf)")
         ->type_name("OUT");
     add_drawing(*replay, o.drawing);
     replay->add_flag(

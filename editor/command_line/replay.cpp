@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/replay.h"
+#include "editor/picture/line_sheet.h"
 
 #include "core/base/parallel.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
+#include "core/drawing/drawing_file.h"
 #include "core/export/animated_model.h"
 #include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
@@ -122,8 +124,8 @@ void check_result(ReplayResult& replayed, const ReplayOptions& options, const St
                 fmt::format("{}: one thread gives another result than all of them",
                             options.scene.path));
     for (const auto& [id, ref] : replayed.evaluated.objects)
-        if ((ref->shows_nothing() && !ref->placement && !ref->shape->volume) || !ref->rejected.empty() ||
-            !ref->lacks.empty())
+        if ((ref->shows_nothing() && !ref->placement && !ref->shape->volume) ||
+            !ref->rejected.empty() || !ref->lacks.empty())
             differs(replayed, streams,
                     fmt::format("{}: {} is not complete: {}", options.scene.path,
                                 object(replayed.document, id).name,
@@ -181,6 +183,14 @@ void draw(const ReplayOptions& options, ReplayResult& replayed, const Streams& s
     check_camera(options.drawing, shown);
     Drawing drawing(options.drawing, streams);
     const Camera camera = drawing.camera(replayed.evaluated, shown);
+    if (is_line_sheet(options.image)) {
+        const DrawingSheet sheet = timed(replayed.timings, "lines", [&] {
+            return line_sheet(replayed.evaluated, shown, camera);
+        });
+        if (sheet.layers.empty())
+            streams.talk << "trivar: " << options.image << ": no line is seen\n";
+        return write_bytes(options.image, drawing_bytes(sheet, drawing_format(options.image)));
+    }
     const Still& still = drawing.draw(replayed.evaluated, shown, camera);
     replayed.timings.add(still.renderer().timings());
     timed(replayed.timings, "write image", [&] { write_image(still.image(), options.image); });
@@ -266,7 +276,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
     if (options.instances && std::ranges::all_of(options.exports, is_no_glb))
         throw WrongUsage("--instances: only a .glb has instances; name one with --export");
-    if (!options.image.empty()) check_picture_name(options.image);
+    if (!options.image.empty() && !is_line_sheet(options.image)) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
     check_written(options.exports);
     check_written({options.image, options.timings});

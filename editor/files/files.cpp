@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/collect.h"
+#include "core/drawing/drawing_file.h"
 #include "core/export/animated_model.h"
 #include "core/export/still_export.h"
 #include "core/files/copies.h"
@@ -70,7 +71,8 @@ const std::vector<std::string>& model_extensions()
 
 const std::vector<std::string>& export_extensions()
 {
-    static const std::vector<std::string> extensions{".glb", ".obj", ".ply", ".stl", ".off"};
+    static const std::vector<std::string> extensions{".glb", ".obj", ".ply", ".stl",
+                                                     ".off", ".svg", ".pdf"};
     return extensions;
 }
 
@@ -354,6 +356,7 @@ void Files::write_scene(const std::string& path, bool compact, bool from_dialog)
 
 void Files::write_model_to(const std::string& path, bool instances)
 {
+    if (is_line_sheet(path)) return write_lines_to(path);
     const bool by_instances = instances && extension_of(path) == ".glb";
     const SceneFile& scene = session_->scene();
     const ExportedScene exported{

@@ -55,6 +55,7 @@ public:
                     std::string name = {});
     // Writes what is visible, as committed; with a certificate where something is refined. With
     // instances, a .glb has one mesh per tile type.
+    void write_lines_to(const std::string& path);
     void write_model_to(const std::string& path, bool instances = false);
     // Scenes open, models are imported, a picture is used.
     void take_dropped(const std::vector<std::string>& paths);

@@ -49,9 +49,8 @@ const std::vector<gpu::Curve>& ObjectLines::operator()(const EvaluatedObject& ob
                   [&] { return lines_of(object, drawing, camera, wider); });
 }
 
-std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
-                                              const LineDrawing& drawing, const Camera& camera,
-                                              float wider)
+void ObjectLines::each_kind(const EvaluatedObject& object, const LineDrawing& drawing,
+                            const Camera& camera, float wider, auto&& use)
 {
     shapes_.keep(kept_meshes + 2 * object.parts.size());
     rays_.keep(kept_meshes + 2 * object.parts.size());
@@ -62,9 +61,8 @@ std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
         entries.push_back(
             {rays_(mesh, [&] { return std::make_shared<const RayMesh>(mesh); }), part.to_world});
     }
-    if (entries.empty()) return {};
+    if (entries.empty()) return;
     const RayScene scene(std::move(entries));
-    std::vector<gpu::Curve> out;
     for (const Part& part : object.parts) {
         if (part.drawn_from_tiles()) continue;
         const Ref<Mesh>& mesh = part.mesh();
@@ -81,10 +79,31 @@ std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
         for (KindStrokes& each : found) {
             lift(each.strokes, view.from, toward_eye * shaped->shape.surface.size);
             const LineStyle style = style_of(each.kind, drawing);
-            add_curves(out, inked(within_budget(each.strokes, drawing.more.amount), style), style,
-                       {to_world, view.to_image, object.id, wider});
+            use(each.kind, style, inked(within_budget(each.strokes, drawing.more.amount), style),
+                PlacedInk{to_world, view.to_image, object.id, wider});
         }
     }
+}
+
+std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
+                                              const LineDrawing& drawing, const Camera& camera,
+                                              float wider)
+{
+    std::vector<gpu::Curve> out;
+    each_kind(object, drawing, camera, wider,
+              [&](LineKind, const LineStyle& style, const std::vector<InkedLine>& lines,
+                  const PlacedInk& placed) { add_curves(out, lines, style, placed); });
+    return out;
+}
+
+std::vector<DrawingLayer> ObjectLines::layers(const EvaluatedObject& object,
+                                              const LineDrawing& drawing, const Camera& camera)
+{
+    std::vector<DrawingLayer> out;
+    each_kind(object, drawing, camera, 1,
+              [&](LineKind kind, const LineStyle&, std::vector<InkedLine> lines, const PlacedInk&) {
+                  out.push_back({std::string(words_of(kind)), std::move(lines)});
+              });
     return out;
 }
 

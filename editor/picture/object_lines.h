@@ -4,6 +4,7 @@
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
 #include "core/placement/ray_scene.h"
+#include "core/silhouette/drawing_layer.h"
 #include "core/silhouette/mesh_drawing.h"
 #include "gpu/curve.h"
 #include "gpu/picture.h"
@@ -23,6 +24,9 @@ public:
     const std::vector<gpu::Curve>& operator()(const EvaluatedObject& object,
                                               const LineDrawing& drawing, const Camera& camera,
                                               float wider);
+    // The lines of an object as layers of a drawing, one per kind of line and part.
+    std::vector<DrawingLayer> layers(const EvaluatedObject& object, const LineDrawing& drawing,
+                                     const Camera& camera);
     // Changes instances of an object so that it is paper, or removes them where only its lines are
     // drawn.
     void draw_on(std::vector<gpu::Instance>& instances, const LineDrawing& drawing);
@@ -30,6 +34,9 @@ public:
 private:
     std::vector<gpu::Curve> lines_of(const EvaluatedObject& object, const LineDrawing& drawing,
                                      const Camera& camera, float wider);
+    // Calls use(kind, style, lines, placed) for the lines of each kind of each part.
+    void each_kind(const EvaluatedObject& object, const LineDrawing& drawing, const Camera& camera,
+                   float wider, auto&& use);
 
     using ShapeKey = std::tuple<Ref<Mesh>, float, MoreLines, glm::mat3>;
     using PartPlaces = std::vector<std::pair<Ref<Mesh>, glm::dmat4>>;

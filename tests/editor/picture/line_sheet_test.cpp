@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/picture/line_sheet.h"
+
+#include "core/base/text.h"
+#include "core/scene/history.h"
+#include "editor/session/session_facts.h"
+#include "tests/editor/volume_rig.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct SheetRig : testing::VolumeRig {
+    DrawingSheet sheet() const
+    {
+        return line_sheet(editor.session.evaluated(), editor.session.document(),
+                          camera_for_pictures(editor.session));
+    }
+};
+
+TEST(LineSheets, HaveALayerForEachLevelAndEachKindOfLine)
+{
+    SheetRig rig;
+    rig.add_ball({30, 60});
+    EXPECT_TRUE(rig.editor.session.run(AddBox{}));
+    EXPECT_TRUE(rig.editor.session.run(SetLineDrawing{{2}, {}}));
+    rig.wait();
+    std::vector<std::string> names;
+    for (const DrawingLayer& layer : rig.sheet().layers) {
+        names.push_back(layer.name);
+        EXPECT_FALSE(layer.lines.empty());
+    }
+    EXPECT_THAT(names, ::testing::Contains(HasSubstr("Level 30")));
+    EXPECT_THAT(names, ::testing::Contains(HasSubstr("Level 60")));
+    EXPECT_THAT(names, ::testing::Contains(HasSubstr("Box: ")));
+}
+
+TEST(LineSheets, AreExportedAsFilesOfLines)
+{
+    SheetRig rig;
+    rig.add_ball({50});
+    const std::string svg = rig.folder.file("ball.svg");
+    rig.editor.files.ask_export(svg);
+    rig.frames(2);
+    rig.key({ui::key_enter});
+    rig.wait();
+    EXPECT_NE(read_text_file(svg).find("inkscape:label=\"ball: Level 50\""), std::string::npos);
+}
+
+} // namespace
+} // namespace trivar
