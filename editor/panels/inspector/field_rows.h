@@ -71,7 +71,7 @@ private:
         draw(member, rest, zero);
         if (rows_.edit == ui::Edit::changed)
             taken_.push_back([member, was = before_.*member, now = value_.*member](T& other) {
-                if constexpr (std::is_same_v<V, glm::dvec3>) {
+                if constexpr (std::is_same_v<V, glm::dvec3> || std::is_same_v<V, glm::vec3>) {
                     for (int axis = 0; axis < 3; ++axis) // of a reset all that are not at rest
                         if (now[axis] != was[axis]) (other.*member)[axis] = now[axis];
                 } else
@@ -98,13 +98,20 @@ private:
         else if constexpr (std::is_same_v<V, glm::ivec3>)
             rows_.triple(label, value, rest, style, words(field),
                          {axis_of(field.rule, 0), axis_of(field.rule, 1), axis_of(field.rule, 2)});
-        else if constexpr (std::is_same_v<V, glm::dvec3>) {
+        else if constexpr (std::is_same_v<V, glm::dvec3> || std::is_same_v<V, glm::vec3>) {
+            const double factor = shown_factor(field.rule.unit);
             const auto one = [&](int axis, ui::NumberStyle own, float width) {
                 const auto other = [&](const T& each) {
                     return (each.*member)[axis] != (before_.*member)[axis];
                 };
                 own.words = std::ranges::any_of(all_, other) ? "mixed" : "";
-                return ui::number_field(rows_.theme, label + own.axis, value[axis], own, width);
+                double number = static_cast<double>(value[axis]) * factor;
+                const double was = number;
+                const ui::Edit edit =
+                    ui::number_field(rows_.theme, label + own.axis, number, own, width);
+                if (number != was)
+                    value[axis] = static_cast<typename V::value_type>(number / factor);
+                return edit;
             };
             // Three fields beside each other have no room for the unit.
             const std::string with_unit = style.unit.empty() ? label : label + ", " + style.unit;

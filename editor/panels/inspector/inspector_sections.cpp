@@ -3,6 +3,7 @@
 
 #include "editor/panels/inspector/inspector_cuts.h"
 #include "editor/panels/inspector/inspector_incisions.h"
+#include "editor/panels/inspector/inspector_line_drawing.h"
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_split.h"
@@ -84,6 +85,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {always, draw_material},
         {has_triangles, draw_simplify},
         {has_triangles, draw_unwrap},
+        {has_triangles, draw_line_drawing},
         {always, draw_other_numbers},
     };
     return all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/field_rows.h"
+#include "editor/panels/inspector/ink_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/volume_level_rows.h"
 #include "editor/panels/panels.h"
@@ -59,7 +60,10 @@ void chosen_rows(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int ch
                     if (now != static_cast<int>(shows_of(level)))
                         show(level, static_cast<LevelShows>(now));
                 });
-    if (level.lines) draw_line_rows(rows, of, level, chosen);
+    if (level.lines) {
+        draw_ink_rows(rows, level.ink, new_level({}, 0).ink, own + ".ink");
+        draw_more_line_rows(rows, level.more, own + ".more");
+    }
     if (!level.surface) return;
     FieldRows<Surfacing> look(rows, level.look, own);
     const Surfacing rest = new_level({}, 0).look;
@@ -112,10 +116,24 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         }
         ImGui::PopID();
     }
+    if (ui::section(theme, "Casting", s.casting.shown)) {
+        ImGui::PushID("rows"); // the section has the name of a row
+        FieldRows<VolumeCasting> fields(rows, s.casting, "shape.casting");
+        fields(&VolumeCasting::shown);
+        if (s.casting.shown) {
+            fields(&VolumeCasting::density);
+            fields(&VolumeCasting::shading);
+            fields(&VolumeCasting::crop_low);
+            fields(&VolumeCasting::crop_high);
+        }
+        ImGui::PopID();
+        ui::gap(theme, 8);
+    }
     if (ui::section(theme, "Reconstruction", false)) {
         FieldRows<VoxelShape> fields(rows, s, "shape");
         fields(&VoxelShape::order);
         fields(&VoxelShape::spline);
+        fields(&VoxelShape::coarsen);
         fields(&VoxelShape::blur);
         fields(&VoxelShape::body);
         fields(&VoxelShape::scale);

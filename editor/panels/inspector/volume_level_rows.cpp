@@ -111,16 +111,6 @@ void level_row(ValueRows& rows, const LevelRows& of, VoxelLevel& level, int numb
     ImGui::SetCursorScreenPos({top.x, bottom});
 }
 
-// A colour that is told in sRGB, in the field for linear ones.
-ui::Edit srgb_field(const ui::Theme& theme, const std::string& id, glm::vec3& srgb, float width)
-{
-    glm::vec4 linear(glm::convertSRGBToLinear(srgb), 1);
-    const ui::Edit edit = ui::color_field(theme, id, linear, width);
-    if (edit == ui::Edit::changed)
-        srgb = glm::round(glm::convertLinearToSRGB(glm::vec3(linear)) * 255.0f) / 255.0f;
-    return edit;
-}
-
 } // namespace
 
 std::string LevelRows::parameter(int number) const
@@ -163,42 +153,6 @@ void draw_level_list(ValueRows& rows, const LevelRows& of, VoxelShape& shape, in
         level_row(rows, of, shape.levels[i], static_cast<int>(i), chosen);
         ImGui::PopID();
     }
-}
-
-void draw_line_rows(ValueRows& rows, const LevelRows& of, VoxelLevel& level, int number)
-{
-    const LineStyle rest = new_level({}, 0).ink;
-    const ui::Theme& theme = rows.theme;
-    FieldRows<LineStyle> fields(rows, level.ink, of.parameter(number) + ".ink");
-    using S = LineStyle;
-    // Lengths as drawings have them, though larger ones can be typed.
-    const auto length = [&](float S::*member, double usual) {
-        double shown = static_cast<double>(level.ink.*member);
-        const Rule rule = facts_of(member).rule;
-        ui::NumberStyle style = number_style(rule, false, {});
-        style.bar_hi = -1e300;
-        style.usual = usual;
-        style.unit = "px";
-        rows.number(FieldRows<S>::label(member), shown, static_cast<double>(rest.*member), style,
-                    fields.words_of(member));
-        if (shown != static_cast<double>(level.ink.*member))
-            level.ink.*member = static_cast<float>(shown);
-    };
-    length(&S::width, 1);
-    fields(&S::width_by);
-    if (level.ink.width_by != LineWidth::even) fields(&S::finest);
-    fields(&S::color_by);
-    if (level.ink.color_by == LineColor::plain) {
-        RowWords words = fields.words_of(&S::color);
-        const std::string base = words.parameters.front();
-        words.parameters = axes_of(base);
-        rows.row(FieldRows<S>::label(&S::color), level.ink.color, rest.color, words,
-                 [&](float width) { return srgb_field(theme, "color", level.ink.color, width); });
-    }
-    fields(&S::hidden);
-    length(&S::taper, 4);
-    length(&S::wobble, 1);
-    if (level.ink.wobble > 0) fields(&S::seed);
 }
 
 } // namespace trivar

@@ -20,7 +20,5 @@ void draw_level_histogram(ValueRows& rows, const LevelRows& of, VoxelShape& shap
 // A row of each level: colour, name, value, and what of it is shown. A click on the name chooses
 // it.
 void draw_level_list(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
-// How the lines of a level are drawn.
-void draw_line_rows(ValueRows& rows, const LevelRows& of, VoxelLevel& level, int number);
 
 } // namespace trivar

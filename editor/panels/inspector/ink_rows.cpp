@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/ink_rows.h"
+
+#include "editor/panels/inspector/field_rows.h"
+
+#include <glm/gtc/color_space.hpp>
+
+namespace trivar {
+namespace {
+
+// A colour that is told in sRGB, in the field for linear ones.
+ui::Edit srgb_field(const ui::Theme& theme, const std::string& id, glm::vec3& srgb, float width)
+{
+    glm::vec4 linear(glm::convertSRGBToLinear(srgb), 1);
+    const ui::Edit edit = ui::color_field(theme, id, linear, width);
+    if (edit == ui::Edit::changed)
+        srgb = glm::round(glm::convertLinearToSRGB(glm::vec3(linear)) * 255.0f) / 255.0f;
+    return edit;
+}
+
+} // namespace
+
+void draw_ink_rows(ValueRows& rows, LineStyle& ink, const LineStyle& rest,
+                   const std::string& parameter)
+{
+    const ui::Theme& theme = rows.theme;
+    FieldRows<LineStyle> fields(rows, ink, parameter);
+    using S = LineStyle;
+    // Lengths as drawings have them, though larger ones can be typed.
+    const auto length = [&](float S::*member, double usual) {
+        double shown = static_cast<double>(ink.*member);
+        const Rule rule = facts_of(member).rule;
+        ui::NumberStyle style = number_style(rule, false, {});
+        style.bar_hi = -1e300;
+        style.usual = usual;
+        style.unit = "px";
+        rows.number(FieldRows<S>::label(member), shown, static_cast<double>(rest.*member), style,
+                    fields.words_of(member));
+        if (shown != static_cast<double>(ink.*member)) ink.*member = static_cast<float>(shown);
+    };
+    length(&S::width, 1);
+    fields(&S::width_by);
+    if (ink.width_by != LineWidth::even) fields(&S::finest);
+    fields(&S::color_by);
+    if (ink.color_by == LineColor::plain) {
+        RowWords words = fields.words_of(&S::color);
+        const std::string base = words.parameters.front();
+        words.parameters = axes_of(base);
+        rows.row(FieldRows<S>::label(&S::color), ink.color, rest.color, words,
+                 [&](float width) { return srgb_field(theme, "color", ink.color, width); });
+    }
+    fields(&S::hidden);
+    length(&S::taper, 4);
+    length(&S::wobble, 1);
+    fields(&S::pencil);
+    if (ink.wobble > 0 || ink.pencil > 0) fields(&S::seed);
+    length(&S::fan_step, 10);
+    if (ink.fan_step > 0) length(&S::fan_length, 10);
+}
+
+void draw_more_line_rows(ValueRows& rows, MoreLines& more, const std::string& parameter)
+{
+    FieldRows<MoreLines> fields(rows, more, parameter);
+    fields(&MoreLines::suggestive);
+    fields(&MoreLines::ridges);
+    fields(&MoreLines::valleys);
+    fields(&MoreLines::parabolic);
+    fields(&MoreLines::isophotes);
+    if (more.isophotes > 0) fields(&MoreLines::light);
+    if (more.any()) {
+        fields(&MoreLines::smoothing);
+        fields(&MoreLines::detail);
+        fields(&MoreLines::width);
+    }
+    fields(&MoreLines::amount);
+}
+
+} // namespace trivar

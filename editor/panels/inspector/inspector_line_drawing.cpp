@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspector_line_drawing.h"
+
+#include "editor/panels/inspector/field_rows.h"
+#include "editor/panels/inspector/ink_rows.h"
+#include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/key_gutter.h"
+
+namespace trivar {
+void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
+{
+    Session& session = editor.session;
+    const std::optional<LineDrawing> now = object(session.document(), id).line_drawing;
+    if (!ui::section(theme, "Line drawing", now.has_value())) return;
+    bool on = now.has_value();
+    ui::label_row(theme, "Lines", false, "draws the object in lines");
+    const ui::Edit turned = ui::check_box(theme, "drawn in lines", on, "drawn");
+    if (turned == ui::Edit::copied)
+        copy_command(editor, on ? Command(SetLineDrawing{{id}, *now}) : ClearLineDrawing{{id}});
+    else if (turned == ui::Edit::changed) {
+        session.run(on ? Command(SetLineDrawing{{id}, {}}) : ClearLineDrawing{{id}});
+        return;
+    }
+    if (!now) {
+        ui::gap(theme, 8);
+        return;
+    }
+    LineDrawing drawing = *now;
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
+    const std::string own = "line_drawing";
+    FieldRows<LineDrawing> fields(rows, drawing, own);
+    fields(&LineDrawing::outlines);
+    fields(&LineDrawing::creases);
+    if (drawing.creases) fields(&LineDrawing::crease_deg);
+    fields(&LineDrawing::borders);
+    fields(&LineDrawing::surface);
+    if (drawing.surface) fields(&LineDrawing::paper);
+    draw_ink_rows(rows, drawing.ink, {}, own + ".ink");
+    draw_more_line_rows(rows, drawing.more, own + ".more");
+    ui::gap(theme, 8);
+    propose_edit(editor, rows.edit, [&] { return SetLineDrawing{{id}, drawing}; });
+}
+
+} // namespace trivar
