@@ -35,7 +35,7 @@ struct VoxelShape {
     FieldOrder order = FieldOrder::cubic;
     FieldSpline spline = FieldSpline::interpolating;
     int coarsen = 1; // number of samples along each axis of which one is made; 1: all are kept
-    int blur = 0; // number of times that (1 2 1)/4 is applied to the samples along each axis
+    int blur = 0;    // number of times that (1 2 1)/4 is applied to the samples along each axis
     LevelSide body = LevelSide::above; // on which side of its level a body is
     std::vector<VoxelLevel> levels = {};
     VolumeCasting casting = {};

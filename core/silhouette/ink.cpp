@@ -9,13 +9,13 @@
 namespace trivar {
 namespace {
 
-constexpr float faint = 0.3f;       // opacity
-constexpr float fine_hidden = 0.6f; // share of the width of a hidden line
-constexpr float finest_end = 0.2f;  // share of the width at a loose end
-constexpr float wobble_wave = 24;   // pixels
-constexpr float grain_wave = 5;     // pixels, of a pencil
-constexpr int pencil_passes = 3;    // over a line
-constexpr float pencil_sway = 0.8f; // pixels that a pass goes aside, at most
+constexpr float faint = 0.3f;           // opacity
+constexpr float fine_hidden = 0.6f;     // share of the width of a hidden line
+constexpr float finest_end = 0.2f;      // share of the width at a loose end
+constexpr float wobble_wave = 24;       // pixels
+constexpr float grain_wave = 5;         // pixels, of a pencil
+constexpr int pencil_passes = 3;        // over a line
+constexpr float pencil_sway = 0.8f;     // pixels that a pass goes aside, at most
 constexpr float finest_strength = 0.3f; // share of the width of a line that is hardly there
 
 glm::vec3 hue(float share) // from red over yellow, green and cyan to blue

@@ -18,7 +18,7 @@ struct MoreLines {
     float smoothing = 2.4f; // voxels, or sides of triangles, over which the surface is smoothed
     float detail = 1;       // 2: lines half as distinct are drawn, too
     float width = 0.6f;     // of these lines, as a share of that of outlines
-    float amount = 1;                     // share of all lines, outlines too: those that tell most
+    float amount = 1;       // share of all lines, outlines too: those that tell most
     bool operator==(const MoreLines&) const = default;
     bool any() const { return suggestive || ridges || valleys || parabolic || isophotes > 0; }
 };

@@ -282,8 +282,7 @@ INSTANTIATE_TEST_SUITE_P(Others, Motion,
                                            "bulldozer_tree", "sphere_cylinder",
                                            "sphere_cylinder_stitched", "sphere_cylinder_ends",
                                            "part_profile", "bunny_cylinder", "crossing_cuts",
-                                           "face_incisions", "forearm_layers",
-                                           "anatomical_plate"),
+                                           "face_incisions", "forearm_layers", "anatomical_plate"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
