@@ -157,15 +157,24 @@ struct Renderer::State {
         for (const Pass& pass : passes_of_maps()) draw(pass, work->frame);
     }
 
-    // The next pass of a sample.
+    // The next pass of a sample that the picture needs.
     void draw_pass()
     {
-        const Frame frame = sample_of(work->frame, work->sample, work->samples);
-        brushes.tools.set_frame(frame);
-        brushes.shadow_map.bind();
-        brushes.contact_map.bind();
-        draw(passes_of_sample()[work->next++], frame);
-        if (work->next < passes_of_sample().size()) return;
+        const auto& passes = passes_of_sample();
+        const auto skip = [&] {
+            while (work->next < passes.size() && !passes[work->next].needed(brushes, *work))
+                ++work->next;
+        };
+        skip();
+        if (work->next < passes.size()) {
+            const Frame frame = sample_of(work->frame, work->sample, work->samples);
+            brushes.tools.set_frame(frame);
+            brushes.shadow_map.bind();
+            brushes.contact_map.bind();
+            draw(passes[work->next++], frame);
+            skip();
+        }
+        if (work->next < passes.size()) return;
         work->next = 0;
         ++work->sample;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/panels/inspector/axis_number.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/words/field_facts.h"
@@ -99,24 +100,17 @@ private:
             rows_.triple(label, value, rest, style, words(field),
                          {axis_of(field.rule, 0), axis_of(field.rule, 1), axis_of(field.rule, 2)});
         else if constexpr (std::is_same_v<V, glm::dvec3> || std::is_same_v<V, glm::vec3>) {
-            const double factor = shown_factor(field.rule.unit);
             const auto one = [&](int axis, ui::NumberStyle own, float width) {
                 const auto other = [&](const T& each) {
                     return (each.*member)[axis] != (before_.*member)[axis];
                 };
                 own.words = std::ranges::any_of(all_, other) ? "mixed" : "";
-                double number = static_cast<double>(value[axis]) * factor;
-                const double was = number;
-                const ui::Edit edit =
-                    ui::number_field(rows_.theme, label + own.axis, number, own, width);
-                if (number != was)
-                    value[axis] = static_cast<typename V::value_type>(number / factor);
-                return edit;
+                return axis_number(rows_.theme, label + own.axis, value[axis],
+                                   shown_factor(field.rule.unit), own, width);
             };
-            // Three fields beside each other have no room for the unit.
-            const std::string with_unit = style.unit.empty() ? label : label + ", " + style.unit;
-            rows_.row(
-                with_unit, value, rest, all_axes(words(field)),
+            rows_.row( // fields beside each other have no room for the unit
+                style.unit.empty() ? label : label + ", " + style.unit, value, rest,
+                all_axes(words(field)),
                 [&](float width) { return axis_fields(rows_.theme, width, style, one); }, true);
         } else if constexpr (std::is_same_v<V, glm::vec4>)
             rows_.row(label, value, rest, all_axes(words(field)), [&](float width) {
