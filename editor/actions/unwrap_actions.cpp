@@ -31,7 +31,6 @@ void add_unwrap_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) { return !selected_surfaces(e, false).empty(); },
                         "select an object with a surface that is not unwrapped yet"}});
-    actions.back().group_begins = true;
     actions.push_back({"Tools",
                        "Clear unwrap",
                        {},

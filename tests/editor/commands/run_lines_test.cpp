@@ -65,7 +65,7 @@ TEST(Files, DroppedTogetherAreAStepEachAndWhatIsRefusedIsToldOnce)
     ASSERT_THAT(rig.editor.session.notices.all(), SizeIs(1));
     EXPECT_EQ(rig.editor.session.notices.all()[0].title, "3 files were not imported");
     EXPECT_THAT(rig.editor.session.notices.all()[0].body,
-                AllOf(HasSubstr("c.max: "), HasSubstr("folder/: "), HasSubstr("b.obj: ")));
+                AllOf(HasSubstr("c.max: "), HasSubstr("folder: "), HasSubstr("b.obj: ")));
 }
 
 TEST(Files, AreCollectedInOneStepThatCanBeUndone)
