@@ -10,7 +10,7 @@ namespace {
 // Whether cells of a brick have sides in a face of a grid, 0 or `end` along an axis.
 bool touches_a_face(const LevelMesh::Brick& brick, const glm::vec3& end)
 {
-    constexpr float half = 4; // of the length of a brick, voxels
+    constexpr float half = LevelMesh::half_brick;
     return glm::any(glm::lessThanEqual(brick.middle - half, glm::vec3(0))) ||
            glm::any(glm::greaterThanEqual(brick.middle + half, end));
 }
@@ -57,8 +57,7 @@ Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level
             out.points.push_back({.p = p,
                                   .polished = true,
                                   .edge = edge_key(edge.from, edge.to),
-                                  .slope = glm::length(glm::vec3(jet.gradient[0], jet.gradient[1],
-                                                                 jet.gradient[2]))});
+                                  .slope = glm::length(gradient_of(jet))});
         };
         for (const std::uint32_t i : loop)
             if (out.points.size() == before ||

@@ -155,11 +155,7 @@ Silhouettes DashTable::operator()(const ScalarField<float>& field, const ViewPoi
             continue;
         // The silhouette runs at right angles to both gradients: of D, and of <V, grad D>.
         const ScalarJet<float> jet = field.at<2>(middle.p);
-        const auto& h = jet.hessian;
-        const glm::vec3 v(view.at), g(jet.gradient[0], jet.gradient[1], jet.gradient[2]),
-            hv(h[0] * v.x + h[3] * v.y + h[4] * v.z, h[3] * v.x + h[1] * v.y + h[5] * v.z,
-               h[4] * v.x + h[5] * v.y + h[2] * v.z);
-        const glm::vec3 way = glm::cross(g, hv);
+        const glm::vec3 way = glm::cross(gradient_of(jet), hessian_of(jet) * glm::vec3(view.at));
         const float norm = glm::length(way);
         if (!(norm > 0)) continue;
         for (const float side : {-0.5f, 0.5f}) {

@@ -27,12 +27,6 @@ glm::dvec3 in_picture(const glm::dmat4& to_image, const glm::dvec3& p)
     return glm::dvec3(q) / q.w;
 }
 
-glm::dvec3 slope_at(const ScalarField<float>& field, const glm::vec3& p)
-{
-    const ScalarJet<float> jet = field.at<1>(p);
-    return {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
-}
-
 } // namespace
 
 std::vector<InkedLine> fans(const LevelBody& body, std::span<const Stroke> strokes,
@@ -56,7 +50,7 @@ std::vector<InkedLine> fans(const LevelBody& body, std::span<const Stroke> strok
             way += double{glm::distance(p.at, stroke.points[i - 1].at)};
             if (way < next) continue;
             next += double{style.fan_step};
-            const glm::dvec3 n(slope_at(body.field, p.p));
+            const glm::dvec3 n(gradient_of(body.field.at<1>(p.p)));
             const glm::dvec3 base = in_picture(to_image, glm::dvec3(p.p));
             const double norm = glm::length(n);
             if (!(norm > 0)) continue;

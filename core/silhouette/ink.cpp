@@ -108,6 +108,7 @@ private:
         InkedLine out;
         out.hidden = stroke.hidden;
         out.id = stroke.id;
+        out.strays = style_.wobble > 0 || style_.pencil > 0;
         if (stroke.hidden && style_.hidden == HiddenLines::faint) out.opacity = faint;
         out.dashed = stroke.hidden && style_.hidden == HiddenLines::dashed;
         const std::uint64_t seed = static_cast<std::uint64_t>(style_.seed) * pencil_passes +

@@ -38,7 +38,7 @@ struct LineStyle {
 // An InkedLine is a stroke ready to be drawn.
 struct InkedLine {
     struct Point {
-        glm::vec2 at; // pixels
+        glm::vec2 at; // pixels; where a hand has it, which may be beside p
         float width;
         glm::vec3 color; // sRGB
         glm::vec3 p{0};  // voxels
@@ -47,6 +47,7 @@ struct InkedLine {
     float opacity = 1;
     bool dashed = false;
     bool hidden = false;
+    bool strays = false;    // whether its points in pixels are beside those in space
     std::uint64_t id = 0;   // of the stroke
     std::size_t stroke = 0; // its number among those that were inked
     bool is_even() const;   // of one width

@@ -34,13 +34,10 @@ public:
     LocalShape at_voxels(const glm::vec3& p) const
     {
         const ScalarJet<float> jet = field_.at<2>(p);
-        const glm::vec3 g =
-            of_gradients_ * glm::vec3(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
+        const glm::vec3 g = of_gradients_ * gradient_of(jet);
         const float length = glm::length(g);
         if (!(length > 0)) return {};
-        const std::array<float, 6>& h = jet.hessian;
-        const glm::mat3 hessian(h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2]),
-            b = outward_ / length * (of_gradients_ * hessian * back_);
+        const glm::mat3 b = outward_ / length * (of_gradients_ * hessian_of(jet) * back_);
         const glm::vec3 normal = outward_ / length * g;
         return {normal,
                 in_tangent_plane({{b[0][0], b[1][1], b[2][2], b[0][1], b[0][2], b[1][2]}}, normal)};
@@ -84,7 +81,7 @@ void settle(Silhouettes& lines, const glm::dmat4& to_voxels, const ScalarField<f
             point.p = start;
             for (int k = 0; k < settling_steps; ++k) {
                 const ScalarJet<float> jet = field.at<1>(point.p);
-                const glm::vec3 g(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
+                const glm::vec3 g = gradient_of(jet);
                 point.slope = glm::length(g);
                 if (!(point.slope > 0)) break;
                 point.p -= (jet.value - level) / (point.slope * point.slope) * g;
@@ -113,7 +110,7 @@ ScalarField<float> smooth_field(const VoxelField& field, float smoothing)
     glm::ivec3 times; // (1 2 1)/4 has a variance of 1/2
     for (int k = 0; k < 3; ++k) {
         const double sigma = double{smoothing} / std::max(1e-9, glm::length(metric[k]));
-        times[k] = static_cast<int>(std::lround(std::min(64.0, 2 * sigma * sigma)));
+        times[k] = field.blur() + static_cast<int>(std::lround(std::min(64.0, 2 * sigma * sigma)));
     }
     const auto of = [&](const auto& samples) {
         return ScalarField<float>(

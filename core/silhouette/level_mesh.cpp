@@ -123,7 +123,7 @@ private:
     }
     void set_vertex(std::size_t v, const LevelPoint& point)
     {
-        const glm::vec3 g(point.jet.gradient[0], point.jet.gradient[1], point.jet.gradient[2]);
+        const glm::vec3 g = gradient_of(point.jet);
         const float length = glm::length(g);
         const glm::vec3 n = length > 0 ? g / length : glm::vec3(0);
         mesh_.positions[v] = point.p;
@@ -138,7 +138,7 @@ private:
         to.vertex_end = from.first_vertex + from.vertices;
         to.first_triangle = from.first_triangle;
         to.triangle_end = from.first_triangle + from.triangles;
-        to.middle = glm::vec3(8 * from.at + 4);
+        to.middle = glm::vec3(8 * from.at) + LevelMesh::half_brick;
         to.owner_count = 0;
         std::array<const LevelBrick*, 8> round{};
         for (int c = 0; c < 8; ++c) {

@@ -25,7 +25,7 @@ struct MeshShape {
 // than an angle or other than two faces meet there. Points are those of Mesh::points, else equal
 // positions; of equal triangles one stays. The mesh's own normals are taken where they go with the
 // faces round them, so that a deformed mesh has exact ones. `stretch` maps places before that.
-// 2 us per triangle.
+// 0.3 us per triangle.
 MeshShape mesh_shape(const Mesh& mesh, float crease_deg, const glm::mat3& stretch = glm::mat3(1));
 
 // Finds the outlines of the smooth patches: zeros of <n, V>, n interpolated between vertices

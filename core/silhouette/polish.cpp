@@ -11,19 +11,6 @@ constexpr double longest_step = 0.5, longest_way = 1; // voxels
 constexpr double touching = 1e-6;                     // squared sine between the two gradients
 constexpr double is_quadratic = 0.02; // a step from which the next one is its square
 
-template <class Real>
-glm::vec<3, Real> times_hessian(const ScalarJet<Real>& jet, const glm::vec<3, Real>& v)
-{
-    const auto& h = jet.hessian;
-    return {h[0] * v.x + h[3] * v.y + h[4] * v.z, h[3] * v.x + h[1] * v.y + h[5] * v.z,
-            h[4] * v.x + h[5] * v.y + h[2] * v.z};
-}
-
-template <class Real> glm::vec<3, Real> gradient(const ScalarJet<Real>& jet)
-{
-    return {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
-}
-
 } // namespace
 
 template <class Real>
@@ -34,8 +21,8 @@ bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, g
     const Vec begin = p, end(field.size() - 1);
     for (int step = 0; step < most_polishing_steps; ++step) {
         jet = field.template at<2>(p);
-        const Vec sight(view.sight(glm::dvec3(p))), a = gradient(jet);
-        const Vec b = times_hessian(jet, sight) + static_cast<Real>(view.at.w) * a;
+        const Vec sight(view.sight(glm::dvec3(p))), a = gradient_of(jet);
+        const Vec b = hessian_of(jet) * sight + static_cast<Real>(view.at.w) * a;
         const Real f = jet.value - level, g = glm::dot(a, sight);
         const Real aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b),
                    det = aa * bb - ab * ab;
@@ -71,9 +58,9 @@ void finish(const ScalarField<float>& field, float level, const ViewPoint& view,
     else
         jet = field.at<2>(point.p);
     const glm::vec3 sight(view.sight(glm::dvec3(point.p)));
-    point.slope = glm::length(gradient(jet));
+    point.slope = glm::length(gradient_of(jet));
     const float scale = glm::dot(sight, sight) * (point.slope > 0 ? point.slope : 1);
-    point.bend = scale > 0 ? glm::dot(sight, times_hessian(jet, sight)) / scale : 0;
+    point.bend = scale > 0 ? glm::dot(sight, hessian_of(jet) * sight) / scale : 0;
 }
 
 } // namespace trivar

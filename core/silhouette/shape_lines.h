@@ -17,7 +17,7 @@ struct KindLines {
 // greatest of the principal curvatures is greatest along its own direction [Ohtake, Belyaev, Seidel
 // 2004]; parabolic lines, where the Gaussian curvature is 0; isophotes, where <n, light> is 0, 1/N,
 // 2/N .. for N of them. How distinct a line must be is told relative to the size of the surface.
-// 0.2 us per triangle.
+// 0.3 to 0.8 us per triangle.
 std::vector<KindLines> fixed_lines(const SurfaceShape& shape, const MoreLines& wanted);
 
 // Finds suggestive contours: the zeros of the curvature along the sight, at places that face the

@@ -28,7 +28,9 @@ ScalarField<float> field_of(const VoxelGrid& grid, const std::vector<float>& blu
 } // namespace
 
 VoxelField::VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options)
-    : grid_(options.coarsen > 1 ? make_ref(coarsened(*grid, options.coarsen)) : std::move(grid)),
+    : grid_(options.coarsen > 1 ? make_ref(coarsened(*grid, glm::ivec3(options.coarsen)))
+                                : std::move(grid)),
+      blur_(options.blur),
       blurred_(samples_after(*grid_, options.blur)),
       field_(field_of(*grid_, blurred_, options)),
       hulls_(field_)

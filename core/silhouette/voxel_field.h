@@ -31,6 +31,7 @@ public:
     const VoxelGrid& grid() const { return *grid_; }
     const ScalarField<float>& field() const { return field_; }
     const FieldHulls& hulls() const { return hulls_; }
+    int blur() const { return blur_; } // of its options
     // Whether its values at the points of the grid are the samples.
     bool goes_through_samples() const { return blurred_.empty() && lattice_.empty(); }
 
@@ -50,6 +51,7 @@ private:
     auto with_lattice(auto&& use) const;
 
     Ref<VoxelGrid> grid_;
+    int blur_;
     std::vector<float> blurred_; // samples; empty: the grid's own
     ScalarField<float> field_;
     FieldHulls hulls_;

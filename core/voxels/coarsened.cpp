@@ -42,10 +42,10 @@ std::vector<Sample> means(const std::vector<Sample>& samples, const glm::ivec3& 
 
 } // namespace
 
-VoxelGrid coarsened(const VoxelGrid& grid, int times)
+VoxelGrid coarsened(const VoxelGrid& grid, const glm::ivec3& times)
 {
     const glm::ivec3 step =
-        glm::clamp(grid.size / 2, glm::ivec3(1), glm::ivec3(std::max(1, times)));
+        glm::clamp(grid.size / 2, glm::ivec3(1), glm::max(times, glm::ivec3(1)));
     VoxelGrid out;
     out.size = grid.size / step;
     out.samples = std::visit(

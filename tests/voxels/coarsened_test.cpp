@@ -23,7 +23,7 @@ VoxelGrid sloped(const glm::ivec3& size)
 
 TEST(CoarsenedVolumes, HaveTheSameValuesAtTheSamePlaces)
 {
-    const VoxelGrid fine = sloped({12, 9, 7}), coarse = coarsened(fine, 3);
+    const VoxelGrid fine = sloped({12, 9, 7}), coarse = coarsened(fine, glm::ivec3(3));
     EXPECT_EQ(coarse.size, glm::ivec3(4, 3, 2));
     const auto& samples = std::get<std::vector<float>>(coarse.samples);
     const glm::dmat4 to_fine = glm::inverse(fine.to_metres) * coarse.to_metres;
@@ -40,10 +40,10 @@ TEST(CoarsenedVolumes, KeepTheKindOfSamplesAndTwoOfEachAxis)
 {
     VoxelGrid fine = sloped({6, 3, 2});
     fine.samples = std::vector<std::int16_t>(36, -7);
-    const VoxelGrid coarse = coarsened(fine, 4);
+    const VoxelGrid coarse = coarsened(fine, glm::ivec3(4));
     EXPECT_EQ(coarse.size, glm::ivec3(2, 3, 2));
     EXPECT_EQ(coarse.samples, VoxelGrid::Samples(std::vector<std::int16_t>(12, -7)));
-    EXPECT_EQ(coarsened(fine, 1), fine);
+    EXPECT_EQ(coarsened(fine, glm::ivec3(1)), fine);
 }
 
 } // namespace
