@@ -13,7 +13,7 @@ enum class ColorBy { material, stretch, error, uv_angles, uv_areas, uv_checker }
 
 // RenderSettings say how the picture is made; they are part of the document. Colours are linear.
 struct RenderSettings {
-    std::string look = "studio"; // a named look of the renderer: studio, clay, dark
+    std::string look = "studio"; // a named look of the renderer, see gpu/look.h
     double exposure = 0;         // stops
     double sun_azimuth = -1.7;   // radians round Z, 0 along +X
     double sun_elevation = 0.84; // radians above the horizon

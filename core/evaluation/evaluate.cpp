@@ -103,7 +103,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
             box.add(bounds_in_world(part));
         if (shows_volume) add_control_points(box, *stage->seen_cage());
         if (stage->shape->volume)
-            for (const glm::dvec3& p : stage->shape->volume->cast_corners(stage->own_to_world))
+            for (const glm::dvec3& p : stage->shape->volume->seen_corners(stage->own_to_world))
                 box.add(p);
         return box;
     });

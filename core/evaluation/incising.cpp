@@ -152,7 +152,7 @@ glm::dvec3 place_of_blade(Id id, const StepInput& input)
 {
     const auto found = input.done.find(id);
     if (found != input.done.end() && found->second->stroke_placement() &&
-        !found->second->shows_nothing())
+        !found->second->has_no_geometry())
         return found->second->bounds->center();
     return glm::dvec3(to_world(input.document, id)[3]);
 }

@@ -4,7 +4,7 @@
 #include "core/base/box.h"
 #include "core/casting/casting.h"
 #include "core/document/voxel_shape.h"
-#include "core/silhouette/level_lines.h"
+#include "core/silhouette/level_drawing.h"
 #include "core/silhouette/voxel_field.h"
 #include "core/voxels/volume_summary.h"
 
@@ -30,23 +30,12 @@ struct ShownVolume {
     Ref<Casting> casting = {}; // null: it is not seen as a whole
     VolumeCasting seen_as = {};
 
-    Box cast_box() const // of what is cast, in voxels; empty: nothing is
-    {
-        const bool some = glm::all(glm::lessThan(seen_as.crop_low, seen_as.crop_high));
-        if (!casting || !some) return {};
-        const glm::dvec3 end(field->field().end());
-        return {end * glm::dvec3(seen_as.crop_low), end * glm::dvec3(seen_as.crop_high)};
-    }
-    // Its corners, where the object's model is put into the world; none: nothing is cast.
-    std::vector<glm::dvec3> cast_corners(const glm::dmat4& to_world) const
-    {
-        std::vector<glm::dvec3> out;
-        const Box box = cast_box();
-        if (!box.empty())
-            for (const glm::dvec3& p : box.corners())
-                out.emplace_back(to_world * to_model * glm::dvec4(p, 1));
-        return out;
-    }
+    // The levels whose lines are drawn, for draw_levels(); they refer to those here.
+    std::vector<DrawnLevel> drawn_levels() const;
+    Box cast_box() const; // of what is cast, in voxels; empty: nothing is
+    // The corners of the box round what is cast and round the levels with lines, where the object's
+    // model is put into the world; none: nothing is. O(#bricks of the levels).
+    std::vector<glm::dvec3> seen_corners(const glm::dmat4& to_world) const;
 };
 
 } // namespace trivar

@@ -121,7 +121,9 @@ struct Stage : SimplifyingEffects,
     // The parts with the faces of its model: what lies on it by these does not see that it is
     // split.
     const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }
-    bool shows_nothing() const { return parts.empty() && curves.empty(); }
+    bool has_no_geometry() const { return parts.empty() && curves.empty(); }
+    // Volume data may be seen by lines and rays alone.
+    bool shows_nothing() const { return has_no_geometry() && !(shape && shape->volume); }
     // A sentence for the user that says why the stroke gave nothing; the object then stands
     // undeformed where its transform says. A tool shows the sentence and does not commit. Empty:
     // the object is laid, or has no stroke.

@@ -124,8 +124,8 @@ void check_result(ReplayResult& replayed, const ReplayOptions& options, const St
                 fmt::format("{}: one thread gives another result than all of them",
                             options.scene.path));
     for (const auto& [id, ref] : replayed.evaluated.objects)
-        if ((ref->shows_nothing() && !ref->placement && !ref->shape->volume) ||
-            !ref->rejected.empty() || !ref->lacks.empty())
+        if ((ref->shows_nothing() && !ref->placement) || !ref->rejected.empty() ||
+            !ref->lacks.empty())
             differs(replayed, streams,
                     fmt::format("{}: {} is not complete: {}", options.scene.path,
                                 object(replayed.document, id).name,

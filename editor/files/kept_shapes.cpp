@@ -78,7 +78,8 @@ Command kept_shapes(Session& session, Id lattice)
     const Document then = after(document, Ungroup{lattice});
     const std::filesystem::path folder = session.make_shapes_folder();
     for (const auto& [id, each] : session.evaluated().objects) {
-        if (id == lattice || each->shows_nothing() || !belongs_to(document, id, lattice)) continue;
+        if (id == lattice || each->has_no_geometry() || !belongs_to(document, id, lattice))
+            continue;
         const std::filesystem::path file =
             folder / (as_file_name(name_of(document, id) + " kept") + ".glb");
         keep.members.push_back(id);

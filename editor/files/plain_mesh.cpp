@@ -68,7 +68,7 @@ PlainMesh made(const PlainMeshJob& asked, const Progress& progress)
     const auto found = all.objects.find(wish.object);
     if (found == all.objects.end()) throw Rejected("it is hidden; show it first");
     const EvaluatedObject& shown = *found->second;
-    if (!shown.placement || shown.shows_nothing())
+    if (!shown.placement || shown.has_no_geometry())
         throw Rejected(shown.rejected.empty() ? "it is empty" : shown.rejected);
     const Document document = document_at(finer, asked.frame);
     const glm::dmat4 from_world = glm::inverse(parent_to_world(document, wish));
@@ -170,7 +170,7 @@ Id laid_shape(const Session& session)
     const auto there = document.objects.find(id);
     if (shown == session.evaluated().objects.end() || there == document.objects.end()) return 0;
     const bool laid = there->second->stroke && shown->second->placement;
-    if (!laid || shown->second->shows_nothing() || holds_others(there->second->source)) return 0;
+    if (!laid || shown->second->has_no_geometry() || holds_others(there->second->source)) return 0;
     return id;
 }
 

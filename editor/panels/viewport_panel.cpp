@@ -110,8 +110,7 @@ std::string hidden_here_words(const Editor& editor)
     if (session.hidden_here.empty()) return {};
     std::vector<Id> shown;
     for (const auto& [id, each] : session.evaluated().objects)
-        if ((!each->shows_nothing() || each->shape->volume) &&
-            !std::ranges::binary_search(session.hidden_here, id))
+        if (!each->shows_nothing() && !std::ranges::binary_search(session.hidden_here, id))
             shown.push_back(id);
     const std::string key = key_text(action(editor, isolate_action));
     const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " to exit";

@@ -3,22 +3,20 @@
 
 #include <algorithm>
 #include <glm/gtc/color_space.hpp>
-#include <optional>
 
 namespace trivar {
 namespace {
 
-gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed,
-                    const std::optional<glm::dmat4>& to_space)
+gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed, const glm::dmat4& to_space)
 {
     Polyline points;
     float width = 0;
     for (const InkedLine::Point& p : line.points) width = std::max(width, p.width);
     for (const InkedLine::Point& p : line.points) {
         glm::vec3 at = p.p;
-        if (to_space) {
+        if (line.strays) {
             const glm::dvec4 seen = placed.to_image * glm::dvec4(p.p, 1);
-            const glm::dvec4 there = *to_space * glm::dvec4(glm::dvec2(p.at), seen.z / seen.w, 1);
+            const glm::dvec4 there = to_space * glm::dvec4(glm::dvec2(p.at), seen.z / seen.w, 1);
             at = glm::vec3(glm::dvec3(there) / there.w);
         }
         points.points.push_back(at);
@@ -37,10 +35,9 @@ gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed,
 } // namespace
 
 void add_curves(std::vector<gpu::Curve>& out, const std::vector<InkedLine>& lines,
-                const LineStyle& ink, const PlacedInk& placed)
+                const PlacedInk& placed)
 {
-    std::optional<glm::dmat4> to_space; // what a hand moved has left its points
-    if (ink.wobble > 0 || ink.pencil > 0) to_space = glm::inverse(placed.to_image);
+    const glm::dmat4 to_space = glm::inverse(placed.to_image);
     for (const InkedLine& line : lines)
         if (line.points.size() > 1) out.push_back(curve_of(line, placed, to_space));
 }

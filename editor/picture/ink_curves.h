@@ -16,9 +16,9 @@ struct PlacedInk {
     float wider = 1; // width of a line in pixels per pixel of a picture of the usual height
 };
 
-// The renderer's curves for lines that were inked in a style, at the end of `out`: through their
-// points in space, or where a hand left them in the picture, at their depth.
+// The renderer's curves for inked lines, at the end of `out`: through their points in space, or
+// where a hand left them in the picture, at their depth.
 void add_curves(std::vector<gpu::Curve>& out, const std::vector<InkedLine>& lines,
-                const LineStyle& ink, const PlacedInk& placed);
+                const PlacedInk& placed);
 
 } // namespace trivar

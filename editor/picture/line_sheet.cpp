@@ -2,7 +2,6 @@
 #include "editor/picture/line_sheet.h"
 
 #include "core/evaluation/shown_volume.h"
-#include "core/silhouette/level_drawing.h"
 #include "editor/picture/object_lines.h"
 
 #include <fmt/format.h>
@@ -23,17 +22,8 @@ std::vector<DrawingLayer> volume_layers(const ShownVolume& volume, const glm::dm
                                         const Camera& camera)
 {
     const VoxelField& field = *volume.field;
-    std::vector<DrawnLevel> levels;
-    for (const ShownVolume::Level& level : volume.levels)
-        if (level.lines)
-            levels.push_back({.name = level.name,
-                              .mesh = *level.mesh,
-                              .side = volume.side,
-                              .style = level.ink,
-                              .more = level.more,
-                              .further = level.further.get()});
     const DrawingView view = drawing_view(camera, to_world * volume.to_model, field.field().size());
-    return draw_levels(field.field(), field.hulls(), levels, view).layers;
+    return draw_levels(field.field(), field.hulls(), volume.drawn_levels(), view).layers;
 }
 
 } // namespace

@@ -9,9 +9,9 @@
 namespace trivar {
 
 // The lines of a scene alone, as a camera sees them: a layer per level of volume data and per kind
-// of line of each object that is drawn in lines. The sheet is black where the scene's look is, else
-// white. Objects hide their own lines, and not those of others. 1 us per point, and see
-// certified_silhouettes() and ObjectLines for what is found.
+// of line of each object that is drawn in lines; pixels of the camera. The sheet is black where the
+// scene's look is, else white. Objects hide their own lines, and not those of others. Costs what
+// VolumeLines and ObjectLines do in their first view.
 DrawingSheet line_sheet(const Evaluation& evaluated, const Document& document,
                         const Camera& camera);
 

@@ -79,7 +79,7 @@ void ObjectLines::each_kind(const EvaluatedObject& object, const LineDrawing& dr
         for (KindStrokes& each : found) {
             lift(each.strokes, view.from, toward_eye * shaped->shape.surface.size);
             const LineStyle style = style_of(each.kind, drawing);
-            use(each.kind, style, inked(within_budget(each.strokes, drawing.more.amount), style),
+            use(each.kind, inked(within_budget(each.strokes, drawing.more.amount), style),
                 PlacedInk{to_world, view.to_image, object.id, wider});
         }
     }
@@ -91,8 +91,9 @@ std::vector<gpu::Curve> ObjectLines::lines_of(const EvaluatedObject& object,
 {
     std::vector<gpu::Curve> out;
     each_kind(object, drawing, camera, wider,
-              [&](LineKind, const LineStyle& style, const std::vector<InkedLine>& lines,
-                  const PlacedInk& placed) { add_curves(out, lines, style, placed); });
+              [&](LineKind, const std::vector<InkedLine>& lines, const PlacedInk& placed) {
+                  add_curves(out, lines, placed);
+              });
     return out;
 }
 
@@ -101,7 +102,7 @@ std::vector<DrawingLayer> ObjectLines::layers(const EvaluatedObject& object,
 {
     std::vector<DrawingLayer> out;
     each_kind(object, drawing, camera, 1,
-              [&](LineKind kind, const LineStyle&, std::vector<InkedLine> lines, const PlacedInk&) {
+              [&](LineKind kind, std::vector<InkedLine> lines, const PlacedInk&) {
                   out.push_back({std::string(words_of(kind)), std::move(lines)});
               });
     return out;

@@ -125,14 +125,14 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
     }
     if (!object.shape || !object.shape->volume) return;
-    for (const glm::dvec3& p : object.shape->volume->cast_corners(object.own_to_world))
+    for (const glm::dvec3& p : object.shape->volume->seen_corners(object.own_to_world))
         points.push_back(p);
 }
 
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 {
     add_points(points, object);
-    if (!object.shows_nothing() || !object.placement) return;
+    if (!object.has_no_geometry() || !object.placement) return;
     const Ref<Lattice> cage = object.seen_cage();
     const Lattice& volume = *cage;
     const std::array<Knots, 3>& axes = volume.displacement.axes;

@@ -2,9 +2,6 @@
 #include "editor/picture/volume_lines.h"
 
 #include "core/evaluation/shown_volume.h"
-#include "core/silhouette/fans.h"
-#include "core/silhouette/level_drawing.h"
-#include "core/silhouette/line_budget.h"
 #include "editor/picture/ink_curves.h"
 
 namespace trivar {
@@ -14,31 +11,13 @@ std::vector<gpu::Curve> lines_of(const ShownVolume& volume, int id, const glm::d
                                  const Camera& camera, float wider)
 {
     std::vector<gpu::Curve> out;
-    const ScalarField<float>& field = volume.field->field();
+    const VoxelField& field = *volume.field;
     const glm::dmat4 voxels_to_world = to_world * volume.to_model;
-    const DrawingView view = drawing_view(camera, voxels_to_world, field.size());
-    const PlacedInk placed{voxels_to_world, view.to_image, id, wider};
-    for (const ShownVolume::Level& level : volume.levels) {
-        if (!level.lines) continue;
-        const DrawnLevel drawn{.name = level.name,
-                               .mesh = *level.mesh,
-                               .side = volume.side,
-                               .style = level.ink,
-                               .more = level.more,
-                               .further = level.further.get()};
-        const LevelBody body{field, volume.field->hulls(), level.mesh->level, volume.side};
-        for (const std::vector<Stroke>& kind :
-             level_strokes(field, volume.field->hulls(), drawn, view))
-            add_curves(out,
-                       inked_with_fans(body, within_budget(kind, level.more.amount), level.ink,
-                                       view.to_image),
-                       level.ink, placed);
-        for (const KindStrokes& each : further_strokes(field, volume.field->hulls(), drawn, view)) {
-            const LineStyle style = finer(level.ink, level.more);
-            add_curves(out, inked(within_budget(each.strokes, level.more.amount), style), style,
-                       placed);
-        }
-    }
+    const DrawingView view = drawing_view(camera, voxels_to_world, field.field().size());
+    const LevelDrawing drawing =
+        draw_levels(field.field(), field.hulls(), volume.drawn_levels(), view);
+    for (const DrawingLayer& layer : drawing.layers)
+        add_curves(out, layer.lines, {voxels_to_world, view.to_image, id, wider});
     return out;
 }
 

@@ -92,6 +92,24 @@ TEST_F(CastDocuments, TakeKeys)
         EXPECT_THAT(names, ::testing::Contains(::testing::EndsWith(ending)));
 }
 
+TEST_F(CastDocuments, AreSeenByLinesAloneWhateverIsToBeSaidOfThem)
+{
+    std::string bare = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 12 10 8\nencoding: raw\n\n";
+    for (int i = 0; i < 12 * 10 * 8; ++i) bare += static_cast<char>(i % 12 * 10);
+    testing::write_file(folder_.file("bare.nrrd"), bare);
+    const auto with_level = [&](bool lines) {
+        return shown(after(
+            {}, AddVoxels{.shape = {.path = "bare.nrrd",
+                                    .levels = {{.value = 55, .surface = false, .lines = lines}}}}));
+    };
+    const Ref<EvaluatedObject> drawn = with_level(true);
+    EXPECT_FALSE(drawn->notices.empty()); // the file tells no spacing
+    EXPECT_TRUE(drawn->has_no_geometry());
+    EXPECT_FALSE(drawn->shows_nothing());
+    EXPECT_FALSE(drawn->bounds->empty());
+    EXPECT_TRUE(with_level(false)->bounds->empty());
+}
+
 TEST_F(CastDocuments, RefuseABoxWithoutAnInside)
 {
     EXPECT_THROW(with({.crop_low = {0, 0.6f, 0}, .crop_high = {1, 0.6f, 1}}), Rejected);
@@ -104,7 +122,7 @@ TEST_F(CastDocuments, ShowNothingOfABoxThatKeysHaveMadeEmpty)
     EXPECT_FALSE(volume.cast_box().empty());
     volume.seen_as.crop_low.y = 1;
     EXPECT_TRUE(volume.cast_box().empty());
-    EXPECT_TRUE(volume.cast_corners(glm::dmat4(1)).empty());
+    EXPECT_TRUE(volume.seen_corners(glm::dmat4(1)).empty());
 }
 
 } // namespace

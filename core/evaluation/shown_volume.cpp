@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/shown_volume.h"
+
+namespace trivar {
+
+std::vector<DrawnLevel> ShownVolume::drawn_levels() const
+{
+    std::vector<DrawnLevel> out;
+    for (const Level& level : levels)
+        if (level.lines)
+            out.push_back({.name = level.name,
+                           .mesh = *level.mesh,
+                           .side = side,
+                           .style = level.ink,
+                           .more = level.more,
+                           .further = level.further.get()});
+    return out;
+}
+
+Box ShownVolume::cast_box() const
+{
+    const bool some = glm::all(glm::lessThan(seen_as.crop_low, seen_as.crop_high));
+    if (!casting || !some) return {};
+    const glm::dvec3 end(field->field().end());
+    return {end * glm::dvec3(seen_as.crop_low), end * glm::dvec3(seen_as.crop_high)};
+}
+
+std::vector<glm::dvec3> ShownVolume::seen_corners(const glm::dmat4& to_world) const
+{
+    Box box = cast_box();
+    const glm::vec3 end = field->field().end();
+    for (const Level& level : levels) {
+        if (!level.lines) continue;
+        for (const LevelMesh::Brick& brick : level.mesh->bricks)
+            for (const float side_of : {-1.0f, 1.0f})
+                box.add(glm::dvec3(
+                    glm::clamp(brick.middle + side_of * LevelMesh::half_brick, glm::vec3(0), end)));
+    }
+    std::vector<glm::dvec3> out;
+    if (!box.empty())
+        for (const glm::dvec3& p : box.corners())
+            out.emplace_back(to_world * to_model * glm::dvec4(p, 1));
+    return out;
+}
+
+} // namespace trivar
