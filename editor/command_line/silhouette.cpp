@@ -7,6 +7,7 @@
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/hand_edits.h"
 #include "core/files/file_bytes.h"
+#include "core/files/sample_models.h"
 #include "core/silhouette/level_drawing.h"
 #include "core/silhouette/voxel_field.h"
 #include "core/voxels/read_volume.h"
@@ -199,6 +200,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     const DrawingFormat format = drawing_format(command.out);
     HandEdits edits;
     if (!command.edited.empty()) edits = edits_in(command.edited);
+    make_sample_model(command.volume);
     const Ref<VoxelGrid> grid = make_ref(read_volume(command.volume).grid);
     for (const std::string& notice : grid->notices)
         streams.talk << "trivar: " << command.volume << ": " << notice << "\n";
