@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/primitives.h"
 #include "core/silhouette/certified.h"
 #include "core/silhouette/level_drawing.h"
 #include "core/silhouette/level_surface.h"
+#include "core/silhouette/mesh_drawing.h"
 #include "core/silhouette/voxel_field.h"
 #include "core/voxels/read_volume.h"
 #include "gpu/context.h"
@@ -93,8 +95,14 @@ void silhouette_prepare(benchmark::State& state, const char* name)
     state.counters["bytes_per_voxel"] =
         static_cast<double>(bytes) / static_cast<double>(grid->count());
 }
-BENCHMARK_CAPTURE(silhouette_prepare, gauss, "gauss")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(silhouette_prepare, cranium, "cranium")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(silhouette_prepare, gauss, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_prepare, cranium, "cranium")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void silhouette_level(benchmark::State& state, const char* name, LevelAccuracy accuracy)
 {
@@ -111,21 +119,27 @@ void silhouette_level(benchmark::State& state, const char* name, LevelAccuracy a
 }
 BENCHMARK_CAPTURE(silhouette_level, gauss, "gauss", LevelAccuracy::exact)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_level, waves, "waves", LevelAccuracy::exact)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_level, cranium, "cranium", LevelAccuracy::exact)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_level, gauss_dragged, "gauss", LevelAccuracy::quick)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_level, waves_dragged, "waves", LevelAccuracy::quick)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_level, cranium_dragged, "cranium", LevelAccuracy::quick)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 void silhouette_view(benchmark::State& state, const char* name)
@@ -139,10 +153,17 @@ void silhouette_view(benchmark::State& state, const char* name)
         points = find(volume->field->field(), volume->mesh, turned_view(++step)).points.size();
     state.counters["points"] = static_cast<double>(points);
 }
-BENCHMARK_CAPTURE(silhouette_view, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(silhouette_view, waves, "waves")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_view, gauss, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_view, waves, "waves")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_view, cranium, "cranium")
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 // The same with the graphics card finding the triangles: all of it, and what the card does alone.
@@ -166,15 +187,19 @@ void silhouette_device_view(benchmark::State& state, const char* name, bool all)
 }
 BENCHMARK_CAPTURE(silhouette_device_view, gauss, "gauss", true)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_device_view, waves, "waves", true)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_device_view, cranium, "cranium", true)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_device_view, waves_card_alone, "waves", false)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 // All of a drawing: what is hidden, strokes and ink, too.
@@ -191,10 +216,101 @@ void silhouette_drawing(benchmark::State& state, const char* name)
                                              {testing::image_of(glm::dvec3(view.at)), view}));
     }
 }
-BENCHMARK_CAPTURE(silhouette_drawing, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(silhouette_drawing, waves, "waves")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_drawing, gauss, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_drawing, waves, "waves")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_drawing, cranium, "cranium")
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// Ridges, valleys, parabolic lines and isophotes of a level, which are the same in every view.
+void silhouette_fixed_lines(benchmark::State& state, const char* name)
+{
+    const BenchVolume* volume = bench_volume(name, 128);
+    if (lacks(volume, state)) return;
+    const MoreLines all{.ridges = true, .valleys = true, .parabolic = true, .isophotes = 4};
+    const ScalarField<float> smooth = smooth_field(*volume->field, all.smoothing);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(level_lines(*volume->field, smooth, volume->mesh, LevelSide::above,
+                                             glm::dmat4(1), all));
+    state.counters["triangles"] = static_cast<double>(volume->mesh.triangle_count());
+}
+BENCHMARK_CAPTURE(silhouette_fixed_lines, gauss_128, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_fixed_lines, waves_128, "waves")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+void silhouette_suggestive(benchmark::State& state, const char* name)
+{
+    const BenchVolume* volume = bench_volume(name, 128);
+    if (lacks(volume, state)) return;
+    const MoreLines wanted{.suggestive = true};
+    const ScalarField<float> smooth = smooth_field(*volume->field, wanted.smoothing);
+    const LevelLines lines =
+        level_lines(*volume->field, smooth, volume->mesh, LevelSide::above, glm::dmat4(1), wanted);
+    int step = 0;
+    std::size_t points = 0;
+    for (auto _ : state)
+        points = lines_seen(lines, wanted, turned_view(++step), volume->field->field(),
+                            volume->mesh.level)[0]
+                     .lines.points.size();
+    state.counters["triangles"] = static_cast<double>(volume->mesh.triangle_count());
+    state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK_CAPTURE(silhouette_suggestive, gauss_128, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_suggestive, waves_128, "waves")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// What the lines of a mesh are found by, with all further lines, and a view of them.
+void silhouette_of_mesh(benchmark::State& state, bool view)
+{
+    const Ref<Mesh> torus = make_ref(torus_mesh(1, 0.4, {256, 128}));
+    const LineDrawing drawing{.more = {.suggestive = true, .ridges = true, .smoothing = 1}};
+    const ShapedMesh shaped = shaped_mesh(*torus, drawing);
+    std::vector<RayScene::Entry> entries{{std::make_shared<const RayMesh>(torus), glm::dmat4(1)}};
+    const RayScene scene(std::move(entries));
+    const glm::dmat4 here(1);
+    Camera camera;
+    camera.eye = {3, -3, 2};
+    camera.size_px = {1280, 720};
+    Box box;
+    for (const glm::vec3& p : torus->positions) box.add(glm::dvec3(p));
+    std::size_t points = 0;
+    for (auto _ : state)
+        if (view) {
+            camera.eye.x += 0.01;
+            points = 0;
+            for (const KindStrokes& each :
+                 mesh_strokes(shaped, drawing, drawing_view(camera, here, box), {scene, here}))
+                for (const Stroke& stroke : each.strokes) points += stroke.points.size();
+        } else {
+            benchmark::DoNotOptimize(shaped_mesh(*torus, drawing));
+        }
+    state.counters["triangles"] = static_cast<double>(shaped.shape.surface.corners.size() / 3);
+    if (view) state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK_CAPTURE(silhouette_of_mesh, first, false)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_of_mesh, view, true)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 void silhouette_surface(benchmark::State& state, const char* name)
@@ -205,7 +321,10 @@ void silhouette_surface(benchmark::State& state, const char* name)
         benchmark::DoNotOptimize(
             volume->field->surface(volume->mesh, LevelSide::above, glm::dmat4(1)));
 }
-BENCHMARK_CAPTURE(silhouette_surface, gauss, "gauss")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(silhouette_surface, gauss, "gauss")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void silhouette_certified(benchmark::State& state, const char* name, int n, int depth)
 {
@@ -221,18 +340,23 @@ void silhouette_certified(benchmark::State& state, const char* name, int n, int 
 }
 BENCHMARK_CAPTURE(silhouette_certified, gauss_64_sixteenth, "gauss", 64, 4)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_certified, waves_64_sixteenth, "waves", 64, 4)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_certified, gauss_256_eighth, "gauss", 256, 3)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_certified, waves_256_eighth, "waves", 256, 3)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_certified, cranium_eighth, "cranium", 256, 3)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 } // namespace
