@@ -2,7 +2,7 @@
 #include "ui/level_field.h"
 
 #include "ui/held_value.h"
-#include "ui/paint.h"
+#include "ui/histogram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,76 +12,93 @@ namespace trivar::ui {
 namespace {
 
 constexpr float levels_foot_at_1 = 22, grip_reach_at_1 = 7, levels_pad_at_1 = 8;
+constexpr float snap_reach_at_1 = 6, above_curve_at_1 = 5;
 
-struct Scale {
-    Rect rect; // of the bars
-    double lo = 0, hi = 1;
-    float x(double value) const
-    {
-        const double share = hi > lo ? std::clamp((value - lo) / (hi - lo), 0.0, 1.0) : 0.5;
-        return rect.lo.x + static_cast<float>(share) * rect.width();
-    }
+// The bars, and the curve in the strip below them; marks reach down to the foot of both.
+struct LevelPlot {
+    ValueScale scale; // of the bars
+    float foot = 0;   // y, pixels
+    float tall = 0;   // of the curve, pixels
 };
 
-// Bars of whole pixels, each of several parts where the field is narrow.
-void paint_bars(const Theme& theme, const Scale& scale, const LevelStyle& style)
+// The points of the curve in the picture. Its heights are shown by their roots, so that what is low
+// beside a peak has a shape still.
+std::vector<glm::vec2> seen_curve(const LevelPlot& plot, std::span<const glm::dvec2> curve)
 {
-    if (style.counts.empty()) return;
-    const float pitch = std::max(2.0f, std::round(theme.px(3))), gap = theme.size.hairline;
-    const int bars = std::max(1, static_cast<int>(scale.rect.width() / pitch));
-    std::vector<double> heights(static_cast<std::size_t>(bars), 0);
-    for (std::size_t i = 0; i < style.counts.size(); ++i) {
-        const auto bar = i * heights.size() / style.counts.size();
-        heights[bar] += static_cast<double>(style.counts[i]);
+    double most = 1e-300;
+    for (const glm::dvec2& p : curve) most = std::max(most, p.y);
+    std::vector<glm::vec2> out;
+    for (const glm::dvec2& p : curve) {
+        const auto share = static_cast<float>(std::sqrt(std::max(0.0, p.y) / most));
+        out.emplace_back(plot.scale.x(p.x), plot.foot - share * plot.tall);
     }
-    // Where there are more bars than parts each part has several.
-    if (heights.size() > style.counts.size())
-        for (std::size_t bar = 0; bar < heights.size(); ++bar)
-            heights[bar] =
-                static_cast<double>(style.counts[bar * style.counts.size() / heights.size()]);
-    double most = 0;
-    for (double& height : heights) {
-        height = std::log1p(height);
-        most = std::max(most, height);
-    }
-    if (most <= 0) return;
-    const float each = scale.rect.width() / static_cast<float>(bars);
-    for (std::size_t bar = 0; bar < heights.size(); ++bar) {
-        const float tall = static_cast<float>(heights[bar] / most) * scale.rect.height();
-        const float a = std::round(scale.rect.lo.x + static_cast<float>(bar) * each),
-                    b = std::round(scale.rect.lo.x + static_cast<float>(bar + 1) * each) - gap;
-        if (tall > 0)
-            paint_box(
-                {{a, std::round(scale.rect.hi.y - std::max(1.0f, tall))}, {b, scale.rect.hi.y}},
-                theme.color.text_off);
+    return out;
+}
+
+void paint_curve(const Theme& theme, const LevelPlot& plot, const std::vector<glm::vec2>& path)
+{
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 1; i < path.size(); ++i)
+        draw.AddQuadFilled({path[i - 1].x, path[i - 1].y}, {path[i].x, path[i].y},
+                           {path[i].x, plot.foot}, {path[i - 1].x, plot.foot},
+                           faded(theme.color.text_3, 0.15f));
+    if (path.size() > 1) paint_path(path, theme.color.text_3, theme.line(1));
+}
+
+// A dot on the curve where values snap; those that a mark has are lit.
+void paint_snaps(const Theme& theme, const LevelPlot& plot, const LevelStyle& style,
+                 const std::vector<glm::vec2>& path, const std::vector<LevelMark>& marks)
+{
+    for (const double at : style.snaps) {
+        const auto after = std::ranges::lower_bound(style.curve, at, {}, &glm::dvec2::x);
+        if (after == style.curve.end()) continue;
+        const glm::vec2 place = path[static_cast<std::size_t>(after - style.curve.begin())];
+        const bool lit = std::ranges::any_of(marks, [&](const LevelMark& mark) {
+            return std::abs(mark.value - at) < 0.5 * plot.scale.per_px();
+        });
+        if (lit)
+            paint_dot(place, theme.scale * 3.5f, theme.color.accent, theme.color.text,
+                      1.5f * theme.scale);
+        else
+            paint_dot(place, theme.scale * 2.5f, theme.color.text_2);
     }
 }
 
-void paint_mark(const Theme& theme, const Scale& scale, const LevelMark& mark, bool lit)
+// How bright a colour is, 0 to 1.
+float brightness(Color color)
+{
+    const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
+    return 0.3f * c.x + 0.59f * c.y + 0.11f * c.z;
+}
+
+void paint_mark(const Theme& theme, const LevelPlot& plot, const LevelMark& mark, bool lit)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float x = std::round(scale.x(mark.value)), y = scale.rect.hi.y;
+    const float x = std::round(plot.scale.x(mark.value)), y = plot.foot;
+    const float top = plot.scale.rect.lo.y - theme.px(4);
     const float half = theme.px(5), wide = std::max(1.0f, std::round(theme.px(lit ? 2 : 1)));
     const Color color = mark.dim ? faded(mark.color, 0.45f) : mark.color;
-    // A dark rim, so that dark colours show on the bars and light ones on light bars.
-    const Color rim = faded(theme.color.base, 0.9f);
+    // A rim like the ground parts the line from the bars; one that is itself like the ground has
+    // one like the words.
+    constexpr float alike = 0.25f;
+    const bool lost = std::abs(brightness(mark.color) - brightness(theme.color.base)) < alike;
+    const Color rim = faded(lost ? theme.color.text_2 : theme.color.base, 0.9f);
     const float left = x - std::floor(wide / 2);
-    paint_box({{left - theme.size.hairline, scale.rect.lo.y - theme.px(4)},
-               {left + wide + theme.size.hairline, y}},
-              rim);
-    paint_box({{left, scale.rect.lo.y - theme.px(4)}, {left + wide, y}}, color);
+    paint_box({{left - theme.size.hairline, top}, {left + wide + theme.size.hairline, y}}, rim);
+    paint_box({{left, top}, {left + wide, y}}, color);
     draw.AddTriangleFilled({x - half, y + theme.px(8)}, {x, y}, {x + half, y + theme.px(8)}, color);
-    if (lit)
+    if (lit || lost)
         draw.AddTriangle({x - half, y + theme.px(8)}, {x, y}, {x + half, y + theme.px(8)},
-                         theme.color.text, 1.5f * theme.scale);
+                         lit ? theme.color.text : theme.color.text_2, 1.5f * theme.scale);
 }
 
 // The words of the chosen mark first; others where they do not touch those.
-void paint_words(const Theme& theme, const Scale& scale, const Rect& box,
+void paint_words(const Theme& theme, const LevelPlot& plot, const Rect& box,
                  const std::vector<LevelMark>& marks, int chosen, const LevelStyle& style)
 {
+    const ValueScale& scale = plot.scale;
     std::vector<Rect> taken;
-    const float top = scale.rect.hi.y + theme.px(6), bottom = box.hi.y;
+    const float top = plot.foot + theme.px(6), bottom = box.hi.y;
     const auto write = [&](float left, const std::string& words, Color color) {
         const float wide = text_width(theme.font.small, words);
         left = std::clamp(left, box.lo.x + theme.px(4), box.hi.x - theme.px(4) - wide);
@@ -113,7 +130,7 @@ void paint_words(const Theme& theme, const Scale& scale, const Rect& box,
           theme.color.text_3);
 }
 
-int mark_at(const std::vector<LevelMark>& marks, const Scale& scale, float x, float reach)
+int mark_at(const std::vector<LevelMark>& marks, const ValueScale& scale, float x, float reach)
 {
     int nearest = -1;
     for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -127,6 +144,17 @@ int mark_at(const std::vector<LevelMark>& marks, const Scale& scale, float x, fl
 
 } // namespace
 
+double snapped(std::span<const double> to, double value, double reach)
+{
+    double out = value;
+    for (const double each : to)
+        if (const double off = std::abs(each - value); off <= reach) {
+            reach = off;
+            out = each;
+        }
+    return out;
+}
+
 Edit level_field(const Theme& theme, const std::string& id, std::vector<LevelMark>& marks,
                  int& chosen, const LevelStyle& style, float width)
 {
@@ -136,11 +164,11 @@ Edit level_field(const Theme& theme, const std::string& id, std::vector<LevelMar
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box = rect_at({at.x, at.y}, {width, theme.px(style.height)});
     ImGui::InvisibleButton("levels", {std::max(1.0f, width), box.height()});
-    const float pad = theme.px(levels_pad_at_1);
-    const Scale scale{
-        {{box.lo.x + pad, box.lo.y + pad}, {box.hi.x - pad, box.hi.y - theme.px(levels_foot_at_1)}},
-        style.lo,
-        style.hi};
+    const float pad = theme.px(levels_pad_at_1), foot = box.hi.y - theme.px(levels_foot_at_1);
+    const float strip = theme.px(style.strip);
+    const ValueScale scale{
+        {{box.lo.x + pad, box.lo.y + pad}, {box.hi.x - pad, foot - strip}}, style.lo, style.hi};
+    const LevelPlot plot{scale, foot, std::max(0.0f, strip - theme.px(above_curve_at_1))};
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
     const int under =
@@ -156,12 +184,13 @@ Edit level_field(const Theme& theme, const std::string& id, std::vector<LevelMar
                       chosen < static_cast<int>(marks.size());
     if (active && held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2) &&
         io.MouseDelta.x != 0) {
-        const float to = kept.GetFloat(value_id) + io.MouseDelta.x * (io.KeyShift ? 0.1f : 1.0f);
+        const double fine = io.KeyShift ? 0.1 : 1;
+        const float to = kept.GetFloat(value_id) + io.MouseDelta.x * static_cast<float>(fine);
         kept.SetFloat(value_id, to);
-        const double share = static_cast<double>((to - scale.rect.lo.x) / scale.rect.width());
         LevelMark& mark = marks[static_cast<std::size_t>(chosen)];
-        const double value =
-            std::clamp(style.lo + share * (style.hi - style.lo), style.lo, style.hi);
+        double value = scale.value(to);
+        if (!io.KeyCtrl)
+            value = snapped(style.snaps, value, theme.px(snap_reach_at_1) * fine * scale.per_px());
         if (value != mark.value) edit = Edit::changed;
         mark.value = value;
     }
@@ -169,16 +198,19 @@ Edit level_field(const Theme& theme, const std::string& id, std::vector<LevelMar
     if ((hovered && under >= 0) || (active && held))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     paint_box(box, theme.color.base, theme.size.rounding_small);
-    paint_bars(theme, scale, style);
+    paint_histogram(theme, scale, style.counts);
+    const std::vector<glm::vec2> path = seen_curve(plot, style.curve);
+    paint_curve(theme, plot, path);
     const auto lit = [&](std::size_t i) {
         const int n = static_cast<int>(i);
         return !style.fixed && (n == chosen || (hovered && !active && n == under));
     };
     for (std::size_t i = 0; i < marks.size(); ++i)
-        if (!lit(i)) paint_mark(theme, scale, marks[i], false);
+        if (!lit(i)) paint_mark(theme, plot, marks[i], false);
     for (std::size_t i = 0; i < marks.size(); ++i)
-        if (lit(i)) paint_mark(theme, scale, marks[i], true);
-    paint_words(theme, scale, box, marks, chosen, style);
+        if (lit(i)) paint_mark(theme, plot, marks[i], true);
+    paint_snaps(theme, plot, style, path, marks);
+    paint_words(theme, plot, box, marks, chosen, style);
     ImGui::PopID();
     return edit;
 }

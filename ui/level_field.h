@@ -23,11 +23,19 @@ struct LevelStyle {
     double lo = 0, hi = 1;
     std::array<std::string, 2> ends{}; // the words below both ends
     float height = 92;                 // at scale 1
-    bool fixed = false;                // nothing is dragged
+    // A curve below the bars, in a strip of that height at scale 1: places (value, height) that
+    // ascend, heights of any unit; empty: the strip has none yet.
+    std::span<const glm::dvec2> curve = {};
+    float strip = 0;
+    std::span<const double> snaps = {}; // values at which a drag halts, dots on the curve
+    bool fixed = false;                 // nothing is dragged
 };
 
-// A histogram with heights that grow as the logarithm of the counts, and values on it as lines with
-// a grip below, which are dragged sideways (Shift ten times finer) and stay within [lo, hi]. After
+// The nearest of the values to snap to; the value itself if none is within the reach.
+double snapped(std::span<const double> to, double value, double reach);
+
+// A histogram, and values on it as lines with a grip below, which are dragged sideways (Shift ten
+// times finer) and stay within [lo, hi]. They snap within a few pixels, unless Ctrl is held. After
 // a double click the next number field takes what is typed. `chosen` is the value in the hand, or
 // the last one that was; -1: none. Esc restores during a drag.
 Edit level_field(const Theme& theme, const std::string& id, std::vector<LevelMark>& marks,

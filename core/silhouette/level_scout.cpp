@@ -53,7 +53,7 @@ std::vector<std::size_t> plateaus_of(const std::vector<double>& lengths)
 
 } // namespace
 
-LevelScout scout_levels(const VoxelGrid& grid, int levels, int most)
+LevelScout scout_levels(const VoxelGrid& grid, int levels, int most, const Progress& progress)
 {
     if (levels < 3 || most < 2) throw Rejected("levels are scouted at 3 values or more");
     const glm::ivec3 block = (grid.size + most - 1) / most;
@@ -67,6 +67,7 @@ LevelScout scout_levels(const VoxelGrid& grid, int levels, int most)
     LevelScout out;
     SilhouetteFinder find;
     for (int i = 0; i < levels; ++i) {
+        report(progress, static_cast<double>(i) / levels, "levels");
         const double value =
             grid.value(std::lerp(least, greatest, (static_cast<double>(i) + 0.5) / levels));
         const LevelMesh mesh = field.level(value, LevelAccuracy::quick);
@@ -81,17 +82,6 @@ LevelScout scout_levels(const VoxelGrid& grid, int levels, int most)
         std::ranges::reverse(out.lengths);
     }
     out.plateaus = plateaus_of(out.lengths);
-    return out;
-}
-
-double snapped(const LevelScout& scout, double value, double reach)
-{
-    double out = value, least = reach;
-    for (const std::size_t i : scout.plateaus)
-        if (const double off = std::abs(scout.values[i] - value); off <= least) {
-            least = off;
-            out = scout.values[i];
-        }
     return out;
 }
 

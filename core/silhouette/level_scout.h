@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/voxels/voxel_grid.h"
 
 #include <vector>
@@ -18,10 +19,8 @@ struct LevelScout {
 };
 
 // Scouts that many levels, at least 3, on the data averaged to at most `most` samples an axis. 64
-// levels take about a second; the same for any number of threads.
-LevelScout scout_levels(const VoxelGrid& grid, int levels = 64, int most = 64);
-
-// The value of the plateau nearest to a value; the value itself if none is within the reach.
-double snapped(const LevelScout& scout, double value, double reach);
+// levels take about a second; the same for any number of threads. Throws Cancelled.
+LevelScout scout_levels(const VoxelGrid& grid, int levels = 64, int most = 64,
+                        const Progress& progress = {});
 
 } // namespace trivar

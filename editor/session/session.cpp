@@ -22,7 +22,8 @@ constexpr const char* of_missing = "what cannot be shown"; // the topic of a not
 Session::Session(std::function<void()> wake, std::string unnamed_folder)
     : wake_(std::move(wake)),
       unnamed_folder_(std::move(unnamed_folder)),
-      jobs_(wake_)
+      jobs_(wake_),
+      quiet_jobs_(wake_)
 {
     scene_.keep_in(unnamed_folder_);
     meet_document();
@@ -417,6 +418,7 @@ void Session::follow_file(double time_s)
 void Session::poll()
 {
     jobs_.poll();
+    quiet_jobs_.poll();
     if (auto result = evaluator_->poll()) {
         evaluated_ticket_ = result->ticket;
         if (result->problem.empty()) {

@@ -92,6 +92,8 @@ public:
     void follow_file(double time_s);
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
+    // Work that nothing waits for and that is not told of: no card, and files are read meanwhile.
+    Jobs& quiet_jobs() { return quiet_jobs_; }
     BackgroundEvaluator& evaluator() { return *evaluator_; }
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
     // The selection belongs to the person and is no part of the document and of no undo step.
@@ -136,7 +138,7 @@ private:
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
-    Jobs jobs_;
+    Jobs jobs_, quiet_jobs_;
     long scenes_ = 0;
     Evaluation evaluated_;
     Timings timings_;

@@ -38,7 +38,7 @@ struct Rig {
         for (int i = 0; i < 2000; ++i) {
             frames(1);
             if (editor.session.up_to_date() && !editor.session.jobs().status() &&
-                !editor.session.committing()) {
+                !editor.session.quiet_jobs().status() && !editor.session.committing()) {
                 frames(2);
                 return;
             }

@@ -60,7 +60,7 @@ struct Window : testing::Rig {
         for (int i = 0; i < 6000; ++i) {
             work();
             if (editor.session.up_to_date() && !editor.session.jobs().status() &&
-                !editor.stored_pictures.reading())
+                !editor.session.quiet_jobs().status() && !editor.stored_pictures.reading())
                 break;
         }
         editor.adjustment = {};

@@ -130,14 +130,22 @@ void draw_level_histogram(ValueRows& rows, const LevelRows& of, VoxelShape& shap
     ImGui::SetCursorScreenPos(
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
     const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
-    const ui::Edit edit =
-        ui::level_field(theme, "histogram", marks, chosen,
-                        {.counts = s.histogram,
+    ui::LevelStyle style{.counts = s.histogram,
                          .lo = s.least,
                          .hi = s.greatest,
-                         .ends = {ui::short_number(s.least), ui::short_number(s.greatest)}},
-                        width);
-    ui::tooltip({"Histogram", {}, "How often values occur. Drag a level; a double click types."});
+                         .ends = {ui::short_number(s.least), ui::short_number(s.greatest)},
+                         .height = 116,
+                         .strip = 30};
+    if (of.scouted) {
+        style.curve = of.scouted->curve;
+        style.snaps = of.scouted->plateaus;
+    }
+    const ui::Edit edit = ui::level_field(theme, "histogram", marks, chosen, style, width);
+    ui::tooltip({"Histogram",
+                 {},
+                 "How often values occur, and below it how much line a level there has. Dots are "
+                 "where that hardly changes: a body is there. Drag a level, which halts at dots, "
+                 "with Ctrl anywhere; a double click types."});
     if (edit == ui::Edit::changed && chosen >= 0)
         for (std::size_t i = 0; i < marks.size(); ++i)
             if (marks[i].value != shape.levels[i].value)

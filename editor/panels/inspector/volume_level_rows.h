@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/shown_volume.h"
+#include "editor/panels/inspector/level_scouts.h"
 #include "editor/panels/inspector/value_rows.h"
 
 #include <string>
@@ -11,11 +12,13 @@ namespace trivar {
 // What of volume data the rows of its levels are drawn with.
 struct LevelRows {
     const ShownVolume* shown = nullptr;      // null: not evaluated yet, or it cannot be read
+    const ScoutedVolume* scouted = nullptr;  // null: not known yet
     std::string unit = {};                   // of the values
     std::string parameter(int number) const; // "shape.levels.0"
 };
 
-// The histogram with its levels as lines that are dragged.
+// The histogram with its levels as lines that are dragged, and below it how much line each level
+// would give.
 void draw_level_histogram(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
 // A row of each level: colour, name, value, and what of it is shown. A click on the name chooses
 // it.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/shown_volume.h"
+#include "editor/panels/inspector/level_scouts.h"
+#include "editor/session/volume_levels.h"
 #include "tests/editor/panels/number_rows.h"
 #include "tests/editor/volume_rig.h"
 
@@ -45,6 +47,28 @@ TEST(VolumeSection, EscapeTakesTheDragBack)
     rig.wait();
     EXPECT_EQ(rig.steps(), 1u);
     EXPECT_FALSE(rig.editor.session.proposing());
+}
+
+TEST(VolumeSection, ADraggedLevelHaltsWhereTheLengthOfItsLinesHardlyChanges)
+{
+    VolumeSection rig;
+    LevelScouts& scouts = rig.editor.memory.of<LevelScouts>();
+    const ShownVolume& shown = *rig.editor.session.evaluated().objects.at(1)->shape->volume;
+    const ScoutedVolume* scouted = scouts.of(rig.editor.session, shown);
+    ASSERT_TRUE(scouted) << "it was found beside the window";
+    EXPECT_EQ(scouted->curve.size(), 64u);
+    ASSERT_FALSE(scouted->plateaus.empty());
+    const double plateau = scouted->plateaus.front();
+    const glm::vec2 off(4, 0);
+    rig.draw({rig.on_histogram(30), rig.on_histogram(plateau) + off});
+    rig.wait();
+    EXPECT_EQ(rig.shape().levels[0].value, readable_value(plateau, *shown.summary));
+    rig.hold(ui::key_left_control);
+    rig.draw({rig.on_histogram(plateau), rig.on_histogram(plateau) + off});
+    rig.hold(ui::key_left_control, false);
+    rig.wait();
+    EXPECT_GT(rig.shape().levels[0].value, plateau + 0.5);
+    EXPECT_EQ(rig.steps(), 3u);
 }
 
 TEST(VolumeSection, LevelsAndTheirLinesTakeTypedNumbersAndKeys)

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/level_scouts.h"
+
+#include "core/silhouette/level_scout.h"
+
+#include <utility>
+
+namespace trivar {
+namespace {
+
+ScoutedVolume shown_scout(const LevelScout& scout)
+{
+    ScoutedVolume out;
+    for (std::size_t i = 0; i < scout.values.size(); ++i)
+        out.curve.emplace_back(scout.values[i], scout.lengths[i]);
+    for (const std::size_t i : scout.plateaus) out.plateaus.push_back(scout.values[i]);
+    return out;
+}
+
+} // namespace
+
+const ScoutedVolume* LevelScouts::of(Session& session, const ShownVolume& volume)
+{
+    if (!volume.summary || !volume.field) return nullptr;
+    const Found& found = known_(volume.summary, [&] {
+        Found slot = std::make_shared<std::optional<ScoutedVolume>>();
+        session.quiet_jobs().start(
+            {"Looking for levels",
+             [slot, field = volume.field](const Progress& progress) -> Jobs::Finish {
+                 return
+                     [slot, scouted = shown_scout(scout_levels(field->grid(), 64, 64, progress))] {
+                         *slot = scouted;
+                     };
+             },
+             {}});
+        return slot;
+    });
+    return *found ? &**found : nullptr;
+}
+
+} // namespace trivar
