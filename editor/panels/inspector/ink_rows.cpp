@@ -2,23 +2,9 @@
 #include "editor/panels/inspector/ink_rows.h"
 
 #include "editor/panels/inspector/field_rows.h"
-
-#include <glm/gtc/color_space.hpp>
+#include "editor/panels/inspector/srgb_field.h"
 
 namespace trivar {
-namespace {
-
-// A colour that is told in sRGB, in the field for linear ones.
-ui::Edit srgb_field(const ui::Theme& theme, const std::string& id, glm::vec3& srgb, float width)
-{
-    glm::vec4 linear(glm::convertSRGBToLinear(srgb), 1);
-    const ui::Edit edit = ui::color_field(theme, id, linear, width);
-    if (edit == ui::Edit::changed)
-        srgb = glm::round(glm::convertLinearToSRGB(glm::vec3(linear)) * 255.0f) / 255.0f;
-    return edit;
-}
-
-} // namespace
 
 void draw_ink_rows(ValueRows& rows, LineStyle& ink, const LineStyle& rest,
                    const std::string& parameter)

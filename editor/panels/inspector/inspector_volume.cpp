@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/ink_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/transfer_rows.h"
 #include "editor/panels/inspector/volume_level_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/session/volume_levels.h"
@@ -122,6 +123,9 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         FieldRows<VolumeCasting> fields(rows, s.casting, "shape.casting");
         fields(&VolumeCasting::shown);
         if (s.casting.shown) {
+            auto& point = editor.memory.of<ChosenTransferPoint>();
+            if (point.object != id) point = {id};
+            draw_transfer(rows, of, s.casting, point.number);
             fields(&VolumeCasting::density);
             fields(&VolumeCasting::shading);
             fields(&VolumeCasting::crop_low);

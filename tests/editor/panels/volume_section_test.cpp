@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/shown_volume.h"
 #include "editor/panels/inspector/level_scouts.h"
+#include "editor/panels/inspector/transfer_rows.h"
 #include "editor/session/volume_levels.h"
 #include "tests/editor/panels/number_rows.h"
 #include "tests/editor/volume_rig.h"
@@ -84,6 +85,74 @@ TEST(VolumeSection, LevelsAndTheirLinesTakeTypedNumbersAndKeys)
     EXPECT_EQ(rig.steps(), 3u);
     EXPECT_EQ(rig.shape().levels[0].value, 7);
     EXPECT_EQ(rig.shape().levels[0].ink.width, 7);
+}
+
+// The same with the data seen as a whole, and little else above the transfer function.
+struct CastingSection : VolumeSection {
+    CastingSection()
+    {
+        SetVoxels set{1, shape()};
+        set.shape.levels.clear();
+        set.shape.casting.shown = true;
+        EXPECT_TRUE(editor.session.run(set));
+        wait();
+        before = steps();
+    }
+    std::size_t before = 0;
+    const std::vector<TransferPoint>& points() const { return shape().casting.points; }
+    // Goes down the panel until a press takes a point of the function, and drags that up.
+    void drag_some_point(bool let_go = true)
+    {
+        const auto& shown = *editor.session.evaluated().objects.at(1)->shape->volume;
+        const std::vector<TransferPoint> usual =
+            usual_transfer(*shown.summary, shown.field->grid());
+        glm::vec2 at = on_histogram(usual[4].value);
+        for (at.y = layout().inspector.lo.y + 180; at.y < layout().inspector.hi.y; at.y += 5) {
+            draw({at, at - glm::vec2(0, 25)}, let_go);
+            if (!let_go && editor.session.proposing()) return;
+            wait();
+            if (!points().empty()) return;
+        }
+        FAIL() << "no point is dragged";
+    }
+};
+
+TEST(CastingSection, ADragOfAPointIsOneStepAndUndone)
+{
+    CastingSection rig;
+    rig.drag_some_point();
+    EXPECT_EQ(rig.steps(), rig.before + 1);
+    EXPECT_EQ(rig.points().size(), 6u) << "those of the histogram became its own";
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_TRUE(rig.points().empty());
+}
+
+TEST(CastingSection, EscapeTakesTheDragBack)
+{
+    CastingSection rig;
+    rig.drag_some_point(false);
+    EXPECT_TRUE(rig.editor.session.proposing());
+    rig.key({ui::key_escape});
+    rig.wait();
+    EXPECT_FALSE(rig.editor.session.proposing());
+    EXPECT_EQ(rig.steps(), rig.before);
+}
+
+TEST(CastingSection, TheChosenPointTakesTypedNumbers)
+{
+    CastingSection rig;
+    rig.drag_some_point();
+    const int chosen = rig.editor.memory.of<ChosenTransferPoint>().number;
+    ASSERT_GE(chosen, 0);
+    rig.click(
+        testing::number_field(rig, "shape.casting.points." + std::to_string(chosen) + ".opacity"));
+    rig.frames(4);
+    rig.type("40");
+    rig.key({ui::key_enter});
+    rig.wait();
+    EXPECT_NEAR(rig.points()[static_cast<std::size_t>(chosen)].opacity, 0.4, 1e-9);
+    EXPECT_EQ(rig.steps(), rig.before + 2);
 }
 
 } // namespace
