@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -107,6 +108,21 @@ std::string layer_name(const DrawnLevel& level, const KindStrokes& kind)
     return fmt::format("{}: {}", level.name, words_of(kind.kind));
 }
 
+// The lines of a layer that its budget keeps, of each kind; those that it kept before stay rather
+// than others.
+void keep_within_budget(std::span<std::vector<Stroke>> kinds, float share, const std::string& layer,
+                        const LevelDrawingOptions& options)
+{
+    std::vector<std::uint64_t> before;
+    if (options.kept) before = std::exchange(options.kept(layer), {});
+    for (std::vector<Stroke>& kind : kinds) {
+        kind = within_budget(std::move(kind), share, {}, before);
+        if (!options.kept) continue;
+        std::vector<std::uint64_t>& kept = options.kept(layer);
+        for (const Stroke& stroke : kind) kept.push_back(stroke.id);
+    }
+}
+
 } // namespace
 
 LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hulls,
@@ -131,14 +147,15 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                 options.ids(layer_name(level, kind))(std::span(&kind.strokes, 1));
         }
         const LevelBody body{field, hulls, level.mesh.level, level.side};
+        keep_within_budget(made, level.more.amount, level.name, options);
         for (const std::vector<Stroke>& kind : made)
-            std::ranges::move(inked_with_fans(body, within_budget(kind, level.more.amount),
-                                              level.style, view.to_image),
+            std::ranges::move(inked_with_fans(body, kind, level.style, view.to_image),
                               std::back_inserter(out.layers.back().lines));
-        for (const KindStrokes& kind : further)
-            out.layers.push_back(
-                {layer_name(level, kind), inked(within_budget(kind.strokes, level.more.amount),
-                                                finer(level.style, level.more))});
+        for (KindStrokes& kind : further) {
+            const std::string layer = layer_name(level, kind);
+            keep_within_budget(std::span(&kind.strokes, 1), level.more.amount, layer, options);
+            out.layers.push_back({layer, inked(kind.strokes, finer(level.style, level.more))});
+        }
     }
     return out;
 }

@@ -43,6 +43,10 @@ struct LevelDrawingOptions {
     int dash_rows = 0; // of a DashTable that is made and used instead; 0: connected lines
     // The ids of the lines of a layer by its name, kept from view to view; none: as they come.
     std::function<LineIds&(const std::string& layer)> ids = {};
+    // The ids of the lines of a layer that its share of lines kept in the view before, so that they
+    // stay while others are hardly longer; drawing sets them. It takes `ids` too. None: as they
+    // come.
+    std::function<std::vector<std::uint64_t>&(const std::string& layer)> kept = {};
 };
 
 // The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide
