@@ -104,7 +104,7 @@ void SilhouettesTool::overlay(const Session& session, const ui::Theme& theme,
 {
     const Id id = volume_at_work(session.document(), session.selected);
     const VoxelShape* shape = volume_of(session.document(), id);
-    if (!shape) return;
+    if (!shape || !visible(session.document(), id)) return;
     const std::string unit = unit_of(shown_volume_of(session, id));
     const int chosen = chosen_in(*shape, id, session.level);
     glm::vec2 at{input.rect.lo.x + theme.px(12),

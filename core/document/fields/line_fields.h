@@ -61,7 +61,7 @@ template <> struct FieldsOf<MoreLines> {
     {
         field("suggestive", m.suggestive,
               "suggestive contours: where an outline would appear from a view nearby",
-              any_value.called("Suggestive contours").says("drawn", "off"));
+              any_value.called("Suggestive lines").says("drawn", "off"));
         field("ridges", m.ridges, "where the surface is bent most outward",
               any_value.called("Ridges").says("drawn", "off"));
         field("valleys", m.valleys, "where the surface is bent most inward",

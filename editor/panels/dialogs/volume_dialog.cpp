@@ -77,8 +77,8 @@ void draw_histogram(const ui::Theme& theme, const VolumeOffer& offer, float widt
     const VolumeSummary& s = *offer.summary;
     std::vector<ui::LevelMark> marks;
     for (const VoxelLevel& level : offer.command.shape.levels)
-        marks.push_back(
-            {level.value, ui::rgb(0x66D1FF), value_words(level.value, offer.grid->value_unit)});
+        marks.push_back({level.value, theme.color.accent_text,
+                         value_words(level.value, offer.grid->value_unit)});
     int none = -1;
     ui::level_field(theme, "histogram", marks, none,
                     {.counts = s.histogram,

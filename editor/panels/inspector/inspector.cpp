@@ -103,7 +103,12 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     if (const auto* file = std::get_if<ImportedFile>(&each.source))
         draw_file(editor, theme, *file, id);
     const Session& session = editor.session;
-    const glm::dvec3 size = bounds_of(session, id).size();
+    const auto size_row = [&](const Box& box) {
+        const glm::dvec3 size = box.size();
+        ui::fact_row(theme, "Size",
+                     fmt::format("{} × {} × {} m", ui::short_number(size.x),
+                                 ui::short_number(size.y), ui::short_number(size.z)));
+    };
     std::size_t faces = 0, vertices = 0, curves = 0, members = 0;
     for (const auto& [each_id, effects] : session.evaluated().objects) {
         if (!belongs_to(session.document(), each_id, id)) continue;
@@ -119,16 +124,19 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
         ui::fact_row(theme, "Objects", ui::with_commas(members));
     }
     if (vertices + curves == 0) {
-        ui::fact_row(theme, "Size",
-                     !visible(session.document(), id) ? "hidden"
-                     : holds_others(each.source)      ? "nothing to see"
-                                                      : "not there yet");
+        Box seen; // of volume data that are shown by lines and rays alone
+        for (const glm::dvec3& p : points_of(session, {id})) seen.add(p);
+        if (!seen.empty())
+            size_row(seen);
+        else
+            ui::fact_row(theme, "Size",
+                         !visible(session.document(), id) ? "hidden"
+                         : holds_others(each.source)      ? "nothing to see"
+                                                          : "not there yet");
         ui::gap(theme, 8);
         return;
     }
-    ui::fact_row(theme, "Size",
-                 fmt::format("{} × {} × {} m", ui::short_number(size.x), ui::short_number(size.y),
-                             ui::short_number(size.z)));
+    size_row(bounds_of(session, id));
     ui::fact_row(theme, "Faces", ui::with_commas(faces));
     ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
     if (curves > 0) ui::fact_row(theme, "Curves", ui::with_commas(curves));

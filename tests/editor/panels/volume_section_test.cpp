@@ -87,29 +87,40 @@ TEST(VolumeSection, LevelsAndTheirLinesTakeTypedNumbersAndKeys)
     EXPECT_EQ(rig.shape().levels[0].ink.width, 7);
 }
 
-// The same with the data seen as a whole, and little else above the transfer function.
-struct CastingSection : VolumeSection {
-    CastingSection()
+// The ball seen as a whole, without levels.
+struct CastingSection : testing::VolumeRig {
+    CastingSection() : VolumeRig({1100, 1300})
     {
+        AddVoxels add;
+        add.shape.path = folder.file("ball.nrrd");
+        EXPECT_TRUE(editor.session.run(prepare(add, *editor.session.assets())));
         SetVoxels set{1, shape()};
         set.shape.levels.clear();
         set.shape.casting.shown = true;
         EXPECT_TRUE(editor.session.run(set));
+        editor.session.selected = 1;
+        editor.choose_tool(0);
         wait();
         before = steps();
     }
     std::size_t before = 0;
     const std::vector<TransferPoint>& points() const { return shape().casting.points; }
-    // Goes down the panel until a press takes a point of the function, and drags that up.
-    void drag_some_point(bool let_go = true)
+    // Drags the point that begins what is dense, by some pixels. It is looked for above the row
+    // below the function.
+    void drag_a_point(bool let_go = true)
     {
         const auto& shown = *editor.session.evaluated().objects.at(1)->shape->volume;
-        const std::vector<TransferPoint> usual =
-            usual_transfer(*shown.summary, shown.field->grid());
-        glm::vec2 at = on_histogram(usual[4].value);
-        for (at.y = layout().inspector.lo.y + 180; at.y < layout().inspector.hi.y; at.y += 5) {
-            draw({at, at - glm::vec2(0, 25)}, let_go);
+        const double value = usual_transfer(*shown.summary, shown.field->grid())[4].value;
+        glm::vec2 at = testing::number_field(*this, "shape.casting.density");
+        const float bottom = at.y - 20;
+        const ui::Rect panel = layout().inspector;
+        const float pad = screen.theme().size.padding + screen.theme().px(8);
+        const double share = value / shown.summary->greatest; // the least is 0
+        at.x = panel.lo.x + pad + static_cast<float>(share) * (panel.width() - 2 * pad);
+        for (at.y = bottom - 120; at.y < bottom; at.y += 12) {
+            draw({at, at + glm::vec2(9, 14)}, let_go);
             if (!let_go && editor.session.proposing()) return;
+            if (!let_go) screen.input().push(ui::press(ui::Button::left, false));
             wait();
             if (!points().empty()) return;
         }
@@ -120,7 +131,7 @@ struct CastingSection : VolumeSection {
 TEST(CastingSection, ADragOfAPointIsOneStepAndUndone)
 {
     CastingSection rig;
-    rig.drag_some_point();
+    rig.drag_a_point();
     EXPECT_EQ(rig.steps(), rig.before + 1);
     EXPECT_EQ(rig.points().size(), 6u) << "those of the histogram became its own";
     rig.editor.session.undo();
@@ -131,7 +142,7 @@ TEST(CastingSection, ADragOfAPointIsOneStepAndUndone)
 TEST(CastingSection, EscapeTakesTheDragBack)
 {
     CastingSection rig;
-    rig.drag_some_point(false);
+    rig.drag_a_point(false);
     EXPECT_TRUE(rig.editor.session.proposing());
     rig.key({ui::key_escape});
     rig.wait();
@@ -142,7 +153,7 @@ TEST(CastingSection, EscapeTakesTheDragBack)
 TEST(CastingSection, TheChosenPointTakesTypedNumbers)
 {
     CastingSection rig;
-    rig.drag_some_point();
+    rig.drag_a_point();
     const int chosen = rig.editor.memory.of<ChosenTransferPoint>().number;
     ASSERT_GE(chosen, 0);
     rig.click(
