@@ -32,6 +32,13 @@ const VoxelLevel* changed_level(const VoxelShape& before, const VoxelShape& afte
     return out;
 }
 
+void check_box(const glm::vec3& low, const glm::vec3& high)
+{
+    if (!glm::all(glm::lessThan(low, high)))
+        throw Rejected("field \"crop_low\": the box is empty; use shares below those of "
+                       "\"crop_high\"");
+}
+
 } // namespace
 
 void check(const VoxelShape& shape)
@@ -43,9 +50,8 @@ void check(const VoxelShape& shape)
     if (casting.points.size() > most_transfer_points)
         throw Rejected(fmt::format("field \"points\": a transfer function has at most {}",
                                    most_transfer_points));
-    if (!glm::all(glm::lessThan(casting.crop_low, casting.crop_high)))
-        throw Rejected("field \"crop_low\": the box is empty; use shares below those of "
-                       "\"crop_high\"");
+    check_box(shape.crop_low, shape.crop_high);
+    check_box(casting.crop_low, casting.crop_high);
 }
 
 std::string size_words(const VoxelShape& shape)
@@ -69,6 +75,8 @@ StepTitle title(const SetVoxels& c, const StepDocuments& step)
     const auto* old = object ? std::get_if<VoxelShape>(&object->source) : nullptr;
     if (!old) return {"Volume data of " + name, {}};
     if (old->path != c.shape.path) return {"File of " + name, size_words(c.shape)};
+    if (old->crop_low != c.shape.crop_low || old->crop_high != c.shape.crop_high)
+        return {"Crop of " + name, {}};
     if (old->casting != c.shape.casting) return {"Casting of " + name, {}};
     if (old->levels.size() < c.shape.levels.size())
         return {"Level of " + name, level_words(c.shape.levels.back())};

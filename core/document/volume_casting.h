@@ -5,9 +5,8 @@
 
 namespace trivar {
 
-// A VolumeCasting says how volume data are seen as a whole, by rays cast through them. The box
-// cuts off what is cast only: levels keep their whole surfaces and lines, which then stand free
-// before it.
+// A VolumeCasting says how volume data are seen as a whole, by rays cast through them. Its box cuts
+// off what is cast only: levels keep their surfaces and lines, which then stand free before it.
 struct VolumeCasting {
     bool shown = false;
     std::vector<TransferPoint> points = {}; // none: usual_transfer()

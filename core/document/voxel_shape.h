@@ -37,6 +37,9 @@ struct VoxelShape {
     int coarsen = 1; // number of samples along each axis of which one is made; 1: all are kept
     int blur = 0;    // number of times that (1 2 1)/4 is applied to the samples along each axis
     LevelSide body = LevelSide::above; // on which side of its level a body is
+    // The corners of the box of the data that is shown, by whatever, as shares of the grid along
+    // its axes; the samples nearest to them count.
+    glm::vec3 crop_low{0}, crop_high{1};
     std::vector<VoxelLevel> levels = {};
     VolumeCasting casting = {};
     VolumeReading reading = {};

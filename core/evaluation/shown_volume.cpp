@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/shown_volume.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace trivar {
 
 std::vector<DrawnLevel> ShownVolume::drawn_levels() const
@@ -17,12 +19,18 @@ std::vector<DrawnLevel> ShownVolume::drawn_levels() const
     return out;
 }
 
+glm::dmat4 ShownVolume::all_to_model() const
+{
+    return glm::translate(to_model, -glm::dvec3(part.first));
+}
+
 Box ShownVolume::cast_box() const
 {
-    const bool some = glm::all(glm::lessThan(seen_as.crop_low, seen_as.crop_high));
-    if (!casting || !some) return {};
-    const glm::dvec3 end(field->field().end());
-    return {end * glm::dvec3(seen_as.crop_low), end * glm::dvec3(seen_as.crop_high)};
+    if (!casting) return {};
+    const glm::dvec3 end(casting->field->field().end());
+    const Box out{glm::max(end * glm::dvec3(seen_as.crop_low), glm::dvec3(part.first)),
+                  glm::min(end * glm::dvec3(seen_as.crop_high), glm::dvec3(part.last))};
+    return glm::all(glm::lessThan(out.lo, out.hi)) ? out : Box{};
 }
 
 std::vector<glm::dvec3> ShownVolume::seen_corners(const glm::dmat4& to_world) const
@@ -33,13 +41,14 @@ std::vector<glm::dvec3> ShownVolume::seen_corners(const glm::dmat4& to_world) co
         if (!level.lines) continue;
         for (const LevelMesh::Brick& brick : level.mesh->bricks)
             for (const float side_of : {-1.0f, 1.0f})
-                box.add(glm::dvec3(
-                    glm::clamp(brick.middle + side_of * LevelMesh::half_brick, glm::vec3(0), end)));
+                box.add(glm::dvec3(part.first) +
+                        glm::dvec3(glm::clamp(brick.middle + side_of * LevelMesh::half_brick,
+                                              glm::vec3(0), end)));
     }
     std::vector<glm::dvec3> out;
     if (!box.empty())
         for (const glm::dvec3& p : box.corners())
-            out.emplace_back(to_world * to_model * glm::dvec4(p, 1));
+            out.emplace_back(to_world * all_to_model() * glm::dvec4(p, 1));
     return out;
 }
 

@@ -22,17 +22,19 @@ struct ShownVolume {
         MoreLines more = {};
         Ref<LevelLines> further = {}; // that `more` are found by; null: none of them
     };
-    Ref<VoxelField> field;
+    Ref<VoxelField> field; // over the part of the data that is shown
+    SampleBox part;        // which of all samples these are
     Ref<VolumeSummary> summary;
     LevelSide side = LevelSide::above; // of the bodies, as samples
-    glm::dmat4 to_model{1};            // voxels to the object's model
+    glm::dmat4 to_model{1};            // voxels of the part to the object's model
     std::vector<Level> levels;
-    Ref<Casting> casting = {}; // null: it is not seen as a whole
+    Ref<Casting> casting = {}; // of all data; null: they are not seen as a whole
     VolumeCasting seen_as = {};
 
     // The levels whose lines are drawn, for draw_levels(); they refer to those here.
     std::vector<DrawnLevel> drawn_levels() const;
-    Box cast_box() const; // of what is cast, in voxels; empty: nothing is
+    glm::dmat4 all_to_model() const; // voxels of all data to the object's model
+    Box cast_box() const;            // of what is cast, in these voxels; empty: nothing is
     // The corners of the box round what is cast and round the levels with lines, where the object's
     // model is put into the world; none: nothing is. O(#bricks of the levels).
     std::vector<glm::dvec3> seen_corners(const glm::dmat4& to_world) const;

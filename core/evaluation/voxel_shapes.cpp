@@ -33,20 +33,24 @@ Ref<Casting> VoxelShapes::casting(const Ref<VoxelField>& field, const Ref<VoxelG
 }
 
 // What changes the width, or the view, finds no line anew.
-Ref<LevelLines> VoxelShapes::further_lines(const ShownVolume& shown, const Ref<LevelMesh>& mesh,
-                                           const MoreLines& wanted)
+Ref<LevelLines> VoxelShapes::further_lines(const ShownVolume& shown, const Ref<VoxelField>& all,
+                                           const Ref<LevelMesh>& mesh, const MoreLines& wanted)
 {
     MoreLines fixed = wanted;
     fixed.width = fixed.amount = 1;
     fixed.suggestive = true;
     return further_({mesh, shown.side, fixed}, [&] {
         const Ref<ScalarField<float>>& smooth =
-            smooth_({shown.field, wanted.smoothing}, [&]() -> Ref<ScalarField<float>> {
-                if (wanted.smoothing == 0) return {shown.field, &shown.field->field()};
-                return make_ref(smooth_field(*shown.field, wanted.smoothing));
+            smooth_({all, wanted.smoothing}, [&]() -> Ref<ScalarField<float>> {
+                if (wanted.smoothing == 0) return {all, &all->field()};
+                return make_ref(smooth_field(*all, wanted.smoothing));
             });
-        return make_ref(
-            level_lines(*shown.field, *smooth, *mesh, shown.side, shown.to_model, fixed));
+        const auto by = [&](const ScalarField<float>& bends) {
+            return make_ref(
+                level_lines(*shown.field, bends, *mesh, shown.side, shown.to_model, fixed));
+        };
+        return shown.field == all ? by(*smooth)
+                                  : by(smooth->part(shown.part.first, shown.part.size()));
     });
 }
 
@@ -58,12 +62,21 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     });
     Model model;
     ShownVolume shown;
+    Ref<VoxelField> all;
     if (loaded.grid) {
         const VoxelFieldOptions options{source.spline, source.order, source.blur, source.coarsen};
-        shown.field = fields_({loaded.grid, options}, [&] {
+        all = fields_({loaded.grid, options}, [&] {
             return timed(timings, "field",
                          [&] { return std::make_shared<const VoxelField>(loaded.grid, options); });
         });
+        const glm::ivec3 size = all->grid().size;
+        shown.part = sample_box(size, source.crop_low, source.crop_high);
+        shown.field = all;
+        if (shown.part.size() != size)
+            shown.field = parts_({all, shown.part}, [&] {
+                return timed(timings, "field",
+                             [&] { return std::make_shared<const VoxelField>(*all, shown.part); });
+            });
         shown.summary = loaded.summary;
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
@@ -71,7 +84,9 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         further_.keep(kept_changes * (source.levels.size() + 1));
         surfaces_.keep(kept_changes * (source.levels.size() + 1));
     }
-    for (std::size_t i = 0; i < source.levels.size() && shown.field; ++i) {
+    // Keys may close the box.
+    const bool some = all && glm::all(glm::lessThan(source.crop_low, source.crop_high));
+    for (std::size_t i = 0; i < source.levels.size() && some; ++i) {
         const VoxelLevel& level = source.levels[i];
         if (level.hidden) continue;
         report(progress, static_cast<double>(i) / static_cast<double>(source.levels.size()),
@@ -82,8 +97,8 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         });
         shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink, level.more});
         if (level.lines && level.more.any())
-            shown.levels.back().further =
-                timed(timings, "lines", [&] { return further_lines(shown, mesh, level.more); });
+            shown.levels.back().further = timed(
+                timings, "lines", [&] { return further_lines(shown, all, mesh, level.more); });
         if (!level.surface) continue;
         const auto material = static_cast<std::uint32_t>(model.materials.size());
         const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale, material}, [&] {
@@ -100,8 +115,8 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         model.materials.push_back(material_of(level.look));
         model.materials.back().name = name_of(level);
     }
-    if (shown.field && source.casting.shown) {
-        shown.casting = casting(shown.field, loaded.grid, source.casting, timings);
+    if (some && source.casting.shown) {
+        shown.casting = casting(all, loaded.grid, source.casting, timings);
         shown.seen_as = source.casting;
     }
     if (model.materials.empty()) model.materials.emplace_back();

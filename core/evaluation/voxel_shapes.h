@@ -25,6 +25,7 @@ private:
                          const VolumeCasting& wanted, Timings& timings);
 
     using FieldKey = std::pair<Ref<VoxelGrid>, VoxelFieldOptions>;
+    using PartKey = std::pair<Ref<VoxelField>, SampleBox>;
     using LevelKey = std::pair<Ref<VoxelField>, double>;
     // with the scale and the number of its material
     using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double, std::uint32_t>;
@@ -33,10 +34,11 @@ private:
     using SmoothKey = std::pair<Ref<VoxelField>, float>;
     using FurtherKey = std::tuple<Ref<LevelMesh>, LevelSide, MoreLines>;
 
-    Ref<LevelLines> further_lines(const ShownVolume& shown, const Ref<LevelMesh>& mesh,
-                                  const MoreLines& wanted);
+    Ref<LevelLines> further_lines(const ShownVolume& shown, const Ref<VoxelField>& all,
+                                  const Ref<LevelMesh>& mesh, const MoreLines& wanted);
 
     Recent<FieldKey, Ref<VoxelField>> fields_;
+    Recent<PartKey, Ref<VoxelField>> parts_{2};
     Recent<LevelKey, Ref<LevelMesh>> levels_;
     Recent<SurfaceKey, Ref<Mesh>> surfaces_;
     Recent<Ref<VoxelGrid>, Ref<VolumeSummary>> summaries_;

@@ -36,9 +36,7 @@ int mirrored(int i, int count)
 } // namespace
 
 template <class Real>
-template <class Sample>
-ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3& size,
-                               FieldSpline spline, FieldOrder order)
+ScalarField<Real>::ScalarField(const glm::ivec3& size, FieldSpline spline, FieldOrder order)
     : size_(size),
       spline_(spline),
       order_(order)
@@ -48,17 +46,38 @@ ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3
             throw Rejected(fmt::format("a volume needs at least two samples along each axis; this "
                                        "one has {} x {} x {}",
                                        size.x, size.y, size.z));
-    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                              static_cast<std::size_t>(size.z);
-    if (samples.size() != count)
-        throw Rejected(
-            fmt::format("{} samples are not {} x {} x {}", samples.size(), size.x, size.y, size.z));
     row_ = static_cast<std::size_t>(size.x) + 2;
     plane_ = row_ * (static_cast<std::size_t>(size.y) + 2);
     // Orders below 4 have weights of 0, whose coefficients may be one plane and row further on.
     const std::size_t beyond = order == FieldOrder::cubic ? 0 : 2 * (plane_ + row_ + 2);
     coefficients_.resize(plane_ * (static_cast<std::size_t>(size.z) + 2) + beyond);
+}
+
+template <class Real>
+template <class Sample>
+ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3& size,
+                               FieldSpline spline, FieldOrder order)
+    : ScalarField(size, spline, order)
+{
+    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                              static_cast<std::size_t>(size.z);
+    if (samples.size() != count)
+        throw Rejected(
+            fmt::format("{} samples are not {} x {} x {}", samples.size(), size.x, size.y, size.z));
     take(samples);
+}
+
+template <class Real>
+ScalarField<Real> ScalarField<Real>::part(const glm::ivec3& first, const glm::ivec3& size) const
+{
+    ScalarField out(size, spline_, order_);
+    parallel_blocks(static_cast<std::size_t>(size.z) + 2, 1, [&](std::size_t plane, std::size_t) {
+        const int k = static_cast<int>(plane) - 1;
+        for (int j = -1; j <= size.y; ++j)
+            std::copy_n(coefficients_.data() + index(first.x - 1, first.y + j, first.z + k),
+                        out.row_, out.coefficients_.data() + out.index(-1, j, k));
+    });
+    return out;
 }
 
 template <class Real>

@@ -34,6 +34,11 @@ public:
                 FieldSpline spline = FieldSpline::interpolating,
                 FieldOrder order = FieldOrder::cubic);
 
+    // The same function over a part of the grid that begins at a sample and has that number of
+    // them, at least two, along each axis. Its place p is the place first + p of this one, and it
+    // has the same values there, also in its border. O(#samples of the part).
+    ScalarField part(const glm::ivec3& first, const glm::ivec3& size) const;
+
     const glm::ivec3& size() const { return size_; } // number of samples along each axis
     FieldOrder order() const { return order_; }
     FieldSpline spline() const { return spline_; }
@@ -60,6 +65,7 @@ private:
         return static_cast<std::size_t>(i + 1) + row_ * static_cast<std::size_t>(j + 1) +
                plane_ * static_cast<std::size_t>(k + 1);
     }
+    ScalarField(const glm::ivec3& size, FieldSpline spline, FieldOrder order); // coefficients of 0
     template <class Sample> void take(std::span<const Sample> samples);
     void filter_along_x(int k);
     void filter_lines(Real* first, std::size_t stride, int count, std::size_t width) const;

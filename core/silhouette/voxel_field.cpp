@@ -25,6 +25,14 @@ ScalarField<float> field_of(const VoxelGrid& grid, const std::vector<float>& blu
     return blurred.empty() ? std::visit(of, grid.samples) : of(blurred);
 }
 
+// Of values of which there are none where the samples stand for them.
+std::vector<float> part_of(const std::vector<float>& values, const glm::ivec3& size,
+                           const SampleBox& box)
+{
+    if (values.empty()) return {};
+    return cropped(std::span(values), size, box);
+}
+
 } // namespace
 
 VoxelField::VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options)
@@ -38,6 +46,16 @@ VoxelField::VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options)
     if (options.spline == FieldSpline::interpolating || options.order == FieldOrder::linear) return;
     lattice_ = lattice_values(field_);
     blurred_ = {};
+}
+
+VoxelField::VoxelField(const VoxelField& whole, const SampleBox& box)
+    : grid_(make_ref(cropped(*whole.grid_, box))),
+      blur_(whole.blur_),
+      blurred_(part_of(whole.blurred_, whole.grid_->size, box)),
+      field_(whole.field_.part(box.first, box.size())),
+      hulls_(field_),
+      lattice_(part_of(whole.lattice_, whole.grid_->size, box))
+{
 }
 
 auto VoxelField::with_lattice(auto&& use) const

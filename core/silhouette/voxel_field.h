@@ -5,7 +5,7 @@
 #include "core/mesh/mesh.h"
 #include "core/silhouette/level_mesh.h"
 #include "core/silhouette/visibility.h"
-#include "core/voxels/voxel_grid.h"
+#include "core/voxels/cropped.h"
 
 namespace trivar {
 
@@ -26,6 +26,9 @@ public:
     // O(#samples); 4 bytes per sample beside the grid, 8 where it is blurred or smoothed. Throws
     // Rejected.
     VoxelField(Ref<VoxelGrid> grid, const VoxelFieldOptions& options);
+    // The same function over a box of another one's samples; see ScalarField::part(). O(#samples
+    // of the box).
+    VoxelField(const VoxelField& whole, const SampleBox& box);
 
     // The grid that it is of; voxels are those of this grid.
     const VoxelGrid& grid() const { return *grid_; }

@@ -143,7 +143,26 @@ MoreLines more_lines_of(const SilhouetteCommand& command)
     return out;
 }
 
+// The corners of the box that is drawn, as shares of the grid.
+std::optional<std::pair<glm::vec3, glm::vec3>> crop_of(const SilhouetteCommand& command)
+{
+    if (command.crop.empty()) return {};
+    const std::vector<double>& c = command.crop;
+    const bool six = c.size() == 6;
+    const glm::vec3 low = six ? glm::vec3(c[0], c[1], c[2]) : glm::vec3(0),
+                    high = six ? glm::vec3(c[3], c[4], c[5]) : glm::vec3(0);
+    if (!glm::all(glm::lessThan(low, high)) ||
+        !glm::all(glm::greaterThanEqual(low, glm::vec3(0))) ||
+        !glm::all(glm::lessThanEqual(high, glm::vec3(1))))
+        throw WrongUsage(
+            "--crop takes six shares of the grid, 0 to 1, the first three below the last "
+            "three, such as 0.5,0,0,1,1,1");
+    return std::pair(low, high);
+}
+
+// `volume` is the box of the samples of `all`; no box: it is all of it.
 LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
+                        const VoxelField& all, const std::optional<SampleBox>& box,
                         const std::vector<double>& values, const HandEdits& edits)
 {
     const VoxelGrid& grid = volume.grid();
@@ -153,7 +172,8 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
     const MoreLines more = more_lines_of(command);
     std::vector<LevelLines> further;
     if (more.any()) {
-        const ScalarField<float> smooth = smooth_field(volume, more.smoothing);
+        ScalarField<float> smooth = smooth_field(all, more.smoothing);
+        if (box) smooth = smooth.part(box->first, box->size());
         for (const LevelMesh& mesh : meshes)
             further.push_back(level_lines(volume, smooth, mesh, side, grid.to_metres, more));
     }
@@ -197,6 +217,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     direction_of(command.view, "view");
     direction_of(command.light, "light");
     const std::optional<glm::vec3> paper = paper_of(command);
+    const auto crop = crop_of(command);
     const DrawingFormat format = drawing_format(command.out);
     HandEdits edits;
     if (!command.edited.empty()) edits = edits_in(command.edited);
@@ -208,9 +229,14 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     if (values.empty()) values.push_back(usual_level(summary_of(*grid), *grid));
     const auto start = std::chrono::steady_clock::now();
     const FieldSpline spline = command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
-    const VoxelField volume(grid,
-                            {.spline = spline, .blur = command.blur, .coarsen = command.coarsen});
-    LevelDrawing levels = drawing_of(command, volume, values, edits);
+    const VoxelField all(grid,
+                         {.spline = spline, .blur = command.blur, .coarsen = command.coarsen});
+    std::optional<SampleBox> box;
+    if (crop) box = sample_box(all.grid().size, crop->first, crop->second);
+    std::optional<VoxelField> part;
+    if (box) part.emplace(all, *box);
+    const VoxelField& volume = part ? *part : all;
+    LevelDrawing levels = drawing_of(command, volume, all, box, values, edits);
     DrawingSheet drawing{std::move(levels.layers), picture_size(command.size), paper,
                          volume.grid().to_metres};
     apply(edits, drawing);

@@ -19,6 +19,7 @@ struct SilhouetteCommand {
     std::string size = "1000x1000";
     bool below = false; // the body is where values are less than the level
     bool smooth = false;
+    std::vector<double> crop;     // shares of the grid: its first corner, then its last; none: all
     int coarsen = 1;              // see coarsened()
     int blur = 0;                 // see blurred()
     bool hide_each_other = false; // bodies of levels hide what is behind them of others

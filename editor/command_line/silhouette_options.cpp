@@ -69,6 +69,12 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
                      "make one sample of that many along each axis before, 1 to 64")
         ->type_name("N")
         ->check(CLI::Range(1, 64));
+    silhouette
+        ->add_option("--crop", o.crop,
+                     "only the data in a box, as shares of the grid along its axes, 0 to 1")
+        ->delimiter(',')
+        ->type_name("X,Y,Z,X,Y,Z")
+        ->allow_extra_args(false);
     silhouette->add_option("--width", o.width, "of lines in pixels; 1.8 by default")
         ->type_name("W")
         ->check(CLI::Range(0.05, 100.0));

@@ -12,7 +12,7 @@ std::optional<gpu::CastVolume> cast_volume_of(const EvaluatedObject& object)
     const Box box = volume.cast_box();
     if (box.empty()) return std::nullopt;
     return gpu::CastVolume{.data = volume.casting,
-                           .to_world = object.own_to_world * volume.to_model,
+                           .to_world = object.own_to_world * volume.all_to_model(),
                            .low = box.lo,
                            .high = box.hi,
                            .density = static_cast<float>(volume.seen_as.density),

@@ -35,10 +35,10 @@ template <> struct FieldsOf<VolumeCasting> {
         field("shading", c.shading, "0: colours as they are, 1: lit where values change",
               in_range(0, 1).called("Shading").in(Unit::share));
         field("crop_low", c.crop_low,
-              "first corner of the box that is seen, as shares of the grid along its axes",
-              in_range(0, 1).called("Crop from").in(Unit::share));
+              "first corner of the box that is cast, as shares of the grid along its axes",
+              in_range(0, 1).called("Cast from").in(Unit::share));
         field("crop_high", c.crop_high, "its last corner; each share is above that of the first",
-              in_range(0, 1).called("Crop to").in(Unit::share));
+              in_range(0, 1).called("Cast to").in(Unit::share));
     }
 };
 

@@ -82,6 +82,13 @@ template <> struct FieldsOf<VoxelShape> {
               in_range(0, 64).called("Blur").zero_is("none"));
         field("body", s.body, "on which side of its level a body is",
               any_value.called("Body").without_keys());
+        field("crop_low", s.crop_low,
+              "first corner of the box of the data that is shown, as shares of the grid along its "
+              "axes; the nearest samples count",
+              in_range(0, 1).called("Crop from").in(Unit::share).counts(Counting::named));
+        field(
+            "crop_high", s.crop_high, "its last corner; each share is above that of the first",
+            in_range(0, 1).called("Crop to").in(Unit::share).resting_at(1).counts(Counting::named));
         field("levels", s.levels, "that are shown; none: one that parts the values best");
         field("casting", s.casting, "how the data are seen as a whole", later);
         field("reading", s.reading, "what its files do not say", later.without_keys());

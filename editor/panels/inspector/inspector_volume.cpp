@@ -9,6 +9,7 @@
 #include "editor/tools/level_under.h"
 #include "ui/icons.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -73,6 +74,17 @@ void chosen_rows(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int ch
     look.resting_at(rest.roughness, &Surfacing::roughness);
 }
 
+// A corner of the box that is dragged stops before the other one.
+void keep_apart(VoxelShape& shape, const VoxelShape& before)
+{
+    constexpr float least = 0.01f; // share of the grid
+    for (int k = 0; k < 3; ++k) {
+        float &low = shape.crop_low[k], &high = shape.crop_high[k];
+        if (low != before.crop_low[k]) low = std::max(0.0f, std::min(low, high - least));
+        if (high != before.crop_high[k]) high = std::min(1.0f, std::max(high, low + least));
+    }
+}
+
 } // namespace
 
 void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
@@ -117,6 +129,14 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
             ImGui::PopID();
         }
         ImGui::PopID();
+    }
+    const bool crops = s.crop_low != VoxelShape{}.crop_low || s.crop_high != VoxelShape{}.crop_high;
+    if (ui::section(theme, "Crop", crops)) {
+        FieldRows<VoxelShape> fields(rows, s, "shape");
+        fields(&VoxelShape::crop_low);
+        fields(&VoxelShape::crop_high);
+        keep_apart(s, *now);
+        ui::gap(theme, 8);
     }
     if (ui::section(theme, "Casting", s.casting.shown)) {
         ImGui::PushID("rows"); // the section has the name of a row

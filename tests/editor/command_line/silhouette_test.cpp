@@ -59,6 +59,16 @@ TEST_F(SilhouetteCommandLine, DrawsALayerForEachLevel)
     EXPECT_THAT(drawing(), HasSubstr("level 2"));
 }
 
+TEST_F(SilhouetteCommandLine, DrawsWhatIsInABox)
+{
+    const Drawn drawn = draw({"--level", "30.5", "--crop", "0.5,0,0,1,1,1"});
+    EXPECT_EQ(drawn.status, Status::done) << drawn.talk;
+    EXPECT_THAT(drawing(), HasSubstr("level 1"));
+    EXPECT_EQ(draw({"--crop", "0.5,0,0,0.4,1,1"}).status, Status::usage);
+    EXPECT_EQ(draw({"--crop", "0.5"}).status, Status::usage);
+    EXPECT_EQ(draw({"--crop", "0,0,0,1,1,1.5"}).status, Status::usage);
+}
+
 TEST_F(SilhouetteCommandLine, FindsALevelItself)
 {
     const Drawn drawn = draw({"--view", "0,0,1", "--fov", "40", "--hidden", "dashed"});
