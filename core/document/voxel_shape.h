@@ -22,6 +22,7 @@ struct VoxelLevel {
     Surfacing look = {}; // of the surface
     bool lines = true;
     LineStyle ink = {};
+    bool certified = false; // lines at rest and in files are proven to lack nothing above 1/8 voxel
     MoreLines more = {};
     bool operator==(const VoxelLevel&) const = default;
 };

@@ -15,8 +15,15 @@ std::vector<DrawnLevel> ShownVolume::drawn_levels() const
                            .side = side,
                            .style = level.ink,
                            .more = level.more,
-                           .further = level.further.get()});
+                           .further = level.further.get(),
+                           .certified_depth = level.certified ? certified_halvings : -1});
     return out;
+}
+
+bool ShownVolume::certifies() const
+{
+    return std::ranges::any_of(levels,
+                               [](const Level& level) { return level.lines && level.certified; });
 }
 
 glm::dmat4 ShownVolume::all_to_model() const

@@ -10,6 +10,9 @@
 
 namespace trivar {
 
+// Certified lines are proven to boxes of a voxel halved so often.
+inline constexpr int certified_halvings = 3;
+
 // A ShownVolume is volume data with the levels that an object shows of it: what their lines are
 // drawn by. A level that is hidden is not in it.
 struct ShownVolume {
@@ -19,6 +22,7 @@ struct ShownVolume {
         Ref<LevelMesh> mesh;
         bool lines = false;
         LineStyle ink = {};
+        bool certified = false; // its lines are wanted with a proof, and the field can have one
         MoreLines more = {};
         Ref<LevelLines> further = {}; // that `more` are found by; null: none of them
     };
@@ -33,6 +37,7 @@ struct ShownVolume {
 
     // The levels whose lines are drawn, for draw_levels(); they refer to those here.
     std::vector<DrawnLevel> drawn_levels() const;
+    bool certifies() const;          // some of these lines with a proof
     glm::dmat4 all_to_model() const; // voxels of all data to the object's model
     Box cast_box() const;            // of what is cast, in these voxels; empty: nothing is
     // The corners of the box round what is cast and round the levels with lines, where the object's

@@ -95,7 +95,8 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
             return timed(timings, "level",
                          [&] { return make_ref(shown.field->level(level.value)); });
         });
-        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink, level.more});
+        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink,
+                                level.certified && source.order == FieldOrder::cubic, level.more});
         if (level.lines && level.more.any())
             shown.levels.back().further = timed(
                 timings, "lines", [&] { return further_lines(shown, all, mesh, level.more); });

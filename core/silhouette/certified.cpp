@@ -186,7 +186,8 @@ LeafMarch whole_of(const std::vector<LeafMarch>& parts)
 
 CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, const FieldHulls& hulls,
                                            float level, const ViewPoint& view, int depth,
-                                           const SilhouetteOptions& options)
+                                           const SilhouetteOptions& options,
+                                           const Progress& progress)
 {
     check(view);
     if (field.order() != FieldOrder::cubic)
@@ -197,6 +198,7 @@ CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, cons
     std::vector<LeafMarch> parts((bricks.size() + bricks_per_block - 1) / bricks_per_block);
     SpareSearches spare([&] { return std::make_unique<BrickSearch>(field, level, view, depth); });
     parallel_blocks(bricks.size(), bricks_per_block, [&](std::size_t begin, std::size_t end) {
+        report(progress, static_cast<double>(begin) / static_cast<double>(bricks.size()), "proof");
         std::unique_ptr<BrickSearch> search = spare.take();
         for (std::size_t b = begin; b < end; ++b)
             (*search)(bricks[b] * FieldHulls::brick, parts[begin / bricks_per_block]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/silhouette/field_hulls.h"
 #include "core/silhouette/silhouettes.h"
 
@@ -24,9 +25,10 @@ struct CertifiedSilhouettes {
 // corners. Two boxes that touch see the same numbers at their common corners. An eye needs no other
 // bounds: <p - eye, grad D> is of degree 3 in each variable, too. Depth 3 or 4: recall of at least
 // 0.9999 of the length. Throws Rejected if the field is not cubic, depth is not 0 .. 5, or the view
-// is none. The same for any number of threads.
+// is none. The same for any number of threads; the progress is called from any of them.
 CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, const FieldHulls& hulls,
                                            float level, const ViewPoint& view, int depth,
-                                           const SilhouetteOptions& options = {.spacing = 0.1f});
+                                           const SilhouetteOptions& options = {.spacing = 0.1f},
+                                           const Progress& progress = {});
 
 } // namespace trivar

@@ -53,17 +53,18 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
                                                  std::vector<LevelBody> others, std::size_t* open)
 {
     const LevelBody own{field, hulls, level.mesh.level, level.side};
+    const int depth = std::max(level.certified_depth, options.certified_depth);
     Silhouettes silhouettes;
     StrokeOptions joining = options.strokes;
     if (options.dash_rows > 0) {
         silhouettes =
             DashTable(field, hulls, level.mesh.level, options.dash_rows)(field, view.from);
         joining.join = joining.shortest = 0;
-    } else if (options.certified_depth < 0) {
+    } else if (depth < 0) {
         silhouettes = SilhouetteFinder()(field, level.mesh, view.from);
     } else {
-        CertifiedSilhouettes certified = certified_silhouettes(field, hulls, level.mesh.level,
-                                                               view.from, options.certified_depth);
+        CertifiedSilhouettes certified = certified_silhouettes(
+            field, hulls, level.mesh.level, view.from, depth, {.spacing = 0.1f}, options.progress);
         if (open) *open += certified.open;
         silhouettes = std::move(certified.curves);
     }

@@ -34,6 +34,7 @@ struct DrawnLevel {
     bool border = true; // also lines where the grid cuts the body off
     MoreLines more = {};
     const LevelLines* further = nullptr; // that `more` are found by; null: none of them
+    int certified_depth = -1;            // as LevelDrawingOptions has it; the greater one counts
 };
 
 struct LevelDrawingOptions {
@@ -47,6 +48,7 @@ struct LevelDrawingOptions {
     // stay while others are hardly longer; drawing sets them. It takes `ids` too. None: as they
     // come.
     std::function<std::vector<std::uint64_t>&(const std::string& layer)> kept = {};
+    Progress progress = {}; // of certified silhouettes, called from any thread
 };
 
 // The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide

@@ -151,6 +151,8 @@ std::optional<ui::Rect> labels(Editor& editor, const ui::Theme& theme, ui::Frame
         add(name);
     if (const std::string words = editor.viewport.refined().words(frame.time_s); !words.empty())
         add(words);
+    if (const std::string words = editor.viewport.certified_lines().words(); !words.empty())
+        add(words);
     glm::vec2 at = view.lo + theme.px(12);
     // The axes stand at the right.
     const float room = view.width() - theme.px(has_room_for_axes(theme, view) ? 12 + 130 : 40);

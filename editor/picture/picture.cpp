@@ -48,6 +48,12 @@ const LineDrawing* line_drawing(const Document& document, Id id)
 
 } // namespace
 
+float wider_lines(const Camera& camera)
+{
+    constexpr double usual_height_px = 720;
+    return static_cast<float>(std::max(1.0, camera.size_px.y / usual_height_px));
+}
+
 gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by)
 {
@@ -56,8 +62,7 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
     picture.settings = *document.render;
     picture.deform_by = by;
     picture.value_colors = colors_of(document.render->color_by);
-    constexpr double usual_height_px = 720;
-    const auto wider = static_cast<float>(std::max(1.0, camera.size_px.y / usual_height_px));
+    const float wider = wider_lines(camera);
     for (const auto& [id, ref] : evaluated.objects) {
         std::vector<gpu::Instance> instances;
         for (std::size_t p = 0; p < ref->parts.size(); ++p) {

@@ -13,6 +13,9 @@ namespace trivar {
 gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
 
+// The width of lines in pixels per pixel of a picture of the usual height.
+float wider_lines(const Camera& camera);
+
 // Adds the vertices of an object and the points of its curves, in world space; of tiles those that
 // are furthest out.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

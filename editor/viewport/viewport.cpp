@@ -151,8 +151,13 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
+    certified_.follow(
+        {refined_.seen(), session.document(), session.view.camera, session.hidden_here},
+        moving || move_ != Move::none, frame.time_s, values_.volume_lines);
+    if (const std::optional<double> soon = certified_.again_in_s()) frame.again_in(*soon);
     PictureState wanted{session.view.camera,
                         refined_.number(),
+                        certified_.number(),
                         session.selected,
                         session.hidden_here,
                         size_px,
@@ -165,6 +170,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     if (shown_) {             // what was drawn as a draft is compared without that
         PictureState before = *shown_;
         before.draft = false;
+        before.lines = wanted.lines; // which come while all rests
         if (before != wanted) moving = true;
     }
     if (moving || move_ != Move::none) moved_s_ = frame.time_s;

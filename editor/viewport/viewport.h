@@ -5,6 +5,7 @@
 #include "editor/picture/volume_facts.h"
 #include "editor/preferences/mouse_manners.h"
 #include "editor/tools/tool.h"
+#include "editor/viewport/certified_lines.h"
 #include "editor/viewport/draft_pace.h"
 #include "editor/viewport/refined_view.h"
 #include "editor/viewport/way_comparison.h"
@@ -76,7 +77,8 @@ public:
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
-    RefinedView& refined() { return refined_; }           // what is drawn of the session's effects
+    RefinedView& refined() { return refined_; } // what is drawn of the session's effects
+    const CertifiedLines& certified_lines() const { return certified_; } // of volume data
     VolumeFacts& volume_facts() { return volume_facts_; } // of the volume that is shown
     const ui::TimingHistory& drafts() const { return drafts_; }
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
@@ -94,6 +96,7 @@ private:
     struct PictureState { // what the present picture was drawn from
         Camera camera;
         long effects = 0; // number of the refined view
+        long lines = 0;   // number of the certified ones
         Selection selected;
         std::vector<Id> hidden_here;
         glm::ivec2 size_px{0};
@@ -121,6 +124,7 @@ private:
     ShownValues values_;
     WayComparison ways_;
     RefinedView refined_;
+    CertifiedLines certified_;
     VolumeFacts volume_facts_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well

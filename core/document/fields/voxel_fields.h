@@ -55,6 +55,11 @@ template <> struct FieldsOf<VoxelLevel> {
         field("lines", l.lines, "whether its silhouettes are drawn",
               any_value.called("Lines").says("drawn", "off"));
         field("ink", l.ink, "how its lines are drawn");
+        field(
+            "certified", l.certified,
+            "whether its silhouettes are proven to lack nothing larger than an eighth of a voxel: "
+            "in pictures and drawings, and in the window while the view rests",
+            later.called("Certified").says("to 1/8 voxel", "off"));
         field("more", l.more, "further lines", later);
     }
 };

@@ -64,6 +64,8 @@ void chosen_rows(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int ch
                 });
     if (level.lines) {
         draw_ink_rows(rows, level.ink, new_level({}, 0).ink, own + ".ink");
+        if (shape.order == FieldOrder::cubic)
+            FieldRows<VoxelLevel>(rows, level, own)(&VoxelLevel::certified);
         draw_more_line_rows(rows, level.more, own + ".more");
     }
     if (!level.surface) return;
