@@ -94,7 +94,7 @@ void LeafMarcher::add(const glm::ivec3& leaf, LeafMarch& out)
                 v[e] = vertex(leaf + steps_of(edge.corner), edge.direction, number[edge.corner],
                               number[edge.corner | edge.direction], out);
             }
-            add_crossed(v.data(), out.product.data(), out.triangles);
+            add_crossed(v.data(), signs_of(v.data(), out.product.data()), out.triangles);
         }
     out.open += out.triangles.size() == before;
 }

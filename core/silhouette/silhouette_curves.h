@@ -7,13 +7,17 @@
 
 namespace trivar {
 
-// Adds a triangle if a product changes its sign in it; 0 counts as above 0.
-inline void add_crossed(const std::uint32_t* corners, const float* product,
+// Which corners of a triangle have a product of at least 0, one bit each.
+inline unsigned signs_of(const std::uint32_t* corners, const float* product)
+{
+    return unsigned{product[corners[0]] >= 0} | unsigned{product[corners[1]] >= 0} << 1 |
+           unsigned{product[corners[2]] >= 0} << 2;
+}
+
+// Adds a triangle if a product changes its sign in it.
+inline void add_crossed(const std::uint32_t* corners, unsigned signs,
                         std::vector<CrossedTriangle>& out)
 {
-    const unsigned signs = unsigned{product[corners[0]] >= 0} |
-                           unsigned{product[corners[1]] >= 0} << 1 |
-                           unsigned{product[corners[2]] >= 0} << 2;
     if (signs == 0 || signs == 7) return;
     constexpr std::array<std::uint8_t, 8> alone{0, 0, 1, 2, 2, 1, 0, 0}; // corner
     const unsigned i = alone[signs];

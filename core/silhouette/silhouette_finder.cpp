@@ -46,7 +46,7 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
     for (const std::uint32_t t : triangles) {
         const std::uint32_t* corners = level.corners.data() + 3 * std::size_t{t};
         for (std::size_t k = 0; k < 3; ++k) product_[corners[k]] = product(level, corners[k], h);
-        add_crossed(corners, product_.data(), crossed_[0]);
+        add_crossed(corners, signs_of(corners, product_.data()), crossed_[0]);
     }
     Silhouettes out = curves(field, level, view, options);
     out.tested = triangles.size();
@@ -97,14 +97,31 @@ void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h)
 void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
 {
     product_.resize(level.positions.size());
+    is_above_.resize(level.positions.size());
     parallel_blocks(level.bricks.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             if (!is_needed_[b]) continue;
             const LevelMesh::Brick& brick = level.bricks[b];
+            float* const products = product_.data();
+            std::uint8_t* const above = is_above_.data();
             for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
-                product_[v] = product(level, v, h);
+                products[v] = product(level, v, h);
+            for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
+                above[v] = products[v] >= 0;
         }
     });
+}
+
+void SilhouetteFinder::add_changing(const LevelMesh& level, std::uint32_t first, std::uint32_t end,
+                                    std::vector<CrossedTriangle>& crossed) const
+{
+    const std::uint8_t* const above = is_above_.data();
+    const std::uint32_t* const stop = level.corners.data() + 3 * std::size_t{end};
+    for (const std::uint32_t* v = level.corners.data() + 3 * std::size_t{first}; v < stop; v += 3) {
+        const unsigned signs =
+            unsigned{above[v[0]]} | unsigned{above[v[1]]} << 1 | unsigned{above[v[2]]} << 2;
+        if (signs != 0 && signs != 7) add_crossed(v, signs, crossed);
+    }
 }
 
 std::size_t SilhouetteFinder::find_triangles(const LevelMesh& level)
@@ -113,25 +130,23 @@ std::size_t SilhouetteFinder::find_triangles(const LevelMesh& level)
         (changing_.size() + bricks_per_view_block - 1) / bricks_per_view_block;
     crossed_.resize(blocks);
     std::vector<std::size_t> tested(blocks, 0);
-    parallel_blocks(
-        changing_.size(), bricks_per_view_block, [&](std::size_t begin, std::size_t end) {
-            const std::size_t block = begin / bricks_per_view_block;
-            std::vector<CrossedTriangle>& crossed = crossed_[block];
-            crossed.clear();
-            for (std::size_t i = begin; i < end; ++i) {
-                const LevelMesh::Brick& brick = level.bricks[changing_[i]];
-                std::uint32_t r = brick.first_run;
-                for (std::uint32_t t = brick.first_triangle; t < brick.triangle_end;
-                     t += LevelMesh::run_length, ++r) {
-                    if (!run_changes_[r]) continue;
-                    const std::uint32_t last =
-                        std::min(t + LevelMesh::run_length, brick.triangle_end);
-                    tested[block] += last - t;
-                    for (std::size_t k = t; k < last; ++k)
-                        add_crossed(level.corners.data() + 3 * k, product_.data(), crossed);
-                }
-            }
-        });
+    parallel_blocks(changing_.size(), bricks_per_view_block,
+                    [&](std::size_t begin, std::size_t end) {
+                        const std::size_t block = begin / bricks_per_view_block;
+                        crossed_[block].clear();
+                        for (std::size_t i = begin; i < end; ++i) {
+                            const LevelMesh::Brick& brick = level.bricks[changing_[i]];
+                            std::uint32_t r = brick.first_run;
+                            for (std::uint32_t t = brick.first_triangle; t < brick.triangle_end;
+                                 t += LevelMesh::run_length, ++r) {
+                                if (!run_changes_[r]) continue;
+                                const std::uint32_t last =
+                                    std::min(t + LevelMesh::run_length, brick.triangle_end);
+                                tested[block] += last - t;
+                                add_changing(level, t, last, crossed_[block]);
+                            }
+                        }
+                    });
     return std::accumulate(tested.begin(), tested.end(), std::size_t{0});
 }
 

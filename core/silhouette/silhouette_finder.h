@@ -30,8 +30,12 @@ private:
     void find_runs(const LevelMesh& level, const glm::vec4& h);
     void find_signs(const LevelMesh& level, const glm::vec4& h);
     std::size_t find_triangles(const LevelMesh& level); // how many were tested
+    // Adds those of the triangles first .. end - 1 in which the sign changes.
+    void add_changing(const LevelMesh& level, std::uint32_t first, std::uint32_t end,
+                      std::vector<CrossedTriangle>& crossed) const;
 
     std::vector<float> product_;          // of the view and the normal, by vertex
+    std::vector<std::uint8_t> is_above_;  // whether it is at least 0, by vertex
     std::vector<char> run_changes_;       // whether the product may change its sign, by run
     std::vector<char> is_needed_;         // whether the product is, by brick
     std::vector<std::uint32_t> changing_; // bricks with such runs
