@@ -25,6 +25,53 @@ struct NetBox {
     int halvings;
 };
 
+// The least and the greatest coefficient of each of the 4 x 4 x 4 cells of a brick: row y + 4 z
+// holds those along x.
+struct BrickHulls {
+    std::array<Row4<float>, 16> least, greatest;
+};
+
+// Of those cells of a brick that there are: along each axis by runs of four coefficients.
+BrickHulls brick_hulls(const ScalarField<float>& field, const glm::ivec3& first,
+                       const glm::ivec3& cells)
+{
+    using Row = Row4<float>;
+    constexpr std::size_t n = FieldHulls::brick, wide = n + 3; // cells, and their coefficients
+    const auto lesser = [](const Row& a, const Row& b) { return a < b ? a : b; };
+    const auto greater = [](const Row& a, const Row& b) { return a > b ? a : b; };
+    const auto of_four = [](const auto& pick, const Row* row) {
+        return pick(pick(row[0], row[1]), pick(row[2], row[3]));
+    };
+    std::array<Row, wide * wide> least{}, greatest{};
+    std::array<float, wide> copy{};
+    for (int c = 0; c < cells.z + 3; ++c)
+        for (int b = 0; b < cells.y + 3; ++b) {
+            const float* from = &field.coefficient(first.x - 1, first.y - 1 + b, first.z - 1 + c);
+            if (cells.x < FieldHulls::brick) { // what follows is of another row, or not there
+                std::copy_n(from, cells.x + 3, copy.begin());
+                from = copy.data();
+            }
+            const std::array<Row, 4> shifted{row4(from), row4(from + 1), row4(from + 2),
+                                             row4(from + 3)};
+            const auto row = static_cast<std::size_t>(b) + wide * static_cast<std::size_t>(c);
+            least[row] = of_four(lesser, shifted.data());
+            greatest[row] = of_four(greater, shifted.data());
+        }
+    BrickHulls out;
+    for (std::size_t j = 0; j < n; ++j) {
+        std::array<Row, wide> low, high;
+        for (std::size_t c = 0; c < wide; ++c) {
+            low[c] = of_four(lesser, &least[j + wide * c]);
+            high[c] = of_four(greater, &greatest[j + wide * c]);
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            out.least[j + n * k] = of_four(lesser, &low[k]);
+            out.greatest[j + n * k] = of_four(greater, &high[k]);
+        }
+    }
+    return out;
+}
+
 // BrickSearch finds the leaves of one brick after the other.
 class BrickSearch {
 public:
@@ -40,31 +87,31 @@ public:
     void operator()(const glm::ivec3& first_cell, LeafMarch& out)
     {
         marcher_.begin(first_cell);
-        const glm::ivec3 end = glm::min(first_cell + FieldHulls::brick, field_.size() - 1);
-        for (int k = first_cell.z; k < end.z; ++k)
-            for (int j = first_cell.y; j < end.y; ++j)
-                for (int i = first_cell.x; i < end.x; ++i)
-                    search({i, j, k}, glm::ivec3(i, j, k) - first_cell, out);
+        const glm::ivec3 cells = glm::min(field_.size() - 1 - first_cell, FieldHulls::brick);
+        const BrickHulls hulls = brick_hulls(field_, first_cell, cells);
+        for (int k = 0; k < cells.z; ++k)
+            for (int j = 0; j < cells.y; ++j) {
+                const auto row = static_cast<std::size_t>(j + FieldHulls::brick * k);
+                for (int i = 0; i < cells.x; ++i) {
+                    const float least = hulls.least[row][i] - level_,
+                                greatest = hulls.greatest[row][i] - level_;
+                    if (least <= 0 && greatest >= 0)
+                        search(first_cell, {i, j, k}, std::max(-least, greatest), out);
+                }
+            }
     }
 
 private:
-    void search(const glm::ivec3& cell, const glm::ivec3& in_brick, LeafMarch& out)
+    // The greatest of |D - level| among a cell's coefficients is `scale`.
+    void search(const glm::ivec3& first_cell, const glm::ivec3& in_brick, float scale,
+                LeafMarch& out)
     {
+        const glm::ivec3 cell = first_cell + in_brick;
         NetBox& whole = stack_[0];
-        float least = 1e30f, greatest = -1e30f;
         for (int c = 0; c < 4; ++c)
-            for (int b = 0; b < 4; ++b) {
-                const float* from = &field_.coefficient(cell.x - 1, cell.y - 1 + b, cell.z - 1 + c);
-                for (int a = 0; a < 4; ++a) {
-                    least = std::min(least, from[a]);
-                    greatest = std::max(greatest, from[a]);
-                }
-                whole.above.rows[static_cast<std::size_t>(b + 4 * c)] = row4(from) - level_;
-            }
-        least -= level_;
-        greatest -= level_;
-        if (least > 0 || greatest < 0) return;
-        const float scale = std::max(-least, greatest);
+            for (int b = 0; b < 4; ++b)
+                whole.above.rows[static_cast<std::size_t>(b + 4 * c)] =
+                    row4(&field_.coefficient(cell.x - 1, cell.y - 1 + b, cell.z - 1 + c)) - level_;
         make_bezier(whole.above);
         if (!whole.above.may_vanish(level_rounding * scale)) return;
         const glm::dvec3 from = view_.sight(glm::dvec3(cell));
@@ -83,13 +130,13 @@ private:
         while (count > 0) {
             --count;
             ++out.boxes;
-            const NetBox& box = stack_[count];
+            const NetBox box = stack_[count];
             if (box.halvings == 3 * depth_) {
                 marcher_.add(box.at, out);
                 continue;
             }
             const int axis = box.halvings % 3;
-            NetBox lower, upper;
+            NetBox &upper = stack_[count], &lower = stack_[count + 1];
             halve(box.above, axis, lower.above, upper.above);
             bool keeps_lower = lower.above.may_vanish(level_margin),
                  keeps_upper = upper.above.may_vanish(level_margin);
@@ -100,8 +147,8 @@ private:
             lower.at = upper.at = box.at;
             upper.at[axis] += (1 << depth_) >> (box.halvings / 3 + 1);
             lower.halvings = upper.halvings = box.halvings + 1;
-            if (keeps_upper) stack_[count++] = upper;
-            if (keeps_lower) stack_[count++] = lower;
+            if (keeps_lower && !keeps_upper) upper = lower;
+            count += std::size_t{keeps_lower} + std::size_t{keeps_upper};
         }
     }
 
@@ -158,7 +205,16 @@ std::vector<glm::ivec3> bricks_at(const FieldHulls& hulls, float level)
 LeafMarch whole_of(const std::vector<LeafMarch>& parts)
 {
     LeafMarch out;
-    KeyNumbers known;
+    std::size_t positions = 0, triangles = 0, shared = 0;
+    for (const LeafMarch& part : parts) {
+        positions += part.positions.size();
+        triangles += part.triangles.size();
+        shared += part.shared.size();
+    }
+    out.positions.reserve(positions);
+    out.product.reserve(positions);
+    out.triangles.reserve(triangles);
+    KeyNumbers known(shared);
     std::vector<std::uint32_t> number;
     for (const LeafMarch& part : parts) {
         const auto base = static_cast<std::uint32_t>(out.positions.size());
@@ -167,8 +223,8 @@ LeafMarch whole_of(const std::vector<LeafMarch>& parts)
             number[v] = base + static_cast<std::uint32_t>(v);
         out.positions.insert(out.positions.end(), part.positions.begin(), part.positions.end());
         out.product.insert(out.product.end(), part.product.begin(), part.product.end());
-        for (const LeafMarch::Shared& shared : part.shared)
-            number[shared.vertex] = known.insert(shared.key, number[shared.vertex]).first;
+        for (const LeafMarch::Shared& at : part.shared)
+            number[at.vertex] = known.insert(at.key, number[at.vertex]).first;
         const auto renumbered = [&](std::uint64_t edge) {
             return edge_key(number[edge >> 32], number[edge & 0xFFFFFFFF]);
         };

@@ -22,42 +22,39 @@ LeafMarcher::LeafMarcher(const ScalarField<float>& field, float level, const Vie
       per_voxel_(1 << depth),
       side_(FieldHulls::brick * per_voxel_ + 1)
 {
-    const auto n = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) *
-                   static_cast<std::size_t>(side_);
-    corners_.resize(n);
-    corner_brick_.assign(n, 0);
-    edge_brick_.assign(8 * n, 0);
-    edge_vertex_.resize(8 * n);
+    const auto n = static_cast<std::size_t>(side_);
+    number_.assign(n * n * n, none);
 }
 
 void LeafMarcher::begin(const glm::ivec3& first_cell)
 {
     origin_ = first_cell * per_voxel_;
-    ++brick_;
+    for (const Corner& corner : corners_) number_[corner.at] = none;
+    corners_.clear();
 }
 
-const LeafMarcher::Corner& LeafMarcher::corner(const glm::ivec3& at, std::size_t& number)
+std::uint32_t LeafMarcher::corner(const glm::ivec3& at)
 {
-    number = static_cast<std::size_t>(at.x + side_ * (at.y + side_ * at.z));
-    Corner& out = corners_[number];
-    if (corner_brick_[number] == brick_) return out;
-    corner_brick_[number] = brick_;
+    const auto i = static_cast<std::size_t>(at.x + side_ * (at.y + side_ * at.z));
+    if (number_[i] != none) return number_[i];
     const glm::vec3 p = glm::vec3(origin_ + at) / static_cast<float>(per_voxel_);
     const ScalarJet<float> jet = field_.at<1>(p);
     const glm::vec3 sight(view_.sight(glm::dvec3(p)));
-    out = {jet.value - level_,
-           jet.gradient[0] * sight.x + jet.gradient[1] * sight.y + jet.gradient[2] * sight.z};
-    return out;
+    Corner& out = corners_.emplace_back();
+    out.at = i;
+    out.above = jet.value - level_;
+    out.product = jet.gradient[0] * sight.x + jet.gradient[1] * sight.y + jet.gradient[2] * sight.z;
+    out.vertex.fill(none);
+    return number_[i] = static_cast<std::uint32_t>(corners_.size() - 1);
 }
 
-std::uint32_t LeafMarcher::vertex(const glm::ivec3& corner_at, int direction, std::size_t from,
-                                  std::size_t to, LeafMarch& out)
+std::uint32_t LeafMarcher::vertex(const glm::ivec3& corner_at, int direction, std::uint32_t from,
+                                  std::uint32_t to, LeafMarch& out)
 {
-    const std::size_t edge = 8 * from + static_cast<std::size_t>(direction);
-    if (edge_brick_[edge] == brick_) return edge_vertex_[edge];
-    edge_brick_[edge] = brick_;
+    std::uint32_t& known = corners_[from].vertex[static_cast<std::size_t>(direction)];
+    if (known != none) return known;
     const auto number = static_cast<std::uint32_t>(out.positions.size());
-    edge_vertex_[edge] = number;
+    known = number;
     const Corner &a = corners_[from], &b = corners_[to];
     const float share = a.above / (a.above - b.above);
     const glm::ivec3 step = steps_of(direction), at = origin_ + corner_at;
@@ -78,10 +75,12 @@ std::uint32_t LeafMarcher::vertex(const glm::ivec3& corner_at, int direction, st
 void LeafMarcher::add(const glm::ivec3& leaf, LeafMarch& out)
 {
     ++out.leaves;
-    std::array<std::size_t, 8> number;
+    std::array<std::uint32_t, 8> number;
     unsigned inside = 0, along = 0;
     for (int c = 0; c < 8; ++c) {
-        const Corner& at = corner(leaf + steps_of(c), number[static_cast<std::size_t>(c)]);
+        const std::uint32_t n = corner(leaf + steps_of(c));
+        const Corner& at = corners_[n];
+        number[static_cast<std::size_t>(c)] = n;
         inside |= unsigned{at.above >= 0} << c;
         along |= unsigned{at.product >= 0} << c;
     }

@@ -5,6 +5,8 @@
 #include "core/silhouette/field_hulls.h"
 #include "core/silhouette/silhouettes.h"
 
+#include <array>
+
 namespace trivar {
 
 // What leaves of one or more bricks give: vertices, of which those in the faces of a brick have a
@@ -33,21 +35,23 @@ public:
     void add(const glm::ivec3& leaf, LeafMarch& out);
 
 private:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
     struct Corner {
-        float above, product; // D - level and <V, grad D>
+        std::size_t at;                      // lattice point of the brick
+        float above, product;                // D - level and <V, grad D>
+        std::array<std::uint32_t, 8> vertex; // by direction
     };
-    const Corner& corner(const glm::ivec3& at, std::size_t& number);
-    std::uint32_t vertex(const glm::ivec3& corner_at, int direction, std::size_t from,
-                         std::size_t to, LeafMarch& out);
+    std::uint32_t corner(const glm::ivec3& at);
+    std::uint32_t vertex(const glm::ivec3& corner_at, int direction, std::uint32_t from,
+                         std::uint32_t to, LeafMarch& out);
 
     const ScalarField<float>& field_;
     float level_;
     ViewPoint view_;
-    int per_voxel_, side_;    // lattice points per voxel, and along a brick
-    glm::ivec3 origin_{0};    // lattice point
-    std::uint32_t brick_ = 0; // its number, for what was evaluated last in which brick
+    int per_voxel_, side_; // lattice points per voxel, and along a brick
+    glm::ivec3 origin_{0}; // lattice point
     std::vector<Corner> corners_;
-    std::vector<std::uint32_t> corner_brick_, edge_brick_, edge_vertex_;
+    std::vector<std::uint32_t> number_; // of corners, by lattice point of the brick
 };
 
 } // namespace trivar
