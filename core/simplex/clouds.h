@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplex/simplex_domain.h"
+
+namespace trivar {
+
+// A Crease lowers the continuity of a spline of degree n across one face of its domain.
+template <int S> struct Crease {
+    std::array<int, S> face; // vertex numbers
+    int depth = 0; // number of cloud knots per vertex in its plane: continuity is n - 1 - depth;
+                   // depth n: a cut
+    bool operator==(const Crease&) const = default;
+};
+
+// A CloudStyle says how clouds of knots are made.
+struct CloudStyle {
+    double spread = 0.15; // distance from the vertex, as a share of its shortest edge; 0.01 .. 0.3
+    bool clamped = false; // knots of the border are stacked, so that control points lie on it
+};
+
+// A domain of those vertices and cells with clouds that do not cross:
+//  - inside, in directions that differ from vertex to vertex, so that no knots but those asked for
+//    lie in a plane and the spline has n - 1 continuous derivatives;
+//  - on the border, to the outside of all faces there, so that the functions sum to 1 in all of the
+//    domain; where no direction is outside of all, stacked on the vertex;
+//  - at creases, in the planes of all creases at the vertex. A vertex on the rim of a crease keeps
+//    its cloud: what is cut closes at its rim. The rim is where an odd number of creased faces
+//    meet, but for the border.
+// Clouds that would cross are drawn nearer until they do not. Throws Rejected for vertices and
+// cells that check() refuses. The same bits everywhere. O(number of cells).
+template <int S>
+SimplexDomain<S>
+with_clouds(std::vector<glm::vec<S, double>> vertices, std::vector<std::array<int, S + 1>> cells,
+            int degree, const CloudStyle& style = {}, const std::vector<Crease<S>>& creases = {});
+
+} // namespace trivar
