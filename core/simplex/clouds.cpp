@@ -69,12 +69,20 @@ template <int S> Vec<S> within(Vec<S> d, const std::vector<Vec<S>>& planes)
     return d;
 }
 
-template <int S> std::vector<Vec<S>> planes_of(const Star<S>& star, int number)
+// Whether a cloud knot lies in the plane of a crease, so that no function has more than `depth`
+// such knots, and some have as many: a function may take the first knots of several corners, but
+// the second knot of one alone.
+bool lies_in(int number, int depth, int degree)
+{
+    return depth == degree || (number >= 2 && number < 2 + depth);
+}
+
+template <int S> std::vector<Vec<S>> planes_of(const Star<S>& star, int number, int degree)
 {
     std::vector<Vec<S>> out;
     if (star.on_rim) return out;
     for (const auto& [depth, normal] : star.creases) {
-        if (depth < number) continue;
+        if (!lies_in(number, depth, degree)) continue;
         const Vec<S> rest = within(normal, out);
         if (glm::length(rest) > 1e-6) out.push_back(glm::normalize(rest));
     }
@@ -118,7 +126,7 @@ template <int S> double nearest_face(const Vec<S>& d, const Star<S>& star)
 template <int S>
 Vec<S> offset(const Star<S>& star, int number, int degree, double spread, Scatter& scatter)
 {
-    const std::vector<Vec<S>> planes = planes_of(star, number);
+    const std::vector<Vec<S>> planes = planes_of(star, number, degree);
     if (static_cast<int>(planes.size()) >= S) return Vec<S>(0);
     Vec<S> outside(0);
     if (!star.outward.empty()) {
