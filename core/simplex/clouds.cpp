@@ -181,9 +181,11 @@ public:
                                                     glm::distance(out_.vertex(a), out_.vertex(b)));
         scale_.assign(stars_.size(), 1);
         for (std::size_t v = 0; v < stars_.size(); ++v) {
+            if (style.border == CloudBorder::free) stars_[v].outward.clear();
             Scatter scatter(v);
             for (int j = 1; j <= out_.degree; ++j)
-                offsets_.push_back(style.clamped && !stars_[v].outward.empty()
+                offsets_.push_back(style.border == CloudBorder::stacked &&
+                                           !stars_[v].outward.empty()
                                        ? Vec<S>(0)
                                        : offset(stars_[v], j, out_.degree, style.spread, scatter) *
                                              stars_[v].shortest);

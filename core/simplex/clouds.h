@@ -13,17 +13,22 @@ template <int S> struct Crease {
     bool operator==(const Crease&) const = default;
 };
 
+// What clouds on the border of a domain are like: outside, so that the functions sum to 1 in all of
+// the domain; stacked on the vertex, so that control points lie on the border, too; or free, as
+// inside, so that each function fades smoothly, and their sum where the domain ends.
+enum class CloudBorder { outside, stacked, free };
+
 // A CloudStyle says how clouds of knots are made.
 struct CloudStyle {
     double spread = 0.15; // distance from the vertex, as a share of its shortest edge; 0.01 .. 0.3
-    bool clamped = false; // knots of the border are stacked, so that control points lie on it
+    CloudBorder border = CloudBorder::outside;
 };
 
 // A domain of those vertices and cells with clouds that do not cross:
 //  - inside, in directions that differ from vertex to vertex, so that no knots but those asked for
 //    lie in a plane and the spline has n - 1 continuous derivatives;
-//  - on the border, to the outside of all faces there, so that the functions sum to 1 in all of the
-//    domain; where no direction is outside of all, stacked on the vertex;
+//  - on the border, to the outside of all faces there; where no direction is outside of all,
+//    stacked on the vertex;
 //  - at creases, in the planes of all creases at the vertex. A vertex on the rim of a crease keeps
 //    its cloud: what is cut closes at its rim. The rim is where an odd number of creased faces
 //    meet, but for the border.

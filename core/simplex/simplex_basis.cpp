@@ -90,7 +90,7 @@ SimplexBasis<S>::SimplexBasis(SimplexDomain<S> domain)
         const Point more = (box.hi - box.lo) * 1e-12;
         boxes.push_back({box.lo - more, box.hi + more});
     }
-    grid_ = CellGrid<S>(boxes);
+    grid_ = BoxGrid<S>(boxes);
     points_ = shared_points(domain_);
     find_points();
     find_border();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simplex/cell_grid.h"
+#include "core/simplex/box_grid.h"
 #include "core/simplex/multi_index.h"
 #include "core/simplex/simplex_domain.h"
 
@@ -89,7 +89,7 @@ private:
     std::vector<std::uint8_t> jumps_; // per function: bits of corners at whose faces it jumps
     std::vector<int> points_;         // per function
     std::vector<Point> rest_;
-    CellGrid<S> grid_;
+    BoxGrid<S> grid_;
 };
 
 } // namespace trivar

@@ -50,67 +50,85 @@ std::vector<std::uint32_t> order_by_place(std::span<const glm::vec3> points)
     return out;
 }
 
-// The places of the control points of one block in its list, which are few: an open table.
-class Places {
+// The functions of all layers at a point; control points of later layers count on.
+class Evaluation {
 public:
-    std::size_t operator()(std::uint32_t point, std::vector<std::uint32_t>& list, std::size_t begin)
+    Evaluation(std::span<const Ref<SimplexBasis<3>>> layers, bool gradients)
+        : layers_(layers),
+          gradients_(gradients)
     {
-        std::size_t at = (point * 2654435761U) >> 22;
-        for (;; at = (at + 1) & 1023) {
-            if (stamp_[at] != round_) {
-                stamp_[at] = round_;
-                place_[at] = static_cast<std::uint32_t>(list.size() - begin);
-                list.push_back(point);
-                return place_[at];
-            }
-            if (list[begin + place_[at]] == point) return place_[at];
-        }
     }
-    void clear() { ++round_; }
+    // Returns the sum of the values of the first layer.
+    double operator()(const glm::dvec3& x, std::vector<BasisValue<3>>& out)
+    {
+        layers_.front()->values_at(x, gradients_, out);
+        double sum = 0;
+        for (const BasisValue<3>& each : out) sum += each.value;
+        std::size_t before = layers_.front()->point_count();
+        for (const Ref<SimplexBasis<3>>& layer : layers_.subspan(1)) {
+            layer->values_at(x, gradients_, more_);
+            for (BasisValue<3>& each : more_) {
+                each.point += static_cast<int>(before);
+                out.push_back(each);
+            }
+            before += layer->point_count();
+        }
+        return sum;
+    }
 
 private:
-    std::array<std::uint32_t, 1024> stamp_{}, place_{};
-    std::uint32_t round_ = 1;
+    std::span<const Ref<SimplexBasis<3>>> layers_;
+    bool gradients_;
+    std::vector<BasisValue<3>> more_;
 };
 
 } // namespace
 
-SimplexRows::Chunk SimplexRows::bound(const SimplexBasis<3>& basis,
+SimplexRows::Chunk SimplexRows::bound(std::span<const Ref<SimplexBasis<3>>> layers,
                                       std::span<const glm::vec3> points,
                                       std::span<const std::uint32_t> order, bool gradients)
 {
     const std::size_t rows = gradients ? 4 : 1;
     Chunk chunk;
-    Places places;
-    std::vector<BasisValue<3>> values;
+    Evaluation evaluate(layers, gradients);
+    std::array<std::vector<BasisValue<3>>, eight> values;
+    std::vector<std::uint32_t> list;
     for (std::size_t first = 0; first < order.size(); first += eight) {
-        const auto begin = static_cast<std::uint32_t>(chunk.functions.size());
-        places.clear();
-        for (std::size_t i = 0; i < std::min(eight, order.size() - first); ++i) {
-            basis.values_at(points[order[first + i]], gradients, values);
-            double sum = 0;
-            for (const BasisValue<3>& value : values) {
-                sum += value.value;
-                const std::size_t place =
-                    places(static_cast<std::uint32_t>(value.point), chunk.functions, begin);
-                chunk.weights.resize(chunk.functions.size() * eight * rows);
+        const std::size_t count = std::min(eight, order.size() - first);
+        list.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            const double sum = evaluate(points[order[first + i]], values[i]);
+            chunk.outside += std::abs(sum - 1) > 1e-6 ? 1 : 0;
+            for (const BasisValue<3>& value : values[i])
+                list.push_back(static_cast<std::uint32_t>(value.point));
+        }
+        // Ascending, so that equal points get equal bits in any block.
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        const std::size_t begin = chunk.functions.size();
+        chunk.functions.insert(chunk.functions.end(), list.begin(), list.end());
+        chunk.weights.resize(chunk.functions.size() * eight * rows);
+        for (std::size_t i = 0; i < count; ++i)
+            for (const BasisValue<3>& value : values[i]) {
+                const auto place = static_cast<std::size_t>(
+                    std::lower_bound(list.begin(), list.end(),
+                                     static_cast<std::uint32_t>(value.point)) -
+                    list.begin());
                 float* const w = &chunk.weights[(begin + place) * eight * rows + i];
                 w[0] += static_cast<float>(value.value);
-                if (gradients)
-                    for (int axis = 0; axis < 3; ++axis)
-                        w[eight * static_cast<std::size_t>(axis + 1)] +=
-                            static_cast<float>(value.gradient[axis]);
+                for (std::size_t axis = 0; axis + 1 < rows; ++axis)
+                    w[eight * (axis + 1)] +=
+                        static_cast<float>(value.gradient[static_cast<int>(axis)]);
             }
-            chunk.outside += std::abs(sum - 1) > 1e-6 ? 1 : 0;
-        }
-        chunk.blocks.push_back({begin, static_cast<std::uint32_t>(chunk.functions.size()) - begin});
+        chunk.blocks.push_back(
+            {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(list.size())});
     }
     chunk.weights.shrink_to_fit();
     return chunk;
 }
 
-SimplexRows::SimplexRows(const SimplexBasis<3>& basis, std::span<const glm::vec3> points,
-                         bool gradients)
+SimplexRows::SimplexRows(std::span<const Ref<SimplexBasis<3>>> layers,
+                         std::span<const glm::vec3> points, bool gradients)
     : points_(points.begin(), points.end()),
       order_(order_by_place(points)),
       chunks_((points.size() + chunk_size - 1) / chunk_size),
@@ -118,7 +136,7 @@ SimplexRows::SimplexRows(const SimplexBasis<3>& basis, std::span<const glm::vec3
 {
     parallel_blocks(points.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         chunks_[begin / chunk_size] =
-            bound(basis, points_, std::span(order_).subspan(begin, end - begin), gradients);
+            bound(layers, points_, std::span(order_).subspan(begin, end - begin), gradients);
     });
 }
 

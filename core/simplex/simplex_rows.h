@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
 #include "core/simplex/simplex_basis.h"
 
 #include <memory>
@@ -21,15 +22,18 @@ struct DisplacedPoints {
 //
 // with displacements d_b. Eight points that are near each other share one list of control points:
 // about 5 bytes per function and point, or 17 with gradients. Points outside of the domain where
-// no function reaches stay where they are, to the bit.
+// no function reaches stay where they are, to the bit. Equal points get equal bits.
 class SimplexRows {
 public:
-    // About 4 us per point for degree 2. Same bits for any number of threads.
-    SimplexRows(const SimplexBasis<3>& basis, std::span<const glm::vec3> points, bool gradients);
+    // Functions of further layers are added to those of the first one, which `layers` must have;
+    // their control points count on. About 4 us per point for degree 2. Same bits for any number of
+    // threads.
+    SimplexRows(std::span<const Ref<SimplexBasis<3>>> layers, std::span<const glm::vec3> points,
+                bool gradients);
 
     std::size_t point_count() const { return points_.size(); }
     std::size_t bytes() const;
-    // Number of bound points that no function reaches, or not with a sum of 1 (to 1e-6).
+    // Number of bound points at which the functions of the first layer do not sum to 1 (to 1e-6).
     std::size_t outside() const;
 
     // `displacements` has one per control point. At most the reading of the rows: 250 bytes per
@@ -47,8 +51,9 @@ private:
         std::vector<float> weights;
         std::size_t outside = 0;
     };
-    static Chunk bound(const SimplexBasis<3>& basis, std::span<const glm::vec3> points,
-                       std::span<const std::uint32_t> order, bool gradients);
+    static Chunk bound(std::span<const Ref<SimplexBasis<3>>> layers,
+                       std::span<const glm::vec3> points, std::span<const std::uint32_t> order,
+                       bool gradients);
 
     std::vector<glm::vec3> points_;
     std::vector<std::uint32_t> order_; // of points, by place

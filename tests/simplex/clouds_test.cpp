@@ -124,7 +124,9 @@ TEST(Clouds, ShareControlPointsWhereTheyAreStacked)
 {
     const SimplexMesh<3> mesh = box_cells(glm::dvec3(2), glm::ivec3(1));
     const auto points = [&](bool clamped) {
-        return SimplexBasis<3>(with_clouds<3>(mesh.vertices, mesh.cells, 2, {.clamped = clamped}))
+        return SimplexBasis<3>(with_clouds<3>(mesh.vertices, mesh.cells, 2,
+                                              {.border = clamped ? CloudBorder::stacked
+                                                                 : CloudBorder::outside}))
             .point_count();
     };
     EXPECT_EQ(points(false), 60U); // 10 per cell

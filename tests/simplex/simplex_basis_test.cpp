@@ -50,7 +50,8 @@ TEST(SimplexBasis, SumsToOneInTheWholeDomain)
 {
     for (const bool clamped : {false, true})
         for (int degree = 1; degree <= 3; ++degree) {
-            const SimplexBasis<3> basis = of_box(degree, {.clamped = clamped});
+            const SimplexBasis<3> basis =
+                of_box(degree, {.border = clamped ? CloudBorder::stacked : CloudBorder::outside});
             double worst = 0;
             for (const glm::dvec3& p : points(degree == 3 ? 400 : 2000))
                 worst = std::max(worst, sum_error(basis, p));
@@ -108,7 +109,8 @@ TEST(SimplexBasis, AgreesWithTheRecursionInRationalNumbers)
 {
     for (const bool clamped : {false, true})
         for (int degree = 1; degree <= 3; ++degree) {
-            const SimplexBasis<3> basis = of_box(degree, {.clamped = clamped}, 1);
+            const SimplexBasis<3> basis = of_box(
+                degree, {.border = clamped ? CloudBorder::stacked : CloudBorder::outside}, 1);
             double worst = 0;
             for (const glm::dvec3& p : points(degree == 3 ? 3 : 12))
                 if (glm::compMax(glm::abs(p)) < 1) // the recursion ends where the border does

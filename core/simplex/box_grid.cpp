@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simplex/cell_grid.h"
+#include "core/simplex/box_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ void each_cell(const glm::vec<S, int>& from, const glm::vec<S, int>& to, const B
 
 } // namespace
 
-template <int S> CellGrid<S>::CellGrid(std::span<const CellBox<S>> boxes)
+template <int S> BoxGrid<S>::BoxGrid(std::span<const CellBox<S>> boxes)
 {
     if (boxes.empty()) return;
     glm::vec<S, double> lo = boxes[0].lo, hi = boxes[0].hi;
@@ -59,7 +59,7 @@ template <int S> CellGrid<S>::CellGrid(std::span<const CellBox<S>> boxes)
         });
 }
 
-template <int S> glm::vec<S, int> CellGrid<S>::cell_of(const glm::vec<S, double>& x) const
+template <int S> glm::vec<S, int> BoxGrid<S>::cell_of(const glm::vec<S, double>& x) const
 {
     glm::vec<S, int> out;
     for (int i = 0; i < S; ++i)
@@ -68,7 +68,7 @@ template <int S> glm::vec<S, int> CellGrid<S>::cell_of(const glm::vec<S, double>
     return out;
 }
 
-template <int S> std::size_t CellGrid<S>::index(const glm::vec<S, int>& cell) const
+template <int S> std::size_t BoxGrid<S>::index(const glm::vec<S, int>& cell) const
 {
     std::size_t out = 0;
     for (int i = 0; i < S; ++i)
@@ -77,7 +77,7 @@ template <int S> std::size_t CellGrid<S>::index(const glm::vec<S, int>& cell) co
 }
 
 template <int S>
-std::span<const std::int32_t> CellGrid<S>::boxes_at(const glm::vec<S, double>& x) const
+std::span<const std::int32_t> BoxGrid<S>::boxes_at(const glm::vec<S, double>& x) const
 {
     for (int i = 0; i < S; ++i) // false for what is not a number, too
         if (!((x[i] - origin_[i]) * per_unit_[i] >= 0 &&
@@ -89,7 +89,7 @@ std::span<const std::int32_t> CellGrid<S>::boxes_at(const glm::vec<S, double>& x
                                      static_cast<std::size_t>(begin_[cell + 1] - begin_[cell]));
 }
 
-template class CellGrid<2>;
-template class CellGrid<3>;
+template class BoxGrid<2>;
+template class BoxGrid<3>;
 
 } // namespace trivar

@@ -12,13 +12,13 @@ template <int S> struct CellBox {
     glm::vec<S, double> lo, hi;
 };
 
-// A CellGrid finds the boxes that may hold a point: a regular grid with about two cells per box,
+// A BoxGrid finds the boxes that may hold a point: a regular grid with about two cells per box,
 // each with the numbers of the boxes that touch it.
-template <int S> class CellGrid {
+template <int S> class BoxGrid {
 public:
-    CellGrid() = default;
+    BoxGrid() = default;
     // O(number of boxes + number of touched cells).
-    explicit CellGrid(std::span<const CellBox<S>> boxes);
+    explicit BoxGrid(std::span<const CellBox<S>> boxes);
     // Ascending. O(1).
     std::span<const std::int32_t> boxes_at(const glm::vec<S, double>& x) const;
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simplex/tetrahedra_layers.h"
+
+#include "core/base/rejected.h"
+#include "core/simplex/cell_faces.h"
+#include "core/simplex/clouds.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+bool within(const std::vector<glm::dvec3>& places, double radius, const glm::dvec3& p)
+{
+    return std::any_of(places.begin(), places.end(),
+                       [&](const glm::dvec3& place) { return glm::distance(place, p) <= radius; });
+}
+
+std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh,
+                               const std::vector<Ref<TetrahedraEdit>>& edits)
+{
+    std::vector<Crease<3>> out;
+    SimplexDomain<3> bare{1, {}, mesh.cells};
+    for (const Ref<TetrahedraEdit>& edit : edits) {
+        if (!edit->crease) continue;
+        for (const CellFace<3>& face : sorted_faces(bare)) {
+            glm::dvec3 middle(0);
+            for (const int v : face.vertices)
+                middle += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
+            if (within(edit->crease->places, edit->crease->radius, middle))
+                out.push_back({face.vertices, edit->crease->depth});
+        }
+    }
+    return out;
+}
+
+void check_cells(const TetrahedraShape& shape)
+{
+    const int vertices = static_cast<int>(shape.vertices.size());
+    if (shape.cells.size() > most_cells)
+        throw Rejected(fmt::format("a volume has at most {} tetrahedra, not {}", most_cells,
+                                   shape.cells.size()));
+    for (const glm::ivec4& cell : shape.cells)
+        for (int k = 0; k < 4; ++k)
+            if (cell[k] < 0 || cell[k] >= vertices)
+                throw Rejected(
+                    fmt::format("a tetrahedron names vertex {} of {}", cell[k], vertices));
+}
+
+} // namespace
+
+SimplexMesh<3> domain_cells(const TetrahedraShape& shape)
+{
+    if (shape.cells.empty()) {
+        const double cells = 6.0 * shape.boxes.x * shape.boxes.y * shape.boxes.z;
+        if (cells > static_cast<double>(most_cells))
+            throw Rejected(
+                fmt::format("a volume has at most {} tetrahedra, not {:.0f}", most_cells, cells));
+        return box_cells(shape.size, shape.boxes);
+    }
+    check_cells(shape);
+    SimplexMesh<3> out{shape.vertices, {}};
+    for (const glm::ivec4& cell : shape.cells)
+        out.cells.push_back({cell.x, cell.y, cell.z, cell.w});
+    return out;
+}
+
+SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement)
+{
+    if (refinement.places.empty()) throw Rejected("a refinement needs a place");
+    glm::dvec3 lo(1e300), hi(-1e300);
+    for (const glm::dvec3& place : refinement.places) {
+        lo = glm::min(lo, place - refinement.radius);
+        hi = glm::max(hi, place + refinement.radius);
+    }
+    const glm::dvec3 boxes = glm::ceil((hi - lo) / refinement.edge);
+    if (boxes.x * boxes.y * boxes.z * 6 > 50.0 * static_cast<double>(most_cells))
+        throw Rejected("the edges of the refinement are too short for its size");
+    const glm::dvec3 size = boxes * refinement.edge;
+    SimplexMesh<3> all = box_cells(size, glm::ivec3(boxes)), out;
+    const glm::dvec3 middle = (lo + hi) / 2.0;
+    std::vector<int> number(all.vertices.size(), -1);
+    for (auto cell : all.cells) {
+        glm::dvec3 at = middle;
+        for (const int v : cell) at += all.vertices[static_cast<std::size_t>(v)] / 4.0;
+        if (!within(refinement.places, refinement.radius, at)) continue;
+        for (int& v : cell) {
+            int& known = number[static_cast<std::size_t>(v)];
+            if (known < 0) {
+                known = static_cast<int>(out.vertices.size());
+                out.vertices.push_back(all.vertices[static_cast<std::size_t>(v)] + middle);
+            }
+            v = known;
+        }
+        out.cells.push_back(cell);
+    }
+    if (out.cells.empty()) throw Rejected("the edges of the refinement are longer than its radius");
+    if (out.cells.size() > most_cells)
+        throw Rejected(fmt::format("a refinement has at most {} tetrahedra, not {}", most_cells,
+                                   out.cells.size()));
+    return out;
+}
+
+std::vector<Ref<SimplexBasis<3>>> layers_of(const TetrahedraShape& shape)
+{
+    const auto made = [](SimplexDomain<3> domain) {
+        return make_ref(SimplexBasis<3>(std::move(domain)));
+    };
+    const SimplexMesh<3> mesh = domain_cells(shape);
+    std::vector<Ref<SimplexBasis<3>>> out;
+    out.push_back(made(with_clouds<3>(mesh.vertices, mesh.cells, shape.degree,
+                                      {.spread = shape.spread}, creases(mesh, shape.edits))));
+    for (const Ref<TetrahedraEdit>& edit : shape.edits) {
+        if (!edit->refinement) continue;
+        const SimplexMesh<3> near = cells_near(*edit->refinement);
+        out.push_back(made(with_clouds<3>(near.vertices, near.cells, shape.degree,
+                                          {shape.spread, CloudBorder::free})));
+    }
+    return out;
+}
+
+glm::dvec3 size_of(const TetrahedraShape& shape)
+{
+    if (shape.cells.empty()) return shape.size;
+    glm::dvec3 out(0);
+    for (const glm::dvec3& v : shape.vertices) out = glm::max(out, glm::abs(v) * 2.0);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/placement/shaping.h"
+
+#include <optional>
+#include <vector>
+
+// A TetrahedraShape says which volume of tetrahedra deforms what is in it, and what was done to it.
+// All places are in its own space, before any deformation: they stay where they are when the domain
+// changes.
+
+namespace trivar {
+
+// A TetrahedraPull moves and turns the control points in a ball as one, less and less toward its
+// rim. It does not reach across cuts.
+struct TetrahedraPull {
+    int layer = 0; // 0: the domain; n: the nth refinement
+    glm::dvec3 at{0};
+    double radius = 0.5; // metres
+    glm::dvec3 by{0};    // metres
+    glm::dvec3 rotation_deg{0};
+    Decay decay = Decay::smooth;
+    bool guard = true; // does no more of it than keeps det J above 0 at the samples
+    bool operator==(const TetrahedraPull&) const = default;
+};
+
+// A TetrahedraCrease lowers the continuity across the inner faces of the domain whose middles are
+// within the radius of one of the places.
+struct TetrahedraCrease {
+    std::vector<glm::dvec3> places = {};
+    double radius = 0.1; // metres
+    int depth = 1;       // Crease::depth; the degree: a cut
+    bool operator==(const TetrahedraCrease&) const = default;
+};
+
+// A TetrahedraRefinement adds a layer of smaller tetrahedra round some places. Its control points
+// add to the displacement of all layers before, and begin at 0, so that nothing changes its shape
+// [Forsey, Bartels, Hierarchical B-spline refinement, 1988].
+struct TetrahedraRefinement {
+    std::vector<glm::dvec3> places = {};
+    double radius = 0.3; // metres round each place
+    double edge = 0.15;  // metres
+    bool operator==(const TetrahedraRefinement&) const = default;
+};
+
+// A TetrahedraEdit holds exactly one of these. Creases apply from the beginning.
+struct TetrahedraEdit {
+    std::optional<TetrahedraPull> pull = {};
+    std::optional<Warp> warp = {}; // of the box round the domain
+    std::optional<TetrahedraCrease> crease = {};
+    std::optional<TetrahedraRefinement> refinement = {};
+    bool operator==(const TetrahedraEdit&) const = default;
+};
+
+struct TetrahedraShape {
+    glm::dvec3 size{1};   // metres, of a box about the origin
+    glm::ivec3 boxes{2};  // along X, Y and Z, of 6 tetrahedra each
+    int degree = 2;       // 1..3
+    double spread = 0.15; // CloudStyle::spread
+    // The domain, where it is no box: both empty, or neither.
+    std::vector<glm::dvec3> vertices = {};
+    std::vector<glm::ivec4> cells = {};
+    std::vector<Ref<TetrahedraEdit>> edits = {};
+    bool operator==(const TetrahedraShape&) const = default;
+};
+
+} // namespace trivar

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simplex/tetrahedra_shaper.h"
+
+#include "core/placement/warping.h"
+#include "core/simplex/pulling.h"
+#include "core/simplex/tetrahedra_layers.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+std::vector<glm::dvec3> change_by(const Warp& warp, const glm::dvec3& size,
+                                  const SimplexVolume& volume)
+{
+    std::vector<glm::dvec3> out(volume.displacements.size(), glm::dvec3(0));
+    const std::vector<glm::dvec3>& rest = volume.layers.front()->rest();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const glm::dvec3 from = rest[i] + volume.displacements[i];
+        out[i] = warped(from, size, warp) - from;
+    }
+    return out;
+}
+
+TetrahedraOutcome take(SimplexVolume& volume, std::span<const glm::dvec3> change,
+                       const FoldGuard* guard)
+{
+    TetrahedraOutcome out;
+    if (guard) out.share = guard->allowed(volume.displacements, change);
+    for (std::size_t i = 0; i < change.size(); ++i)
+        volume.displacements[i] += change[i] * out.share;
+    if (out.share < 1)
+        out.notice =
+            fmt::format("It is done to {:.0f} %: more would fold at a sample.", 100 * out.share);
+    return out;
+}
+
+TetrahedraShape domain_of(TetrahedraShape shape)
+{
+    std::erase_if(shape.edits, [](const Ref<TetrahedraEdit>& edit) {
+        return !edit->crease && !edit->refinement;
+    });
+    for (Ref<TetrahedraEdit>& edit : shape.edits) edit = make_ref(*edit);
+    return shape;
+}
+
+bool same_domain(const TetrahedraShape& a, const TetrahedraShape& b)
+{
+    TetrahedraShape a_bare = a, b_bare = b;
+    a_bare.edits.clear();
+    b_bare.edits.clear();
+    return a_bare == b_bare &&
+           std::equal(a.edits.begin(), a.edits.end(), b.edits.begin(), b.edits.end(),
+                      [](const auto& x, const auto& y) { return *x == *y; });
+}
+
+} // namespace
+
+bool TetrahedraShaper::Key::operator==(const Key& other) const
+{
+    return same_domain(shape, other.shape);
+}
+
+ShapedTetrahedra TetrahedraShaper::operator()(const TetrahedraShape& shape,
+                                              const Progress& progress)
+{
+    report(progress, 0, "shape");
+    const Ref<Domain> domain = domains_(Key{domain_of(shape)}, [&] {
+        Domain made{layers_of(shape), {}};
+        made.guard = Lazy<FoldGuard>([layers = made.layers] { return FoldGuard(layers); });
+        return make_ref(std::move(made));
+    });
+    SimplexVolume volume{domain->layers, {}};
+    volume.displacements.assign(volume.first_point(volume.layers.size()), glm::dvec3(0));
+    ShapedTetrahedra out;
+    for (std::size_t i = 0; i < shape.edits.size(); ++i) {
+        report(progress, static_cast<double>(i) / static_cast<double>(shape.edits.size()), "shape");
+        const TetrahedraEdit& edit = *shape.edits[i];
+        TetrahedraOutcome outcome;
+        if (edit.pull) {
+            outcome = take(volume, change_by(*edit.pull, volume),
+                           edit.pull->guard ? &*domain->guard : nullptr);
+            if (edit.pull->layer >= static_cast<int>(volume.layers.size()))
+                outcome.notice = fmt::format("There is no refinement {}.", edit.pull->layer);
+        }
+        if (edit.warp)
+            outcome = take(volume, change_by(*edit.warp, size_of(shape), volume),
+                           edit.warp->guard ? &*domain->guard : nullptr);
+        out.outcomes.push_back(std::move(outcome));
+    }
+    out.volume = make_ref(std::move(volume));
+    return out;
+}
+
+} // namespace trivar

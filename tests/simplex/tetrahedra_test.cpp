@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/simplex/simplex_rows.h"
+#include "core/simplex/tetrahedra_shaper.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace trivar {
+namespace {
+
+template <class T> Ref<TetrahedraEdit> edit(std::optional<T> TetrahedraEdit::*which, const T& value)
+{
+    TetrahedraEdit out;
+    out.*which = value;
+    return make_ref(std::move(out));
+}
+Ref<TetrahedraEdit> pull(const TetrahedraPull& p)
+{
+    return edit(&TetrahedraEdit::pull, p);
+}
+
+std::vector<glm::vec3> inside(std::size_t count)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> anywhere(-1, 1);
+    std::vector<glm::vec3> out;
+    while (out.size() < count)
+        out.emplace_back(anywhere(random), anywhere(random), anywhere(random));
+    return out;
+}
+
+const TetrahedraShape box{.size = glm::dvec3(2), .boxes = glm::ivec3(2)};
+const TetrahedraPull to_the_right{.at = {0.5, 0.2, 0}, .radius = 0.9, .by = {0.3, 0, 0.1}};
+
+TEST(Tetrahedra, LeaveAModelToTheBitAtRest)
+{
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(box).volume;
+    const std::vector<glm::vec3> points = inside(100);
+    const SimplexRows rows(volume->layers, points, false);
+    EXPECT_EQ(rows.displaced(volume->displacements).positions, points);
+    EXPECT_EQ(rows.outside(), 0U);
+}
+
+TEST(Tetrahedra, GiveBoundPointsWhatEvaluationGives)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {pull(to_the_right)};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    const std::vector<glm::vec3> points = inside(203);
+    const DisplacedPoints bound =
+        SimplexRows(volume->layers, points, true).displaced(volume->displacements);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SimplexPoint exact = evaluate(*volume, points[i], true);
+        EXPECT_LE(glm::distance(glm::dvec3(bound.positions[i]), exact.position), 1e-6);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_LE(glm::distance(glm::dvec3(bound.jacobians[i][c]), exact.jacobian[c]), 1e-5);
+    }
+}
+
+TEST(Tetrahedra, GiveEqualPointsEqualBitsForAnyNumberOfThreads)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {pull(to_the_right)};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    std::vector<glm::vec3> points = inside(9000);
+    const SimplexRows all(volume->layers, points, false);
+    const std::vector<glm::vec3> together = all.displaced(volume->displacements).positions;
+    {
+        const ThreadLimit one(1);
+        EXPECT_EQ(
+            SimplexRows(volume->layers, points, false).displaced(volume->displacements).positions,
+            together);
+    }
+    const std::vector<glm::vec3> few(points.begin() + 40, points.begin() + 51);
+    const std::vector<glm::vec3> alone =
+        SimplexRows(volume->layers, few, false).displaced(volume->displacements).positions;
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), together.begin() + 40));
+}
+
+TEST(Tetrahedra, AreRefinedWithoutAChangeOfShape)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {pull(to_the_right)};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> before = shaper(shape).volume;
+    shape.edits.push_back(
+        edit(&TetrahedraEdit::refinement,
+             {.places = {{0.5, 0, 0}, {0.5, 0.3, 0}}, .radius = 0.4, .edge = 0.2}));
+    const Ref<SimplexVolume> after = shaper(shape).volume;
+    ASSERT_EQ(after->layers.size(), 2U);
+    for (const glm::vec3& p : inside(50))
+        EXPECT_EQ(evaluate(*after, p).position, evaluate(*before, p).position);
+    // and a pull of the new layer moves what is near alone
+    shape.edits.push_back(pull({.layer = 1, .at = {0.5, 0, 0}, .radius = 0.3, .by = {0, 0, 0.05}}));
+    const Ref<SimplexVolume> pulled = shaper(shape).volume;
+    EXPECT_GE(glm::distance(evaluate(*pulled, {0.5, 0, 0}).position,
+                            evaluate(*after, {0.5, 0, 0}).position),
+              0.02);
+    EXPECT_EQ(evaluate(*pulled, {-0.7, 0, 0}).position, evaluate(*after, {-0.7, 0, 0}).position);
+}
+
+TEST(Tetrahedra, StopBeforeTheyFold)
+{
+    TetrahedraShape shape = box;
+    TetrahedraPull far = to_the_right;
+    far.by = {-4, 0, 0};
+    shape.edits = {pull(far)};
+    TetrahedraShaper shaper;
+    const ShapedTetrahedra held = shaper(shape);
+    EXPECT_LT(held.outcomes[0].share, 1);
+    EXPECT_GT(held.outcomes[0].share, 0);
+    const FoldGuard guard(held.volume->layers);
+    EXPECT_GE(guard.least(held.volume->displacements), 0.019);
+    far.guard = false;
+    shape.edits = {pull(far)};
+    EXPECT_LT(guard.least(shaper(shape).volume->displacements), 0);
+}
+
+TEST(Tetrahedra, PullOneSideOfACut)
+{
+    TetrahedraShape shape = box;
+    std::vector<glm::dvec3> places; // all faces in the plane x = 0
+    for (const double y : {-1, 0})
+        for (const double z : {-1, 0})
+            for (const double t : {1.0 / 3, 2.0 / 3}) places.push_back({0, y + t, z + 1 - t});
+    shape.edits = {edit(&TetrahedraEdit::crease, {.places = places, .radius = 0.05, .depth = 2}),
+                   pull({.at = {0.4, 0, 0}, .radius = 1.5, .by = {0.3, 0, 0}})};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    EXPECT_EQ(volume->layers[0]->domain().cuts.size(), 8U);
+    EXPECT_GE(evaluate(*volume, {0.001, 0, 0}).position.x, 0.1);
+    EXPECT_EQ(evaluate(*volume, {-0.001, 0, 0}).position.x, -0.001);
+}
+
+TEST(Tetrahedra, BendAsABox)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {edit(&TetrahedraEdit::warp, {.axis = VolumeAxis::up, .bend_deg = 40})};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    EXPECT_LE(glm::distance(evaluate(*volume, {0, 0, -1}).position, glm::dvec3(0, 0, -1)), 0.05);
+    EXPECT_GE(std::abs(evaluate(*volume, {0, 0, 1}).position.x), 0.3);
+}
+
+TEST(Tetrahedra, RefuseWhatIsNoVolume)
+{
+    TetrahedraShaper shaper;
+    TetrahedraShape shape = box;
+    shape.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    shape.cells = {{0, 1, 2, 3}};
+    EXPECT_THROW(shaper(shape), Rejected); // flat
+    shape.cells = {{0, 1, 2, 9}};
+    EXPECT_THROW(shaper(shape), Rejected);
+    shape = box;
+    shape.boxes = glm::ivec3(100);
+    EXPECT_THROW(shaper(shape), Rejected);
+    shape = box;
+    shape.edits = {
+        edit(&TetrahedraEdit::refinement, {.places = {{0, 0, 0}}, .radius = 1, .edge = 1e-4})};
+    EXPECT_THROW(shaper(shape), Rejected);
+}
+
+} // namespace
+} // namespace trivar
