@@ -31,6 +31,18 @@ double distance_to_cell(const SimplexDomain<3>& domain, std::size_t cell, const 
     return glm::distance(p, glm::clamp(p, lo, hi));
 }
 
+double inside(const TetrahedraRefinement& refinement, const glm::dvec3& p)
+{
+    double nearest = 1e300;
+    for (const glm::dvec3& place : refinement.places)
+        nearest = std::min(nearest, glm::distance(place, p));
+    // Functions at the rim lack neighbours that would balance their slopes, so theirs are not
+    // moved.
+    const double end = std::max(refinement.radius - refinement.edge, refinement.radius / 2);
+    const double t = glm::clamp((1 - nearest / end) / 0.7, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
 } // namespace
 
 std::vector<bool> reached(const SimplexBasis<3>& layer, const glm::dvec3& middle, double radius)
@@ -66,7 +78,8 @@ std::vector<bool> reached(const SimplexBasis<3>& layer, const glm::dvec3& middle
     return out;
 }
 
-std::vector<glm::dvec3> change_by(const TetrahedraPull& pull, const SimplexVolume& volume)
+std::vector<glm::dvec3> change_by(const TetrahedraPull& pull, const SimplexVolume& volume,
+                                  const TetrahedraRefinement* refinement)
 {
     std::vector<glm::dvec3> out(volume.displacements.size(), glm::dvec3(0));
     const auto layer = static_cast<std::size_t>(pull.layer);
@@ -77,7 +90,8 @@ std::vector<glm::dvec3> change_by(const TetrahedraPull& pull, const SimplexVolum
     const bool turns = pull.rotation_deg != glm::dvec3(0);
     for (std::size_t i = 0; i < basis.point_count(); ++i) {
         const glm::dvec3& rest = basis.rest()[i];
-        const double share = decay(pull.decay, glm::distance(rest, pull.at) / pull.radius);
+        const double share = decay(pull.decay, glm::distance(rest, pull.at) / pull.radius) *
+                             (refinement ? inside(*refinement, rest) : 1);
         if (share <= 0 || !reach[i]) continue;
         out[first + i] = pull.by * share;
         if (!turns) continue;

@@ -25,6 +25,7 @@ struct DisplacedPoints {
 // no function reaches stay where they are, to the bit. Equal points get equal bits.
 class SimplexRows {
 public:
+    SimplexRows() = default; // of no points
     // Functions of further layers are added to those of the first one, which `layers` must have;
     // their control points count on. About 4 us per point for degree 2. Same bits for any number of
     // threads.
@@ -58,7 +59,7 @@ private:
     std::vector<glm::vec3> points_;
     std::vector<std::uint32_t> order_; // of points, by place
     std::vector<Chunk> chunks_;
-    bool gradients_;
+    bool gradients_ = false;
 };
 
 } // namespace trivar

@@ -4,6 +4,8 @@
 #include "core/base/ref.h"
 #include "core/simplex/simplex_basis.h"
 
+#include <optional>
+
 namespace trivar {
 
 // A SimplexVolume deforms points: F(x) = x + sum_b N_b(x) d_b over the functions of one or several
@@ -22,5 +24,10 @@ struct SimplexPoint {
     glm::dmat3 jacobian{1};
 };
 SimplexPoint evaluate(const SimplexVolume& volume, const glm::dvec3& x, bool derivative = false);
+
+// The point that F takes to p, by Newton's method with halved steps from p on; no value where that
+// comes no nearer than `tolerance` in 50 steps.
+std::optional<glm::dvec3> inverse(const SimplexVolume& volume, const glm::dvec3& p,
+                                  double tolerance);
 
 } // namespace trivar

@@ -17,19 +17,18 @@ bool within(const std::vector<glm::dvec3>& places, double radius, const glm::dve
                        [&](const glm::dvec3& place) { return glm::distance(place, p) <= radius; });
 }
 
-std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh,
-                               const std::vector<Ref<TetrahedraEdit>>& edits)
+std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<TetrahedraEdit>& edits)
 {
     std::vector<Crease<3>> out;
     SimplexDomain<3> bare{1, {}, mesh.cells};
-    for (const Ref<TetrahedraEdit>& edit : edits) {
-        if (!edit->crease) continue;
+    for (const TetrahedraEdit& edit : edits) {
+        if (!edit.crease) continue;
         for (const CellFace<3>& face : sorted_faces(bare)) {
             glm::dvec3 middle(0);
             for (const int v : face.vertices)
                 middle += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
-            if (within(edit->crease->places, edit->crease->radius, middle))
-                out.push_back({face.vertices, edit->crease->depth});
+            if (within(edit.crease->places, edit.crease->radius, middle))
+                out.push_back({face.vertices, edit.crease->depth});
         }
     }
     return out;
@@ -111,9 +110,9 @@ std::vector<Ref<SimplexBasis<3>>> layers_of(const TetrahedraShape& shape)
     std::vector<Ref<SimplexBasis<3>>> out;
     out.push_back(made(with_clouds<3>(mesh.vertices, mesh.cells, shape.degree,
                                       {.spread = shape.spread}, creases(mesh, shape.edits))));
-    for (const Ref<TetrahedraEdit>& edit : shape.edits) {
-        if (!edit->refinement) continue;
-        const SimplexMesh<3> near = cells_near(*edit->refinement);
+    for (const TetrahedraEdit& edit : shape.edits) {
+        if (!edit.refinement) continue;
+        const SimplexMesh<3> near = cells_near(*edit.refinement);
         out.push_back(made(with_clouds<3>(near.vertices, near.cells, shape.degree,
                                           {shape.spread, CloudBorder::free})));
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/ref.h"
 #include "core/placement/shaping.h"
 
 #include <optional>
@@ -54,6 +53,14 @@ struct TetrahedraEdit {
     bool operator==(const TetrahedraEdit&) const = default;
 };
 
+// A TetrahedraFunction shows the functions of the control point that rests nearest to a place, as
+// the surface on which they have a share of their greatest value.
+struct TetrahedraFunction {
+    glm::dvec3 at{0};
+    double share = 0.5;
+    bool operator==(const TetrahedraFunction&) const = default;
+};
+
 struct TetrahedraShape {
     glm::dvec3 size{1};   // metres, of a box about the origin
     glm::ivec3 boxes{2};  // along X, Y and Z, of 6 tetrahedra each
@@ -62,7 +69,8 @@ struct TetrahedraShape {
     // The domain, where it is no box: both empty, or neither.
     std::vector<glm::dvec3> vertices = {};
     std::vector<glm::ivec4> cells = {};
-    std::vector<Ref<TetrahedraEdit>> edits = {};
+    std::vector<TetrahedraEdit> edits = {};
+    std::vector<TetrahedraFunction> functions = {}; // that are shown
     bool operator==(const TetrahedraShape&) const = default;
 };
 

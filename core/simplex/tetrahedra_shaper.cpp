@@ -35,37 +35,29 @@ TetrahedraOutcome take(SimplexVolume& volume, std::span<const glm::dvec3> change
     return out;
 }
 
+// The one with a number from 1 on; null: there is none.
+const TetrahedraRefinement* refinement(const TetrahedraShape& shape, int number)
+{
+    for (const TetrahedraEdit& edit : shape.edits)
+        if (edit.refinement && --number == 0) return &*edit.refinement;
+    return nullptr;
+}
+
+// The shape with only the edits that change the domain.
 TetrahedraShape domain_of(TetrahedraShape shape)
 {
-    std::erase_if(shape.edits, [](const Ref<TetrahedraEdit>& edit) {
-        return !edit->crease && !edit->refinement;
-    });
-    for (Ref<TetrahedraEdit>& edit : shape.edits) edit = make_ref(*edit);
+    std::erase_if(shape.edits,
+                  [](const TetrahedraEdit& edit) { return !edit.crease && !edit.refinement; });
     return shape;
 }
 
-bool same_domain(const TetrahedraShape& a, const TetrahedraShape& b)
-{
-    TetrahedraShape a_bare = a, b_bare = b;
-    a_bare.edits.clear();
-    b_bare.edits.clear();
-    return a_bare == b_bare &&
-           std::equal(a.edits.begin(), a.edits.end(), b.edits.begin(), b.edits.end(),
-                      [](const auto& x, const auto& y) { return *x == *y; });
-}
-
 } // namespace
-
-bool TetrahedraShaper::Key::operator==(const Key& other) const
-{
-    return same_domain(shape, other.shape);
-}
 
 ShapedTetrahedra TetrahedraShaper::operator()(const TetrahedraShape& shape,
                                               const Progress& progress)
 {
     report(progress, 0, "shape");
-    const Ref<Domain> domain = domains_(Key{domain_of(shape)}, [&] {
+    const Ref<Domain> domain = domains_(domain_of(shape), [&] {
         Domain made{layers_of(shape), {}};
         made.guard = Lazy<FoldGuard>([layers = made.layers] { return FoldGuard(layers); });
         return make_ref(std::move(made));
@@ -75,11 +67,12 @@ ShapedTetrahedra TetrahedraShaper::operator()(const TetrahedraShape& shape,
     ShapedTetrahedra out;
     for (std::size_t i = 0; i < shape.edits.size(); ++i) {
         report(progress, static_cast<double>(i) / static_cast<double>(shape.edits.size()), "shape");
-        const TetrahedraEdit& edit = *shape.edits[i];
+        const TetrahedraEdit& edit = shape.edits[i];
         TetrahedraOutcome outcome;
         if (edit.pull) {
-            outcome = take(volume, change_by(*edit.pull, volume),
-                           edit.pull->guard ? &*domain->guard : nullptr);
+            outcome =
+                take(volume, change_by(*edit.pull, volume, refinement(shape, edit.pull->layer)),
+                     edit.pull->guard ? &*domain->guard : nullptr);
             if (edit.pull->layer >= static_cast<int>(volume.layers.size()))
                 outcome.notice = fmt::format("There is no refinement {}.", edit.pull->layer);
         }

@@ -33,11 +33,8 @@ private:
         std::vector<Ref<SimplexBasis<3>>> layers;
         Lazy<FoldGuard> guard;
     };
-    struct Key {
-        TetrahedraShape shape; // with only the edits that change the domain
-        bool operator==(const Key& other) const;
-    };
-    Recent<Key, Ref<Domain>> domains_;
+    // by the shape with only the edits that change the domain
+    Recent<TetrahedraShape, Ref<Domain>> domains_;
 };
 
 } // namespace trivar

@@ -10,13 +10,13 @@
 namespace trivar {
 namespace {
 
-template <class T> Ref<TetrahedraEdit> edit(std::optional<T> TetrahedraEdit::*which, const T& value)
+template <class T> TetrahedraEdit edit(std::optional<T> TetrahedraEdit::*which, const T& value)
 {
     TetrahedraEdit out;
     out.*which = value;
-    return make_ref(std::move(out));
+    return out;
 }
-Ref<TetrahedraEdit> pull(const TetrahedraPull& p)
+TetrahedraEdit pull(const TetrahedraPull& p)
 {
     return edit(&TetrahedraEdit::pull, p);
 }
@@ -145,6 +145,20 @@ TEST(Tetrahedra, BendAsABox)
     const Ref<SimplexVolume> volume = shaper(shape).volume;
     EXPECT_LE(glm::distance(evaluate(*volume, {0, 0, -1}).position, glm::dvec3(0, 0, -1)), 0.05);
     EXPECT_GE(std::abs(evaluate(*volume, {0, 0, 1}).position.x), 0.3);
+}
+
+TEST(Tetrahedra, FindThePointThatTheyTookAway)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {pull(to_the_right)};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    for (const glm::vec3& p : inside(50)) {
+        const std::optional<glm::dvec3> back =
+            inverse(*volume, evaluate(*volume, p).position, 1e-9);
+        ASSERT_TRUE(back);
+        EXPECT_LE(glm::distance(*back, glm::dvec3(p)), 1e-7);
+    }
 }
 
 TEST(Tetrahedra, RefuseWhatIsNoVolume)
