@@ -14,6 +14,7 @@
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
 #include "core/commands/split.h"
+#include "core/commands/tetrahedra.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 #include "core/commands/unwrap.h"
@@ -59,6 +60,8 @@ struct CopiedObject {
     std::optional<LatticeShape> lattice = {};
     std::optional<HeightShape> heights = {};
     std::optional<VoxelShape> voxels = {};
+    std::optional<TetrahedraShape> tetrahedra = {};
+    std::optional<SimplexSheetShape> sheet = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -122,6 +125,8 @@ template <> struct FieldsOf<CopiedObject> {
         field("lattice", c.lattice, "its box of control points, as of add_lattice");
         field("heights", c.heights, "its shape, as of add_heights");
         field("volume_data", c.voxels, "its shape, as of add_volume");
+        field("tetrahedra", c.tetrahedra, "its tetrahedra, as of add_tetrahedra", later);
+        field("simplex_sheet", c.sheet, "its shape, as of add_simplex_sheet", later);
         field("transform", c.transform, "its transform, in its group if that is copied, too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");

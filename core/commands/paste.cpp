@@ -54,6 +54,8 @@ void each_shape(auto& copy, auto&& visit)
     visit(copy.lattice);
     visit(copy.heights);
     visit(copy.voxels);
+    visit(copy.tetrahedra);
+    visit(copy.sheet);
 }
 
 Source source_of(const CopiedObject& copy)
@@ -74,6 +76,7 @@ Source source_of(const CopiedObject& copy)
     if (const auto* lattice = std::get_if<LatticeShape>(&source)) check(*lattice);
     if (const auto* heights = std::get_if<HeightShape>(&source)) check(*heights);
     if (const auto* voxels = std::get_if<VoxelShape>(&source)) check(*voxels);
+    if (const auto* cells = std::get_if<TetrahedraShape>(&source)) check(*cells);
     return source;
 }
 

@@ -36,7 +36,7 @@ std::vector<Id> lattices_round(const Document& document, Id id)
 {
     std::vector<Id> out;
     for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
-        if (std::holds_alternative<LatticeShape>(object(document, up).source)) out.push_back(up);
+        if (bends_others(object(document, up).source)) out.push_back(up);
     return out;
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/document/voxel_shape.h"
 #include "core/files/read_model.h"
+#include "core/simplex/simplex_sheet.h"
+#include "core/simplex/tetrahedra_shape.h"
 #include "core/text/text_shape.h"
 
 #include <glm/glm.hpp>
@@ -79,15 +81,22 @@ struct HeightShape {
 struct GroupShape {
     bool operator==(const GroupShape&) const = default;
 }; // no shape: a parent for others
-using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
-                            CylinderShape, TorusShape, MoebiusShape, TeapotShape, TextShape,
-                            LatticeShape, HeightShape, VoxelShape>;
+using Source =
+    std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape, CylinderShape,
+                 TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape, HeightShape,
+                 VoxelShape, TetrahedraShape, SimplexSheetShape>;
 
-// Whether a source is a parent for others: a group, or a lattice round them.
+// Whether a source is a volume that deforms its contents.
+inline bool bends_others(const Source& source)
+{
+    return std::holds_alternative<LatticeShape>(source) ||
+           std::holds_alternative<TetrahedraShape>(source);
+}
+
+// Whether a source is a parent for others: a group, or a volume round them.
 inline bool holds_others(const Source& source)
 {
-    return std::holds_alternative<GroupShape>(source) ||
-           std::holds_alternative<LatticeShape>(source);
+    return std::holds_alternative<GroupShape>(source) || bends_others(source);
 }
 
 } // namespace trivar

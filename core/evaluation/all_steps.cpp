@@ -9,6 +9,7 @@
 #include "core/evaluation/riding.h"
 #include "core/evaluation/simplifying.h"
 #include "core/evaluation/splitting.h"
+#include "core/evaluation/tetrahedra.h"
 #include "core/evaluation/tiling.h"
 #include "core/evaluation/unwrapping.h"
 
@@ -44,6 +45,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<TilingStep>());
     steps.push_back(std::make_unique<Riding>(carriages));
     steps.push_back(std::make_unique<LatticeVolume>());
+    steps.push_back(std::make_unique<TetrahedraStep>());
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
     steps.push_back(std::make_unique<RefiningStep>());

@@ -18,6 +18,10 @@ Lattice bent(Lattice cage, const BendingVolume& by)
                 moves.push_back({{i, j, k}, control_point(cage, i, j, k)});
                 uvw.add(glm::dvec3(by.embedding.to_uvw * glm::dvec4(moves.back().by, 1)));
             }
+    if (by.tetrahedra) {
+        for (PointMove& move : moves) move.by = trivar::bent(*by.tetrahedra, move.by) - move.by;
+        return moved(std::move(cage), moves);
+    }
     const Ref<Lattice> volume = reaching(by, uvw);
     for (PointMove& move : moves) {
         const glm::dvec4 p(move.by, 1);
@@ -41,7 +45,13 @@ std::vector<BendingVolume> volumes_round(const Document& document, Id id,
     std::vector<BendingVolume> out;
     for (const Id lattice : lattices_round(document, id)) {
         const auto found = done.find(lattice);
-        if (found == done.end() || !found->second->placement) continue;
+        if (found == done.end()) continue;
+        if (const EvaluatedObject& it = *found->second; it.tetrahedra)
+            out.push_back(
+                {.volume = nullptr,
+                 .embedding = {},
+                 .tetrahedra = TetrahedraInWorld{it.tetrahedra->volume, it.tetrahedra_to_world}});
+        if (!found->second->placement) continue;
         const Ref<Placement>& box = found->second->placement;
         out.push_back({{box, &box->volume}, {box->embedding.to_uvw, glm::dmat4(1)}});
         if (found->second->lattice_stroke)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/evaluated.h"
+#include "core/evaluation/simplex_bending.h"
 
 #include <map>
 #include <vector>
@@ -15,6 +16,9 @@ struct BendingVolume {
     // The volume of a stroke goes straight on beyond its ends, as wide and as high as what it
     // bends. A lattice moves what is outside of it with its nearest side.
     bool goes_on = false;
+    // A volume of tetrahedra in place of the lattice, which is null then; no value: it is a
+    // lattice.
+    std::optional<TetrahedraInWorld> tetrahedra = {};
     bool operator==(const BendingVolume&) const = default;
 };
 BendingVolume bending_volume(const LatticeStroke& stroke);

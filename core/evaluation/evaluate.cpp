@@ -73,6 +73,15 @@ void add_control_points(Box& box, const Lattice& volume)
             for (int k = 0; k < axes[2].count(); ++k) box.add(control_point(volume, i, j, k));
 }
 
+void add_control_points(Box& box, const TetrahedraEffects& effects)
+{
+    const SimplexVolume& volume = *effects.tetrahedra->volume;
+    const std::vector<glm::dvec3>& rest = volume.layers.front()->rest();
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        box.add(glm::dvec3(effects.tetrahedra_to_world *
+                           glm::dvec4(rest[i] + volume.displacements[i], 1)));
+}
+
 // The first stage holds the shape of the object's source, before any step.
 Stage begun(const Ref<Shape>& shape)
 {
@@ -102,6 +111,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
         for (const Part& part : with_points(stage->parts, stage->curves))
             box.add(bounds_in_world(part));
         if (shows_volume) add_control_points(box, *stage->seen_cage());
+        if (stage->tetrahedra) add_control_points(box, *stage);
         if (stage->shape->volume)
             for (const glm::dvec3& p : stage->shape->volume->seen_corners(stage->own_to_world))
                 box.add(p);

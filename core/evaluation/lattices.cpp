@@ -105,9 +105,17 @@ std::vector<Part> InLattices::bent(std::vector<Part> parts,
                                    const std::vector<BendingVolume>& volumes)
 {
     bendings_.resize(volumes.size());
+    simplex_bendings_.resize(volumes.size());
     for (std::size_t l = 0; l < volumes.size(); ++l) {
         std::vector<Part> before;
         for (const Part& part : parts) before.push_back(before_bending(part));
+        if (volumes[l].tetrahedra) {
+            simplex_bendings_[l].begin();
+            for (std::size_t p = 0; p < parts.size(); ++p)
+                parts[p] = simplex_bendings_[l](before[p], *volumes[l].tetrahedra);
+            simplex_bendings_[l].end();
+            continue;
+        }
         const Ref<Lattice> volume = reaching_round(before, volumes[l]);
         bendings_[l].begin();
         for (std::size_t p = 0; p < parts.size(); ++p)

@@ -41,6 +41,7 @@ private:
     Ref<Lattice> reaching_round(const std::vector<Part>& parts, const BendingVolume& volume);
 
     std::vector<Bending> bendings_;
+    std::vector<SimplexBending> simplex_bendings_;
     Recent<std::pair<Ref<Stage>, std::vector<BendingVolume>>, Ref<Stage>> known_;
     struct LongerVolume {
         Ref<Lattice> of;

@@ -23,6 +23,16 @@ Model primitive(const LatticeShape&)
 {
     return {};
 }
+Model primitive(const SimplexSheetShape& s)
+{
+    Model model = model_of(simplex_sheet(s));
+    for (Material& material : model.materials) material.double_sided = true;
+    return model;
+}
+Model primitive(const TetrahedraShape&)
+{
+    return {};
+}
 Model primitive(const ImportedFile&)
 {
     return {};

@@ -8,6 +8,7 @@
 #include "core/evaluation/walk.h"
 #include "core/placement/shaper.h"
 #include "core/refinement/refine.h"
+#include "core/simplex/tetrahedra_shaper.h"
 #include "core/split/split_field.h"
 #include "core/unwrap/unwrap.h"
 
@@ -41,6 +42,11 @@ struct LatticeEffects {                // of what has a volume
     // The object's volume as its stroke, if it is a lattice, and the lattices round it bend it;
     // null: nothing does.
     Ref<Lazy<Ref<Lattice>>> bent_cage;
+};
+struct TetrahedraEffects {
+    // The volume, if it is one of tetrahedra and can be, in its own space; null: it is none.
+    Ref<ShapedTetrahedra> tetrahedra;
+    glm::dmat4 tetrahedra_to_world{1};
 };
 struct CarriageEffects {
     Ref<Carriage> carriage; // null: nothing carries it
@@ -96,6 +102,7 @@ struct Stage : SimplifyingEffects,
                IncisingEffects,
                LayingEffects,
                LatticeEffects,
+               TetrahedraEffects,
                CarriageEffects,
                TravelEffects,
                RefiningEffects,

@@ -162,7 +162,9 @@ Document fitting_document()
     const Document peeled =
         after(after(incised, Incise{.object = 5, .incision = a_crossing_incision()}),
               PeelFlap{.object = 5, .flap = a_flap()});
-    return after(peeled, AddVoxels{.shape = {.path = "head.nrrd", .levels = {{.value = 3}}}});
+    const Document volume =
+        after(peeled, AddVoxels{.shape = {.path = "head.nrrd", .levels = {{.value = 3}}}});
+    return after(volume, AddTetrahedra{.objects = {9}});
 }
 
 std::vector<Command> fitting_commands()
@@ -224,6 +226,10 @@ std::vector<Command> fitting_commands()
             SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}},
             AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},
             SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
+            AddTetrahedra{.objects = {9}, .shape = {.degree = 3}},
+            SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}}},
+            EditTetrahedra{.object = 11, .edit = {.pull = TetrahedraPull{.by = {0.1, 0, 0}}}},
+            AddSimplexSheet{.shape = {.lifts = {SheetLift{}}}},
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},

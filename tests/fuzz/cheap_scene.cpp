@@ -28,6 +28,15 @@ struct VerticesOf {
         return 1e6 * static_cast<double>(s.levels.size());
     }
     double operator()(const HeightShape& s) const { return 1.0 * s.segments * s.segments; }
+    double operator()(const SimplexSheetShape& s) const
+    {
+        return 10.0 * s.segments * s.segments + 1000.0 * s.boxes.x * s.boxes.y;
+    }
+    double operator()(const TetrahedraShape& s) const
+    {
+        return 1000.0 * s.boxes.x * s.boxes.y * s.boxes.z +
+               1000.0 * static_cast<double>(s.cells.size());
+    }
     double operator()(const LatticeShape& s) const { return 10.0 * s.grid.x * s.grid.y * s.grid.z; }
 };
 

@@ -31,7 +31,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/ffd"},
     {"core/refinement"},
     {"core/placement", "core/limit"},
-    {"core/split", "core/incise", "core/silhouette"},
+    {"core/split", "core/incise", "core/silhouette", "core/simplex"},
     {"core/casting", "core/drawing", "core/tiles"},
     {"core/document"},
     {"core/commands", "core/evaluation"},

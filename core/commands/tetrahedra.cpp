@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/tetrahedra.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
+#include "core/commands/group.h"
+#include "core/simplex/tetrahedra_layers.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t most_edits = 10000;
+
+void check(const TetrahedraEdit& edit)
+{
+    const int kinds = (edit.pull ? 1 : 0) + (edit.warp ? 1 : 0) + (edit.crease ? 1 : 0) +
+                      (edit.refinement ? 1 : 0);
+    if (kinds != 1)
+        throw Rejected(
+            fmt::format("an edit is one of pull, warp, crease and refinement, not {}", kinds));
+    if (edit.crease && edit.crease->places.empty())
+        throw Rejected("field \"places\" of the crease is empty");
+    if (edit.refinement) (void)cells_near(*edit.refinement); // which refuses what cannot be
+}
+
+const TetrahedraShape& volume_of(const Document& document, Id id)
+{
+    const Object& o = object(document, id);
+    const auto* shape = std::get_if<TetrahedraShape>(&o.source);
+    if (!shape)
+        throw Rejected(
+            fmt::format("field \"object\": {} is not a volume of tetrahedra", named(id, o)));
+    return *shape;
+}
+
+Document with_shape(Document document, Id id, TetrahedraShape shape)
+{
+    return with_changed(std::move(document), id, [&](Object& o) { o.source = std::move(shape); });
+}
+
+} // namespace
+
+void check(const TetrahedraShape& shape)
+{
+    const SimplexMesh<3> mesh = domain_cells(shape);
+    if (!shape.cells.empty()) { // the domain with all knots on its vertices
+        SimplexDomain<3> bare{1, {}, mesh.cells};
+        for (const glm::dvec3& v : mesh.vertices) bare.knots.insert(bare.knots.end(), 2, v);
+        check(bare);
+    } else if (!shape.vertices.empty())
+        throw Rejected("field \"vertices\" has vertices, but \"cells\" no tetrahedra");
+    if (shape.edits.size() > most_edits)
+        throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
+                                   shape.edits.size(), most_edits));
+    for (const TetrahedraEdit& edit : shape.edits) check(edit);
+}
+
+std::string size_words(const SimplexSheetShape& shape)
+{
+    return fmt::format("{:.3g} × {:.3g} m", shape.size.x, shape.size.y);
+}
+
+Document applied(Document document, const AddTetrahedra& command)
+{
+    check(command.shape);
+    check_transform(command.transform);
+    return with_parent_of(std::move(document), command.objects,
+                          {.name = command.name,
+                           .source = command.shape,
+                           .transform = command.transform,
+                           .surfacing = {},
+                           .stroke = {}});
+}
+
+StepTitle title(const AddTetrahedra& c, const StepDocuments& step)
+{
+    return {"Put tetrahedra round " + names_in(step.before, c.objects),
+            c.shape.cells.empty() ? value_words(c.shape.boxes, any_value)
+                                  : std::to_string(c.shape.cells.size())};
+}
+
+Document applied(Document document, const SetTetrahedra& command)
+{
+    (void)volume_of(document, command.object);
+    check(command.shape);
+    return with_shape(std::move(document), command.object, command.shape);
+}
+
+StepTitle title(const SetTetrahedra& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    const auto* old = object ? std::get_if<TetrahedraShape>(&object->source) : nullptr;
+    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Tetrahedra",
+                            name_in(step.before, c.object));
+}
+
+Document applied(Document document, const EditTetrahedra& command)
+{
+    TetrahedraShape shape = volume_of(document, command.object);
+    check(command.edit);
+    if (shape.edits.size() == most_edits)
+        throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
+    shape.edits.push_back(command.edit);
+    return with_shape(std::move(document), command.object, std::move(shape));
+}
+
+std::string words_of(const TetrahedraEdit& edit, int degree)
+{
+    if (edit.pull)
+        return edit.pull->by == glm::dvec3(0)
+                   ? "Turn"
+                   : fmt::format("Pull by {:.3g} m", glm::length(edit.pull->by));
+    if (edit.warp) return "Warp";
+    if (edit.refinement) return fmt::format("Refine to {:.3g} m", edit.refinement->edge);
+    if (!edit.crease) return "Nothing";
+    return edit.crease->depth >= degree
+               ? "Cut"
+               : fmt::format("Crease, C{}", degree - 1 - edit.crease->depth);
+}
+
+StepTitle title(const EditTetrahedra& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    const auto* old = object ? std::get_if<TetrahedraShape>(&object->source) : nullptr;
+    return {words_of(c.edit, old ? old->degree : 2), name_in(step.before, c.object)};
+}
+
+} // namespace trivar

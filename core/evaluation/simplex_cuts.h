@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/simplex/simplex_domain.h"
+
+namespace trivar {
+
+// A SimplexCut is a mesh that was cut in pieces along the planes of a domain's cut faces, each
+// piece closed, so that it can part there.
+struct SimplexCut {
+    Mesh mesh;                         // all pieces
+    std::vector<glm::dvec3> in_domain; // #V: where functions are taken: a point on a cut lies a
+                                       // little to the side of its piece
+};
+
+// Cuts along at most 64 planes; faces in further planes are passed over. Where a plane's faces do
+// not cut, both pieces stay together, for there the functions do not jump.
+SimplexCut cut_along(const Mesh& mesh, const glm::dmat4& to_domain, const SimplexDomain<3>& domain);
+
+} // namespace trivar

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/document/document_digest.h"
+#include "core/evaluation/evaluate.h"
+#include "tests/document/commands.h"
+#include "tests/support/fixtures.h"
+
+#include <gmock/gmock.h>
+#include <map>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+const TetrahedraEdit pulled{
+    .pull = TetrahedraPull{.at = {0.2, 0, 0}, .radius = 0.5, .by = {0.1, 0, 0.05}}};
+
+// A ball of radius 0.4 (object 1) in tetrahedra that fill a box of 1 x 1 x 1 (object 2).
+Document ball_in_tetrahedra(const TetrahedraShape& shape = {})
+{
+    Document document = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
+    return after(document, AddTetrahedra{.objects = {1}, .shape = shape});
+}
+
+Evaluation all_of(const Document& document, double frame = 1)
+{
+    return Evaluator(std::make_shared<const AssetStore>(""))(document, frame);
+}
+
+std::vector<glm::vec3> points_of(const Evaluation& all, Id id)
+{
+    const Part part = all.objects.at(id)->parts.at(0);
+    std::vector<glm::vec3> out;
+    for (const glm::vec3& p : part.mesh()->positions)
+        out.emplace_back(part.to_world * glm::dvec4(p, 1));
+    return out;
+}
+std::vector<glm::vec3> points_of(const Document& document, Id id)
+{
+    return points_of(all_of(document), id);
+}
+
+TEST(TetrahedraInDocuments, AtRestLeaveWhatStandsInThemWhereItIs)
+{
+    const Document alone = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
+    EXPECT_EQ(points_of(ball_in_tetrahedra(), 1), points_of(alone, 1));
+}
+
+TEST(TetrahedraInDocuments, BendTheirContentsAsTheirSplineSays)
+{
+    const Document at_rest = ball_in_tetrahedra();
+    const Document document = after(at_rest, EditTetrahedra{2, pulled});
+    const Evaluation all = all_of(document);
+    const EvaluatedObject& volume = *all.objects.at(2);
+    ASSERT_TRUE(volume.tetrahedra);
+    const std::vector<glm::vec3> before = points_of(at_rest, 1), after_it = points_of(all, 1);
+    double most = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const glm::dvec3 expected = evaluate(*volume.tetrahedra->volume, before[i]).position;
+        EXPECT_LE(glm::distance(glm::dvec3(after_it[i]), expected), 1e-6);
+        most = std::max<double>(most, glm::distance(before[i], after_it[i]));
+    }
+    EXPECT_GE(most, 0.05);
+}
+
+TEST(TetrahedraInDocuments, BendWhereTheyStand)
+{
+    SetTransform turned{.object = 2,
+                        .transform = {.translation = {0.1, 0, 0}, .rotation_deg = {0, 0, 90}}};
+    Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
+    const std::vector<glm::vec3> before = points_of(document, 1);
+    document = after(document, turned);
+    const std::vector<glm::vec3> moved = points_of(document, 1);
+    // the volume and its contents move as one
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_LE(glm::distance(moved[i], glm::vec3(0.1f - before[i].y, before[i].x, before[i].z)),
+                  1e-6f);
+}
+
+TEST(TetrahedraInDocuments, NestWithLattices)
+{
+    Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
+    const std::vector<glm::vec3> alone = points_of(document, 1);
+    document = after(document, AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}});
+    EXPECT_EQ(points_of(document, 1), alone); // a lattice at rest
+    document = after(document, WarpVolume{.object = 3, .warp = {.twist_deg = 40}});
+    EXPECT_NE(points_of(document, 1), alone);
+    // and a lattice inside of tetrahedra
+    Document inner =
+        after(after(Document{}, AddSphere{.shape = {.radius = 0.4}}), AddLattice{.objects = {1}});
+    inner = after(inner, AddTetrahedra{.objects = {2}});
+    inner = after(inner, EditTetrahedra{3, pulled});
+    const std::vector<glm::vec3> bent = points_of(inner, 1);
+    for (std::size_t i = 0; i < bent.size(); ++i)
+        EXPECT_LE(glm::distance(bent[i], alone[i]), 1e-5f);
+    EXPECT_NE(*all_of(inner).objects.at(2)->seen_cage(),
+              all_of(inner).objects.at(2)->placement->volume);
+}
+
+TEST(TetrahedraInDocuments, FollowKeysOfTheirEdits)
+{
+    Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
+    const Track track{.parameter = "shape.edits.0.pull.by.x",
+                      .keys = {{.frame = 1, .value = 0}, {.frame = 11, .value = 0.2}}};
+    document = after(document, Animate{.of = {{2, {track}}}});
+    const std::vector<glm::vec3> first = points_of(all_of(document, 1), 1),
+                                 last = points_of(all_of(document, 11), 1);
+    EXPECT_NE(first, last);
+}
+
+// The faces of a box of 2 x 2 x 2 boxes about the origin that lie in the oblique plane x = y.
+TetrahedraEdit oblique_cut(double size)
+{
+    TetrahedraCrease crease{.radius = 0.05 * size, .depth = 2};
+    for (const double xy : {-0.5, 0.0})
+        for (const double z : {-0.5, 0.0})
+            for (const double t : {1.0 / 3, 2.0 / 3})
+                crease.places.push_back(glm::dvec3(xy + t / 2, xy + t / 2, z + (1 - t) / 2) * size);
+    return {.crease = crease};
+}
+
+TEST(TetrahedraInDocuments, PartTheirContentsAtACut)
+{
+    Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, oblique_cut(1)});
+    ASSERT_EQ(all_of(document).objects.at(2)->tetrahedra->volume->layers[0]->domain().cuts.size(),
+              8U);
+    document = after(document, EditTetrahedra{2,
+                                              {.pull = TetrahedraPull{.at = {0.2, -0.2, 0},
+                                                                      .radius = 2,
+                                                                      .by = {0.1, -0.1, 0},
+                                                                      .decay = Decay::box}}});
+    const Evaluation all = all_of(document);
+    const Mesh& mesh = *all.objects.at(1)->parts.at(0).mesh();
+    // Nothing is left between the two halves, and both are closed.
+    for (const glm::vec3& p : mesh.positions)
+        EXPECT_TRUE(p.x - p.y < 1e-4f || p.x - p.y > 0.199f) << p.x - p.y;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const std::uint32_t next = c + 1 == mesh.face_begin[f + 1] ? mesh.face_begin[f] : c + 1;
+            const std::uint32_t a = mesh.point(mesh.corners[c]), b = mesh.point(mesh.corners[next]);
+            ++edges[{std::min(a, b), std::max(a, b)}];
+        }
+    for (const auto& [edge, count] : edges) EXPECT_EQ(count, 2);
+}
+
+TEST(TetrahedraInDocuments, AreCopiedWithTheirEdits)
+{
+    const Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
+    const Document copy = after(document, copied(document, {2, 1}, ""));
+    const auto* shape = std::get_if<TetrahedraShape>(&object(copy, 3).source);
+    ASSERT_TRUE(shape);
+    EXPECT_EQ(shape->edits.size(), 1U);
+}
+
+TEST(TetrahedraInDocuments, RefuseWhatCannotBe)
+{
+    const auto refused = [](const Command& command, const char* why) {
+        EXPECT_THAT([&] { (void)after(ball_in_tetrahedra(), command); },
+                    ThrowsMessage<Rejected>(HasSubstr(why)));
+    };
+    refused(EditTetrahedra{1, pulled}, "not a volume of tetrahedra");
+    refused(EditTetrahedra{2, {}}, "one of pull");
+    refused(AddTetrahedra{.objects = {}}, "no object");
+    refused(AddTetrahedra{.objects = {1}, .shape = {.boxes = {100, 100, 100}}}, "at most 200000");
+    refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 7}}, "between 1 and 3");
+    refused(
+        SetTetrahedra{
+            2, {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, .cells = {{0, 1, 2, 3}}}},
+        "flat or inverted");
+    refused(
+        SetTetrahedra{
+            2, {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, .cells = {{0, 1, 2, 3}}}},
+        "same place");
+    refused(SetTetrahedra{2, {.cells = {{0, 1, 2, 3}}}}, "vertex 0 of 0");
+}
+
+} // namespace
+} // namespace trivar
