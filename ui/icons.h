@@ -26,6 +26,6 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *play = "\uf04b", *pause = "\uf04c", *forward = "\uf04e",
                             *last = "\uf051", *again = "\uf079", *mask = "\uf1fc",
                             *silhouettes = "\uf042", *split = "\uf127", *incise = "\uf0c4",
-                            *reverse = "\uf07e", *mirror = "\uf0ec";
+                            *tetrahedra = "\uf20e", *reverse = "\uf07e", *mirror = "\uf0ec";
 
 } // namespace trivar::ui::icon

@@ -120,6 +120,15 @@ void add_lattice_actions(std::vector<Action>& actions)
                        },
                        something_selected(),
                        true});
+    actions.push_back({"Add",
+                       tetrahedra_action,
+                       {{.key = 'Y', .shift = true}},
+                       [](Editor& e) {
+                           if (!put_tetrahedra_round_selection(e.session)) return;
+                           e.choose_tool("Tetrahedra");
+                       },
+                       something_selected(),
+                       true});
     actions.push_back({"Tools",
                        "Proportional editing",
                        {{'O'}},

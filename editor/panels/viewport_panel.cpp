@@ -8,6 +8,7 @@
 #include "editor/panels/camera_frame.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/picture/captions.h"
+#include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/record/record_plan.h"
 #include "editor/session/scene_facts.h"
@@ -45,6 +46,16 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
     }
 }
 
+// Nor have tetrahedra: all edges while they are selected, else those of the border.
+void add_tetrahedra(std::vector<gpu::Line>& lines, const Session& session, const ui::Theme& theme)
+{
+    for (const auto& [id, each] : session.evaluated().objects)
+        if (each->tetrahedra && !std::ranges::binary_search(session.hidden_here, id))
+            std::ranges::move(
+                tetrahedra_lines(*each, theme.color, theme.line(1), session.selected.contains(id)),
+                std::back_inserter(lines));
+}
+
 // Where the picture shows volumes it shows those of lattices too.
 bool picture_shows_volumes(const Session& session)
 {
@@ -68,7 +79,10 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
     const Tool& tool = editor.active_tool();
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
-    if (!picture_shows_volumes(editor.session)) add_lattices(helpers.lines, editor.session, theme);
+    if (!picture_shows_volumes(editor.session)) {
+        add_lattices(helpers.lines, editor.session, theme);
+        add_tetrahedra(helpers.lines, editor.session, theme);
+    }
     const EvaluatedObject* const found = with_shown_volume(editor);
     if (!found || picture_shows_volumes(editor.session)) return helpers;
     const Placement& placement = *found->placement;

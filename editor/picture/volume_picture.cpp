@@ -2,6 +2,7 @@
 #include "editor/picture/volume_picture.h"
 
 #include "core/mesh/primitives.h"
+#include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/picture/volume_surface.h"
 
@@ -144,6 +145,8 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
 {
     std::vector<const Lattice*> drawn;
     for (const auto& [id, each] : evaluated.objects) {
+        std::ranges::move(tetrahedra_lines(*each, color, line_px, true),
+                          std::back_inserter(picture.lines));
         if (!each->placement) continue;
         const Lattice& volume = each->placement->volume;
         // Those that lie in one behind the other show it once.

@@ -125,6 +125,7 @@ bool as_before(const Document& before, const Document& after, const std::vector<
 std::string type_of(const Object& object)
 {
     if (std::holds_alternative<LatticeShape>(object.source)) return "Lattice";
+    if (std::holds_alternative<TetrahedraShape>(object.source)) return "Tetrahedra";
     if (object.tiles) return "Tiles";
     if (object.stroke) return "Placed";
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
@@ -136,6 +137,7 @@ std::string type_of(const Object& object)
 const char* icon_of(const Object& object)
 {
     if (std::holds_alternative<LatticeShape>(object.source)) return ui::icon::volume;
+    if (std::holds_alternative<TetrahedraShape>(object.source)) return ui::icon::tetrahedra;
     if (object.tiles) return ui::icon::tiles;
     if (object.stroke) return ui::icon::place;
     if (std::holds_alternative<VoxelShape>(object.source)) return ui::icon::volume;

@@ -9,6 +9,7 @@
 #include "editor/tools/select.h"
 #include "editor/tools/silhouettes.h"
 #include "editor/tools/split.h"
+#include "editor/tools/tetrahedra.h"
 #include "editor/tools/tiles.h"
 #include "editor/tools/transform.h"
 
@@ -30,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     tools.push_back(std::make_unique<SplitTool>());
     tools.push_back(std::make_unique<SilhouettesTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
+    tools.push_back(std::make_unique<TetrahedraTool>());
     return tools;
 }
 

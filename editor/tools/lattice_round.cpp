@@ -2,6 +2,7 @@
 #include "editor/tools/lattice_round.h"
 
 #include "core/commands/numbering.h"
+#include "core/commands/tetrahedra.h"
 #include "editor/session/scene_facts.h"
 
 #include <algorithm>
@@ -53,7 +54,29 @@ AddLattice lattice_round(const Session& session, const std::vector<Id>& ids)
     return add;
 }
 
+AddTetrahedra tetrahedra_round(const Session& session, const std::vector<Id>& ids)
+{
+    const AddLattice lattice = lattice_round(session, ids);
+    AddTetrahedra add{.objects = ids, .transform = lattice.transform};
+    constexpr double margin = 1.05; // what is on the border is inside
+    add.shape.size = lattice.shape.size * margin;
+    const double shortest = std::min({add.shape.size.x, add.shape.size.y, add.shape.size.z});
+    for (int i = 0; i < 3; ++i)
+        add.shape.boxes[i] =
+            std::clamp(static_cast<int>(std::lround(2 * add.shape.size[i] / shortest)), 2, 6);
+    add.name = Numbering(session.document()).unique(add.name);
+    return add;
+}
+
 } // namespace
+
+bool put_tetrahedra_round_selection(Session& session)
+{
+    const Id id = session.committed().next_id;
+    if (!session.run(tetrahedra_round(session, session.selected.ids()))) return false;
+    session.selected = id;
+    return true;
+}
 
 bool put_lattice_round_selection(Session& session)
 {

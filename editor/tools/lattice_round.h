@@ -7,6 +7,12 @@ namespace trivar {
 
 inline constexpr const char* lattice_action = "Lattice round selection";
 
+inline constexpr const char* tetrahedra_action = "Tetrahedra round selection";
+
+// Puts a box of tetrahedra round the selection, which is then selected itself; false where that is
+// refused.
+bool put_tetrahedra_round_selection(Session& session);
+
 // Puts a box round the selection, which is then selected itself; false where that is refused.
 bool put_lattice_round_selection(Session& session);
 

@@ -7,6 +7,7 @@
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/inspector/inspector_split.h"
+#include "editor/panels/inspector/inspector_tetrahedra.h"
 #include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/panels/inspector/inspector_unwrap.h"
 #include "editor/panels/panels.h"
@@ -73,6 +74,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_cut, draw_cuts},
         {is_parted, draw_split},
         {is_made_of<LatticeShape>, draw_lattice},
+        {is_made_of<TetrahedraShape>, draw_tetrahedra},
         {has_a_volume, draw_shaping},
         {is_made_of<ImportedFile>,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/tetrahedra.h"
+
+#include "core/base/rounded.h"
+#include "core/commands/edits.h"
+#include "core/mesh/nearest_face.h"
+#include "core/simplex/tetrahedra_layers.h"
+#include "editor/picture/tetrahedra_picture.h"
+#include "editor/picture/volume_picture.h"
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+const EvaluatedObject* shown_volume(const Session& session, Id id)
+{
+    const auto found = session.evaluated().objects.find(id);
+    return found != session.evaluated().objects.end() && found->second->tetrahedra ? &*found->second
+                                                                                   : nullptr;
+}
+
+const TetrahedraShape* shape_of(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found == document.objects.end() ? nullptr
+                                           : std::get_if<TetrahedraShape>(&found->second->source);
+}
+
+// The last refinement that holds a place; 0: none does.
+int layer_at(const TetrahedraShape& shape, const glm::dvec3& place)
+{
+    int out = 0, layer = 0;
+    for (const TetrahedraEdit& edit : shape.edits) {
+        if (!edit.refinement) continue;
+        ++layer;
+        for (const glm::dvec3& each : edit.refinement->places)
+            if (glm::distance(each, place) <= edit.refinement->radius) out = layer;
+    }
+    return out;
+}
+
+double length_of(const EvaluatedObject& volume)
+{
+    return glm::length(glm::dvec3(volume.tetrahedra_to_world[0]));
+}
+
+} // namespace
+
+const char* TetrahedraTool::icon() const
+{
+    return ui::icon::tetrahedra;
+}
+
+Id TetrahedraTool::volume_of(const Session& session, Id id)
+{
+    if (id == 0 || !session.document().objects.contains(id)) return 0;
+    if (shape_of(session.document(), id)) return id;
+    for (const Id up : lattices_round(session.document(), id))
+        if (shape_of(session.document(), up)) return up;
+    return 0;
+}
+
+void TetrahedraTool::begin(Session& session)
+{
+    if (session.selected.size() != 1) return;
+    if (const Id id = volume_of(session, session.selected); id != 0) session.selected = id;
+}
+
+double TetrahedraTool::radius(const Session& session) const
+{
+    if (radius_ > 0) return radius_;
+    const TetrahedraShape* shape =
+        session.selected.size() == 1 ? shape_of(session.document(), session.selected) : nullptr;
+    if (!shape) return 0.25;
+    const glm::dvec3 size = size_of(*shape);
+    constexpr double share = 0.35; // of the middle size
+    return rounded(share * std::cbrt(size.x * size.y * size.z), 2);
+}
+
+std::optional<TetrahedraTool::Place> TetrahedraTool::place_under(const Session& session,
+                                                                 const ViewportInput& input) const
+{
+    const EvaluatedObject* volume =
+        session.selected.size() == 1 ? shown_volume(session, session.selected) : nullptr;
+    if (!volume) return {};
+    const Ray ray = ray_through(session.view.camera, input.mouse);
+    double nearest = 1e300;
+    for (const Id id : with_contents(session.document(), {volume->id})) {
+        const auto shown = session.evaluated().objects.find(id);
+        if (shown == session.evaluated().objects.end()) continue;
+        for (const Part& part : shown->second->parts)
+            if (!part.drawn_from_tiles())
+                nearest =
+                    nearest_face(*part.mesh(), part.to_world, ray.origin, ray.direction, nearest);
+    }
+    if (nearest > 1e299) return {};
+    const glm::dvec3 world = ray.origin + ray.direction * nearest;
+    const glm::dvec3 inside(glm::inverse(volume->tetrahedra_to_world) * glm::dvec4(world, 1));
+    const std::optional<glm::dvec3> rest = inverse(*volume->tetrahedra->volume, inside, 1e-6);
+    if (!rest) return {};
+    return Place{world, *rest};
+}
+
+TetrahedraEdit TetrahedraTool::edit_at(const TetrahedraShape& shape, const Place& place,
+                                       const Session& session) const
+{
+    const double r = radius(session);
+    if (by_ == By::crease)
+        return {.crease = TetrahedraCrease{{place.rest}, r, std::min(depth_, shape.degree)}};
+    if (by_ == By::refine)
+        return {.refinement = TetrahedraRefinement{{place.rest}, r, rounded(r / 2, 2)}};
+    return {.pull = TetrahedraPull{.layer = layer_at(shape, place.rest),
+                                   .at = place.rest,
+                                   .radius = r,
+                                   .decay = decay_,
+                                   .guard = guard_}};
+}
+
+void TetrahedraTool::use(Session& session, const ViewportInput& input)
+{
+    if (gesture_) {
+        if (!shown_volume(session, gesture_->object)) return cancel(session);
+        return go_on(session, input);
+    }
+    at_.reset();
+    if (input.hovered || input.pressed) at_ = place_under(session, input);
+    if (!input.pressed || session.committing()) return;
+    if (!at_)
+        if (const Id id = volume_of(session, input.under); id != 0) {
+            session.selected = id;
+            at_ = place_under(session, input);
+        }
+    if (at_)
+        start(session, input);
+    else
+        select_by_click(session, input.under);
+}
+
+void TetrahedraTool::start(Session& session, const ViewportInput& input)
+{
+    const EvaluatedObject& volume = *shown_volume(session, session.selected);
+    const TetrahedraShape& shape = *shape_of(session.document(), volume.id);
+    gesture_ = Gesture{volume.id, edit_at(shape, *at_, session), at_->world,
+                       glm::inverse(glm::dmat3(volume.tetrahedra_to_world)), input.mouse};
+}
+
+void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    const TetrahedraEdit before = g.edit;
+    g.moved = g.moved || glm::length(input.mouse - g.from_px) >= click_slip_px * input.scale;
+    if (input.wheel != 0 && g.edit.pull)
+        g.edit.pull->radius = radius_ =
+            rounded(g.edit.pull->radius * std::pow(1.1, input.wheel), 3);
+    if (g.edit.pull && g.moved) {
+        // in the plane through the grabbed point that the camera faces
+        const Camera& camera = session.view.camera;
+        const double depth = project(camera, g.grabbed).depth_world;
+        const double pixel = pixel_size_world(camera, std::max(1e-9, depth));
+        const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
+                         right = glm::normalize(glm::cross(ahead, camera.up)),
+                         up = glm::cross(right, ahead);
+        const glm::dvec2 by = (input.mouse - g.from_px) * pixel;
+        g.edit.pull->by = g.to_volume * (right * by.x - up * by.y);
+    }
+    if (!g.edit.pull)
+        if (const std::optional<Place> place = place_under(session, input)) {
+            std::vector<glm::dvec3>& places =
+                g.edit.crease ? g.edit.crease->places : g.edit.refinement->places;
+            const double r = g.edit.crease ? g.edit.crease->radius : g.edit.refinement->radius;
+            constexpr std::size_t most_places = 500;
+            if (glm::distance(places.back(), place->rest) > 0.4 * r && places.size() < most_places)
+                places.push_back(place->rest);
+            g.moved = true;
+        }
+    if (input.released || !input.down) return finish(session);
+    const bool begins = !g.edit.pull && !g.proposed;
+    if ((!(g.edit == before) || begins) && session.up_to_date())
+        g.proposed = session.propose_quietly(EditTetrahedra{g.object, g.edit}) || g.proposed;
+}
+
+void TetrahedraTool::finish(Session& session)
+{
+    const Gesture done = *gesture_;
+    gesture_.reset();
+    const bool nothing = done.edit.pull && (!done.moved || done.edit.pull->by == glm::dvec3(0));
+    if (!nothing && session.propose(EditTetrahedra{done.object, done.edit}))
+        session.commit();
+    else
+        session.cancel();
+}
+
+void TetrahedraTool::cancel(Session& session)
+{
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+bool TetrahedraTool::resize(Session& session, double factor)
+{
+    radius_ = rounded(radius(session) * factor, 3);
+    return true;
+}
+
+std::vector<gpu::Line> TetrahedraTool::lines(const Session& session, const ui::Theme& theme) const
+{
+    if (!gesture_ || !gesture_->edit.pull) return {};
+    const EvaluatedObject* volume = shown_volume(session, gesture_->object);
+    if (!volume) return {};
+    return support_lines(*volume, *gesture_->edit.pull, theme.color, theme.line(1));
+}
+
+std::vector<gpu::Translucent> TetrahedraTool::veils(const Session& session,
+                                                    const ui::Theme& theme) const
+{
+    if (!gesture_ || !gesture_->edit.pull) return {};
+    const EvaluatedObject* volume = shown_volume(session, gesture_->object);
+    if (!volume) return {};
+    const TetrahedraPull& pull = *gesture_->edit.pull;
+    const glm::dvec3 now = evaluate(*volume->tetrahedra->volume, pull.at).position;
+    return {ball_veil(glm::dvec3(volume->tetrahedra_to_world * glm::dvec4(now, 1)),
+                      pull.radius * length_of(*volume), theme.color)};
+}
+
+} // namespace trivar
