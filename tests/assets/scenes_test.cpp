@@ -75,6 +75,8 @@ TEST_P(EveryScene, ChangesSomethingAndSaysWhereItsPictureIsTakenFrom)
         return entry.second->stroke || entry.second->tiles || entry.second->splitting ||
                entry.second->cutting || entry.second->incising ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source) ||
+               std::holds_alternative<trivar::TetrahedraShape>(entry.second->source) ||
+               std::holds_alternative<trivar::SimplexSheetShape>(entry.second->source) ||
                std::holds_alternative<trivar::VoxelShape>(entry.second->source);
     }));
 }
@@ -110,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "forearm_layers", "pumpkin_carved", "jaw_silhouette", "jaw_overlay",
                     "neck_levels", "foot_skin_bone", "iron_protein_levels", "iron_protein_volume",
                     "iron_protein_widths", "crystal_chromadepth", "foot_chromadepth",
-                    "knee_gradient", "density_fans", "anatomical_plate"),
+                    "knee_gradient", "density_fans", "anatomical_plate", "dms_surface",
+                    "goblet_dms", "dms_refined", "dms_cut"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
