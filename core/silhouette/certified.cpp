@@ -35,14 +35,14 @@ struct BrickHulls {
 BrickHulls brick_hulls(const ScalarField<float>& field, const glm::ivec3& first,
                        const glm::ivec3& cells)
 {
-    using Row = Row4<float>;
+    using FourFloats = Row4<float>;
     constexpr std::size_t n = FieldHulls::brick, wide = n + 3; // cells, and their coefficients
-    const auto lesser = [](const Row& a, const Row& b) { return a < b ? a : b; };
-    const auto greater = [](const Row& a, const Row& b) { return a > b ? a : b; };
-    const auto of_four = [](const auto& pick, const Row* row) {
+    const auto lesser = [](const FourFloats& a, const FourFloats& b) { return a < b ? a : b; };
+    const auto greater = [](const FourFloats& a, const FourFloats& b) { return a > b ? a : b; };
+    const auto of_four = [](const auto& pick, const FourFloats* row) {
         return pick(pick(row[0], row[1]), pick(row[2], row[3]));
     };
-    std::array<Row, wide * wide> least{}, greatest{};
+    std::array<FourFloats, wide * wide> least{}, greatest{};
     std::array<float, wide> copy{};
     for (int c = 0; c < cells.z + 3; ++c)
         for (int b = 0; b < cells.y + 3; ++b) {
@@ -51,15 +51,15 @@ BrickHulls brick_hulls(const ScalarField<float>& field, const glm::ivec3& first,
                 std::copy_n(from, cells.x + 3, copy.begin());
                 from = copy.data();
             }
-            const std::array<Row, 4> shifted{row4(from), row4(from + 1), row4(from + 2),
-                                             row4(from + 3)};
+            const std::array<FourFloats, 4> shifted{row4(from), row4(from + 1), row4(from + 2),
+                                                    row4(from + 3)};
             const auto row = static_cast<std::size_t>(b) + wide * static_cast<std::size_t>(c);
             least[row] = of_four(lesser, shifted.data());
             greatest[row] = of_four(greater, shifted.data());
         }
     BrickHulls out;
     for (std::size_t j = 0; j < n; ++j) {
-        std::array<Row, wide> low, high;
+        std::array<FourFloats, wide> low, high;
         for (std::size_t c = 0; c < wide; ++c) {
             low[c] = of_four(lesser, &least[j + wide * c]);
             high[c] = of_four(greater, &greatest[j + wide * c]);

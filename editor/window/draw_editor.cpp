@@ -71,7 +71,7 @@ struct ViewMet { // how the scene of that number and path is looked at
 // Every scene opens as it was looked at last, but where it has a view of its own.
 void remember_view(Editor& editor, ui::Frame& frame)
 {
-    constexpr double rest_s = 1; // not at each frame of a turn
+    constexpr double quiet_s = 1; // not at each frame of a turn
     ViewMet& met = editor.memory.of<ViewMet>();
     Session& session = editor.session;
     std::vector<std::string>& views = editor.preferences.recent_views;
@@ -96,10 +96,10 @@ void remember_view(Editor& editor, ui::Frame& frame)
     const bool same = met.camera == session.view.camera && met.path == path;
     if (!same) met = {met.scene, path, session.view.camera, frame.time_s, false};
     if (met.remembered || path.empty()) return;
-    if (frame.close_asked || frame.time_s - met.since_s >= rest_s)
+    if (frame.close_asked || frame.time_s - met.since_s >= quiet_s)
         keep();
     else
-        frame.again_in(rest_s);
+        frame.again_in(quiet_s);
 }
 
 // What was under way belongs to a scene that is gone.
