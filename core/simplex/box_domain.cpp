@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/box_domain.h"
 
+#include "core/simplex/simplex_domain.h"
+
 #include <algorithm>
 #include <numeric>
 

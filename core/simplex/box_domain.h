@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simplex/simplex_domain.h"
+#include "core/simplex/simplex_mesh.h"
 
 namespace trivar {
-
-// The vertices and cells of a domain, before it has knots.
-template <int S> struct SimplexMesh {
-    std::vector<glm::vec<S, double>> vertices;
-    std::vector<std::array<int, S + 1>> cells; // of positive orientation
-    bool operator==(const SimplexMesh&) const = default;
-};
 
 // A box about the origin in that many boxes along each axis (1..100), each in 6 tetrahedra round
 // its diagonal [Freudenthal, 1942]. Their faces fit. Vertices are numbered as boxes are, the last
