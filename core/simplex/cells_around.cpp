@@ -20,7 +20,7 @@ namespace {
 // that cell is chosen. And a face whose corners are that far from a point cannot reach it: the
 // middle of an equilateral triangle is 0.577 edges from its corners.
 constexpr double least_margin = 0.7; // edges
-constexpr double usual_cells = 2000;
+constexpr double cells_by_default = 2000;
 constexpr int pinning_rounds = 4;
 
 using Flags = std::vector<bool>;
@@ -209,7 +209,7 @@ double usual_edge(const Box& box)
     if (longest == 0) return 1;
     double volume = 1;
     for (int i = 0; i < 3; ++i) volume *= std::max(size[i], 0.1 * longest);
-    return std::cbrt(12 * volume / usual_cells);
+    return std::cbrt(12 * volume / cells_by_default);
 }
 
 } // namespace

@@ -11,8 +11,10 @@
 namespace trivar {
 namespace {
 
-constexpr double slack = 1.2;  // halving gives lengths in steps, so some are longer than asked
-constexpr double least = 1e-5; // of the whole domain, so that halves keep their digits
+constexpr double length_slack =
+    1.2; // halving gives lengths in steps, so some are longer than asked
+constexpr double least_share_of_domain =
+    1e-5; // of the whole domain, so that halves keep their digits
 constexpr std::size_t most_balls = 10'000;
 
 struct Edge {
@@ -48,7 +50,7 @@ private:
     {
         Box box;
         for (const int v : mesh_.cells[c]) box.add(at(v));
-        return std::sqrt(longest(c).length2) > slack * edge_in(grading, box);
+        return std::sqrt(longest(c).length2) > length_slack * edge_in(grading, box);
     }
 
     Edge longest(std::size_t c) const
@@ -135,7 +137,7 @@ void check(const Grading& grading, double whole)
         shortest = std::min(shortest, ball.edge);
     }
     if (!(shortest > 0)) throw Rejected("The length of edges must be more than 0.");
-    if (shortest < least * whole)
+    if (shortest < least_share_of_domain * whole)
         throw Rejected("Edges cannot be shorter than 1/100,000 of the whole domain.");
 }
 

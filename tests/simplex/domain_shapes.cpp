@@ -7,6 +7,7 @@
 #include "core/simplex/simplex_basis.h"
 
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace trivar {
@@ -69,8 +70,14 @@ std::string fault(const SimplexMesh<3>& mesh, int degree)
     } catch (const Rejected& rejected) {
         return rejected.what();
     }
-    if (with_manifold_border(mesh, std::vector<bool>(mesh.cells.size(), true)).empty())
-        return "There are no cells.";
+    if (mesh.cells.empty()) return "There are no cells.";
+    std::map<std::array<int, 2>, int> edges;
+    for (const auto& f : border_faces(mesh, std::vector<bool>(mesh.cells.size(), true)))
+        for (const std::array<int, 2> edge :
+             {std::array<int, 2>{f[0], f[1]}, {f[1], f[2]}, {f[0], f[2]}})
+            ++edges[edge];
+    for (const auto& [edge, count] : edges)
+        if (count != 2) return "Two parts of the border meet at an edge.";
     return {};
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/simplex/simplex_mesh.h"
 
+#include <string>
+
 namespace trivar {
 
 // A closed or open surface of triangles.
@@ -18,6 +20,8 @@ TriangleSurface box_surface(const glm::dvec3& lo, const glm::dvec3& hi);
 // What is wrong with cells, as a sentence; empty: they make a domain of that degree, no face has
 // three cells, and the border is a closed surface that meets itself nowhere.
 std::string fault(const SimplexMesh<3>& mesh, int degree = 2);
+
+inline constexpr double one_degree = 0.017453292519943295; // in radians
 
 double volume(const SimplexMesh<3>& mesh);
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simplex/from_lattice.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/simplex/box_domain.h"
+#include "core/simplex/cell_polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// Nodes keep this share of a cell from its faces where the lattice is torn at some, so that they
+// are on its own side.
+constexpr double from_tear = 1e-9;
+
+// The boxes of a lattice's spans.
+struct SpanCells {
+    SimplexMesh<3> mesh; // with vertices in uvw
+    std::vector<Crease<3>> creases;
+    bool torn = false;
+};
+
+std::vector<double> pieces_of(const Knots& knots, int pieces)
+{
+    const std::vector<double> breaks = knots.breaks();
+    std::vector<double> out;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        for (int p = 0; p < pieces; ++p)
+            out.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * p / pieces);
+    out.push_back(breaks.back());
+    return out;
+}
+
+// By how much the continuity of a spline of a degree must be lowered at each of the places.
+std::vector<int> depths_at(const std::vector<double>& places, const Knots& knots, int degree)
+{
+    std::vector<int> out(places.size(), 0);
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        const int multiplicity = knots.multiplicity(places[i]);
+        if (multiplicity > 0)
+            out[i] = std::clamp(degree - 1 - (knots.degree() - multiplicity), 0, degree);
+    }
+    return out;
+}
+
+SpanCells span_cells(const std::array<Knots, 3>& axes, const Conversion& how)
+{
+    std::array<std::vector<double>, 3> places;
+    std::array<std::vector<int>, 3> depths;
+    double count = 6;
+    for (std::size_t a = 0; a < 3; ++a) {
+        places[a] = pieces_of(axes[a], how.pieces);
+        depths[a] = depths_at(places[a], axes[a], how.degree);
+        count *= static_cast<double>(places[a].size() - 1);
+    }
+    if (count > static_cast<double>(usual_cell_limit))
+        throw Rejected(fmt::format("The lattice needs {:.0f} cells; {} are allowed.", count,
+                                   usual_cell_limit));
+    const glm::ivec3 boxes(places[0].size() - 1, places[1].size() - 1, places[2].size() - 1);
+    SpanCells out;
+    out.mesh = box_cells(glm::dvec3(1), boxes);
+    const auto index = [&](int vertex) {
+        return glm::ivec3(vertex / ((boxes.z + 1) * (boxes.y + 1)),
+                          vertex / (boxes.z + 1) % (boxes.y + 1), vertex % (boxes.z + 1));
+    };
+    for (std::size_t v = 0; v < out.mesh.vertices.size(); ++v)
+        for (int a = 0; a < 3; ++a)
+            out.mesh.vertices[v][a] =
+                places[static_cast<std::size_t>(a)]
+                      [static_cast<std::size_t>(index(static_cast<int>(v))[a])];
+    for (const auto& cell : out.mesh.cells)
+        for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+            std::array<int, 3> face{};
+            for (std::size_t k = 0, n = 0; k < 4; ++k)
+                if (k != opposite) face[n++] = cell[k];
+            const glm::ivec3 a = index(face[0]), b = index(face[1]), c = index(face[2]);
+            for (int axis = 0; axis < 3; ++axis) {
+                if (a[axis] != b[axis] || b[axis] != c[axis]) continue;
+                const int depth =
+                    depths[static_cast<std::size_t>(axis)][static_cast<std::size_t>(a[axis])];
+                if (depth > 0) out.creases.push_back({face, depth});
+                out.torn = out.torn || depth == how.degree;
+            }
+        }
+    return out;
+}
+
+glm::dvec3 blend(const std::array<glm::dvec3, 4>& corners, const glm::dvec4& l)
+{
+    return corners[0] * l[0] + corners[1] * l[1] + corners[2] * l[2] + corners[3] * l[3];
+}
+
+std::array<glm::dvec3, 4> corners_of_cell(const SimplexMesh<3>& mesh, std::size_t cell)
+{
+    std::array<glm::dvec3, 4> out;
+    for (std::size_t k = 0; k < 4; ++k)
+        out[k] = mesh.vertices[static_cast<std::size_t>(mesh.cells[cell][k])];
+    return out;
+}
+
+std::vector<glm::dvec3> quasi_interpolant(const Lattice& lattice, const SpanCells& cells,
+                                          const SimplexBasis<3>& basis)
+{
+    const SimplexDomain<3>& domain = basis.domain();
+    const auto indices = multi_indices<3>(domain.degree);
+    const CellInterpolation interpolation(domain.degree);
+    std::vector<glm::dvec3> by_function(domain.cells.size() * indices.size());
+    parallel_blocks(domain.cells.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            std::vector<glm::dvec3> values;
+            for (glm::dvec4 l : interpolation.nodes()) {
+                if (cells.torn) l += (glm::dvec4(0.25) - l) * from_tear;
+                values.push_back(
+                    evaluate(lattice.displacement, blend(corners_of_cell(cells.mesh, c), l)).value);
+            }
+            const auto coefficients = interpolation.coefficients(values);
+            const auto at = corners(domain, c);
+            const glm::dmat3 edges(at[1] - at[0], at[2] - at[0], at[3] - at[0]);
+            const glm::dmat3 inverse = glm::inverse(edges);
+            for (std::size_t b = 0; b < indices.size(); ++b) {
+                std::vector<glm::dvec4> arguments; // knots (k, j) with j < b_k
+                for (std::size_t k = 0; k < 4; ++k)
+                    for (int j = 0; j < indices[b][k]; ++j) {
+                        const glm::dvec3 l = inverse * (domain.knot(domain.cells[c][k], j) - at[0]);
+                        arguments.emplace_back(1 - l.x - l.y - l.z, l.x, l.y, l.z);
+                    }
+                by_function[c * indices.size() + b] =
+                    interpolation.polar_form(coefficients, arguments);
+            }
+        }
+    });
+    // Functions that share a control point agree on it, but for rounding.
+    std::vector<glm::dvec3> out(basis.point_count(), glm::dvec3(0));
+    std::vector<int> count(out.size(), 0);
+    for (std::size_t i = 0; i < by_function.size(); ++i) {
+        const auto p =
+            static_cast<std::size_t>(basis.point_of(i / indices.size(), i % indices.size()));
+        out[p] += by_function[i];
+        ++count[p];
+    }
+    for (std::size_t p = 0; p < out.size(); ++p) out[p] /= static_cast<double>(count[p]);
+    return out;
+}
+
+// 35 places spread evenly over a cell, none on its faces.
+std::vector<glm::dvec4> places_in_cell()
+{
+    std::vector<glm::dvec4> out;
+    for (int a = 0; a <= 4; ++a)
+        for (int b = 0; a + b <= 4; ++b)
+            for (int c = 0; a + b + c <= 4; ++c)
+                out.push_back(glm::dvec4(a, b, c, 4 - a - b - c) * 0.2 + 0.05);
+    return out;
+}
+
+void measure(const Lattice& lattice, const SpanCells& cells, ConvertedLattice& out)
+{
+    constexpr std::size_t block = 16;
+    const std::vector<glm::dvec4> places = places_in_cell();
+    struct Part {
+        double most2 = 0, sum2 = 0;
+    };
+    const std::size_t count = cells.mesh.cells.size();
+    std::vector<Part> parts((count + block - 1) / block);
+    parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+        Part& part = parts[begin / block];
+        for (std::size_t c = begin; c < end; ++c)
+            for (const glm::dvec4& l : places) {
+                const glm::dvec3 x = blend(corners(out.volume.basis->domain(), c), l);
+                const glm::dvec3 d =
+                    displacement(out.volume, x) -
+                    evaluate(lattice.displacement, blend(corners_of_cell(cells.mesh, c), l)).value;
+                part.most2 = std::max(part.most2, glm::dot(d, d));
+                part.sum2 += glm::dot(d, d);
+            }
+    });
+    double sum2 = 0;
+    for (const Part& part : parts) {
+        out.most = std::max(out.most, std::sqrt(part.most2));
+        sum2 += part.sum2;
+    }
+    out.mean = std::sqrt(sum2 / static_cast<double>(count * places.size()));
+}
+
+} // namespace
+
+glm::dvec3 displacement(const SimplexVolume& volume, const glm::dvec3& x)
+{
+    std::vector<BasisValue<3>> values;
+    volume.basis->values_at(x, false, values);
+    glm::dvec3 out(0);
+    for (const auto& v : values)
+        out += volume.displacements[static_cast<std::size_t>(v.point)] * v.value;
+    return out;
+}
+
+ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how)
+{
+    if (how.pieces < 1 || how.pieces > 100)
+        throw Rejected("A span of the lattice can be cut into 1 to 100 pieces.");
+    const double sign = glm::determinant(glm::dmat3(lattice.rest));
+    if (!(std::abs(sign) > 0)) throw Rejected("The lattice is flat at rest.");
+    SpanCells cells = span_cells(lattice.displacement.axes, how);
+    if (sign < 0)
+        for (auto& cell : cells.mesh.cells) std::swap(cell[2], cell[3]);
+    std::vector<glm::dvec3> world;
+    for (const glm::dvec3& uvw : cells.mesh.vertices)
+        world.emplace_back(lattice.rest * glm::dvec4(uvw, 1));
+    ConvertedLattice out;
+    out.volume.basis = std::make_shared<const SimplexBasis<3>>(
+        with_clouds<3>(std::move(world), cells.mesh.cells, how.degree, how.style, cells.creases));
+    out.volume.displacements = quasi_interpolant(lattice, cells, *out.volume.basis);
+    measure(lattice, cells, out);
+    return out;
+}
+
+} // namespace trivar

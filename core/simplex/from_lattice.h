@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/lattice.h"
+#include "core/simplex/clouds.h"
+#include "core/simplex/simplex_basis.h"
+
+#include <memory>
+
+namespace trivar {
+
+// A SimplexVolume is a basis and the displacement of each of its control points.
+struct SimplexVolume {
+    std::shared_ptr<const SimplexBasis<3>> basis; // over the world as it was at rest
+    std::vector<glm::dvec3> displacements;        // world
+};
+
+// The displacement of a point of the world at rest; 0 where no function reaches.
+glm::dvec3 displacement(const SimplexVolume& volume, const glm::dvec3& x);
+
+struct Conversion {
+    int degree = 3;        // 1..3
+    int pieces = 1;        // into which each span is cut along each axis
+    CloudStyle style = {}; // of the knots
+};
+
+struct ConvertedLattice {
+    SimplexVolume volume;
+    // How far the volume takes a point from where the lattice takes it, by looking at 35 places in
+    // each cell: the most and the root of the mean square, in world units.
+    double most = 0, mean = 0;
+};
+
+// A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
+// diagonal, the breaks of its knots kept; where a repeated knot makes it less smooth than the
+// spline, and where it is torn, so is the spline. Control points are polar forms, at the knots of
+// their functions, of the polynomial through the lattice's displacements in their cell [1]:
+// displacements that are polynomials of at most the degree are met to rounding, others to the
+// order degree + 1 in the size of the spans; a lattice at rest is met exactly. A closed axis counts
+// as one period. Throws Rejected where the lattice is flat at rest or would need more than 10^6
+// cells. About 1 ms per cell and core
+// for degree 3, most of it to look.
+//   [1] Serghini, Tijini, New approach to study splines by blossoming method and application to
+//   the construction of a bivariate C1 quartic quasi-interpolant, 2015
+ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how = {});
+
+} // namespace trivar
