@@ -27,7 +27,7 @@ CellSearch::CellSearch(SimplexMesh<3> mesh) : mesh_(std::move(mesh))
         for (const glm::dvec3& p : at) box.lo = glm::min(box.lo, p), box.hi = glm::max(box.hi, p);
         boxes.push_back(box);
     }
-    grid_ = CellGrid<3>(boxes);
+    grid_ = BoxGrid<3>(boxes);
 }
 
 int CellSearch::cell_at(const glm::dvec3& x) const

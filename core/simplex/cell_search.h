@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simplex/cell_grid.h"
+#include "core/simplex/box_grid.h"
 #include "core/simplex/simplex_mesh.h"
 
 namespace trivar {
@@ -15,7 +15,7 @@ public:
 
 private:
     SimplexMesh<3> mesh_;
-    CellGrid<3> grid_;
+    BoxGrid<3> grid_;
 };
 
 } // namespace trivar

@@ -170,9 +170,9 @@ void measure(const Lattice& lattice, const SpanCells& cells, ConvertedLattice& o
         Part& part = parts[begin / block];
         for (std::size_t c = begin; c < end; ++c)
             for (const glm::dvec4& l : places) {
-                const glm::dvec3 x = blend(corners(out.volume.basis->domain(), c), l);
+                const glm::dvec3 x = blend(corners(out.volume.layers[0]->domain(), c), l);
                 const glm::dvec3 d =
-                    displacement(out.volume, x) -
+                    evaluate(out.volume, x).position - x -
                     evaluate(lattice.displacement, blend(corners_of_cell(cells.mesh, c), l)).value;
                 part.most2 = std::max(part.most2, glm::dot(d, d));
                 part.sum2 += glm::dot(d, d);
@@ -188,16 +188,6 @@ void measure(const Lattice& lattice, const SpanCells& cells, ConvertedLattice& o
 
 } // namespace
 
-glm::dvec3 displacement(const SimplexVolume& volume, const glm::dvec3& x)
-{
-    std::vector<BasisValue<3>> values;
-    volume.basis->values_at(x, false, values);
-    glm::dvec3 out(0);
-    for (const auto& v : values)
-        out += volume.displacements[static_cast<std::size_t>(v.point)] * v.value;
-    return out;
-}
-
 ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how)
 {
     if (how.pieces < 1 || how.pieces > 100)
@@ -211,9 +201,9 @@ ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how)
     for (const glm::dvec3& uvw : cells.mesh.vertices)
         world.emplace_back(lattice.rest * glm::dvec4(uvw, 1));
     ConvertedLattice out;
-    out.volume.basis = std::make_shared<const SimplexBasis<3>>(
-        with_clouds<3>(std::move(world), cells.mesh.cells, how.degree, how.style, cells.creases));
-    out.volume.displacements = quasi_interpolant(lattice, cells, *out.volume.basis);
+    out.volume.layers.push_back(std::make_shared<const SimplexBasis<3>>(
+        with_clouds<3>(std::move(world), cells.mesh.cells, how.degree, how.style, cells.creases)));
+    out.volume.displacements = quasi_interpolant(lattice, cells, *out.volume.layers[0]);
     measure(lattice, cells, out);
     return out;
 }

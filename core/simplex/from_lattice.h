@@ -3,20 +3,9 @@
 
 #include "core/ffd/lattice.h"
 #include "core/simplex/clouds.h"
-#include "core/simplex/simplex_basis.h"
-
-#include <memory>
+#include "core/simplex/simplex_volume.h"
 
 namespace trivar {
-
-// A SimplexVolume is a basis and the displacement of each of its control points.
-struct SimplexVolume {
-    std::shared_ptr<const SimplexBasis<3>> basis; // over the world as it was at rest
-    std::vector<glm::dvec3> displacements;        // world
-};
-
-// The displacement of a point of the world at rest; 0 where no function reaches.
-glm::dvec3 displacement(const SimplexVolume& volume, const glm::dvec3& x);
 
 struct Conversion {
     int degree = 3;        // 1..3
@@ -25,15 +14,15 @@ struct Conversion {
 };
 
 struct ConvertedLattice {
-    SimplexVolume volume;
+    SimplexVolume volume; // of one layer, over the world as it was at rest
     // How far the volume takes a point from where the lattice takes it, by looking at 35 places in
     // each cell: the most and the root of the mean square, in world units.
     double most = 0, mean = 0;
 };
 
 // A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
-// diagonal, the breaks of its knots kept; where a repeated knot makes it less smooth than the
-// spline, and where it is torn, so is the spline. Control points are polar forms, at the knots of
+// diagonal, the breaks of its knots kept; where a knot makes it less smooth than the
+// spline, faces are creased, which is met nearly, and where it is torn, so is the spline. Control points are polar forms, at the knots of
 // their functions, of the polynomial through the lattice's displacements in their cell [1]:
 // displacements that are polynomials of at most the degree are met to rounding, others to the
 // order degree + 1 in the size of the spans; a lattice at rest is met exactly. A closed axis counts

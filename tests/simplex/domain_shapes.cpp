@@ -95,7 +95,8 @@ double volume(const SimplexMesh<3>& mesh)
 double sum_error(const SimplexMesh<3>& mesh, int degree, int per_cell, bool clamped)
 {
     const SimplexBasis<3> basis(
-        with_clouds<3>(mesh.vertices, mesh.cells, degree, {.clamped = clamped}));
+        with_clouds<3>(mesh.vertices, mesh.cells, degree,
+                       {.border = clamped ? CloudBorder::stacked : CloudBorder::outside}));
     std::mt19937 random(5);
     std::exponential_distribution<double> share(1);
     double worst = 0;

@@ -53,7 +53,9 @@ TEST(FromLattice, MeetsPolynomialsOfItsDegree)
             for (std::size_t p = 0; p < 27; ++p)
                 lattice.displacement.points[p] = glm::dvec3(p / 9 == 1 ? 1 : 0, 0, 0);
         for (const bool clamped : {false, true}) {
-            const ConvertedLattice out = from_lattice(lattice, {.style = {.clamped = clamped}});
+            const ConvertedLattice out = from_lattice(
+                lattice,
+                {.style = {.border = clamped ? CloudBorder::stacked : CloudBorder::outside}});
             EXPECT_LE(out.most, 1e-12) << order << clamped;
         }
     }
@@ -81,7 +83,7 @@ TEST(FromLattice, SaysTheDeviationThatIsThere)
         const glm::dvec3 uvw{anywhere(random), 3 * anywhere(random) - 1, anywhere(random)};
         const glm::dvec3 x(lattice.rest * glm::dvec4(uvw, 1));
         const glm::dvec3 there = evaluate(lattice, uvw).value;
-        most = std::max(most, glm::distance(x + displacement(out.volume, x), there));
+        most = std::max(most, glm::distance(evaluate(out.volume, x).position, there));
     }
     EXPECT_GT(out.most, 0);
     EXPECT_LE(most, 1.5 * out.most);
@@ -98,15 +100,16 @@ TEST(FromLattice, TearsWhereTheLatticeIsTorn)
     for (int degree = 1; degree <= 3; ++degree) {
         const ConvertedLattice out = from_lattice(lattice, {.degree = degree});
         EXPECT_LE(out.most, 1e-12) << degree;
-        EXPECT_NEAR(displacement(out.volume, {0.5 - 1e-6, 0.3, 0.4}).z, 0, 1e-9);
-        EXPECT_NEAR(displacement(out.volume, {0.5 + 1e-6, 0.3, 0.4}).z, 1, 1e-9);
+        EXPECT_NEAR(evaluate(out.volume, {0.5 - 1e-6, 0.3, 0.4}).position.z, 0.4, 1e-9);
+        EXPECT_NEAR(evaluate(out.volume, {0.5 + 1e-6, 0.3, 0.4}).position.z, 1.4, 1e-9);
     }
 }
 
 TEST(FromLattice, TakesMirroredLatticesAndRefusesFlatOnes)
 {
     const glm::dmat4 mirror = glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
-    EXPECT_LE(from_lattice(waved(lattice_at_rest(axes(2, 3), mirror), 0.1)).most, 1e-12);
+    // its knots make it C0, which creases of a cubic meet nearly
+    EXPECT_LE(from_lattice(waved(lattice_at_rest(axes(2, 3), mirror), 0.1)).most, 1e-5);
     const glm::dmat4 flat = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1));
     EXPECT_THROW(from_lattice(lattice_at_rest(axes(2, 2), flat)), Rejected);
     EXPECT_THROW(from_lattice(lattice_at_rest(axes(2, 2), mirror), {.degree = 4}), Rejected);
