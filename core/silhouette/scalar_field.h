@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/silhouette/field_spline.h"
 #include "core/silhouette/row4.h"
 #include "core/silhouette/scalar_jet.h"
 
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace trivar {
-
-// How samples become the coefficients of a spline. An interpolating spline goes through them; a
-// smoothing one takes them as coefficients, as the thesis does (chapter 7).
-enum class FieldSpline : std::uint8_t { interpolating, smoothing };
-
-// The pieces of a spline along every axis: linear is of order 2, quadratic of 3, cubic of 4.
-enum class FieldOrder : std::uint8_t { linear, quadratic, cubic };
 
 // A ScalarField is a trivariate B-spline function over a grid of samples. Sample (i, j, k) is at
 // the point (i, j, k): places are in voxels throughout. Beyond the first and the last sample the

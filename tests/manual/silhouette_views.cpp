@@ -43,6 +43,16 @@ Subject subject_of(std::string name, VoxelGrid grid, double level)
     return {std::move(name), field, std::move(mesh)};
 }
 
+// What is in a box of a volume, whose faces cut its body.
+Subject part_of(const Subject& whole, double level)
+{
+    const glm::ivec3 size = whole.field->grid().size;
+    auto field = make_ref(VoxelField(
+        *whole.field, sample_box(size, glm::vec3(0.3f, 0.1f, 0.2f), glm::vec3(0.8f, 0.7f, 0.75f))));
+    LevelMesh mesh = field->level(level);
+    return {"part of " + whole.name, field, std::move(mesh)};
+}
+
 std::vector<Subject> subjects(const std::string& folder, int n)
 {
     std::vector<Subject> out;
@@ -54,10 +64,11 @@ std::vector<Subject> subjects(const std::string& folder, int n)
         out.push_back(subject_of(function, std::move(grid), from.level));
     }
     if (folder.empty()) return out;
-    for (const char* file : {"ironProt.vtk", "tooth.nrrd"}) {
+    for (const char* file : {"ironProt.vtk", "tooth.nrrd", "headsq/quarter.nhdr"}) {
         VoxelGrid grid = read_volume(folder + "/" + file).grid;
         const double level = usual_level(summary_of(grid), grid);
         out.push_back(subject_of(file, std::move(grid), level));
+        out.push_back(part_of(out.back(), level));
     }
     return out;
 }
