@@ -12,7 +12,7 @@ namespace trivar {
 // SilhouetteFinder finds the silhouettes of a level, view by view. The signs of <V, n> at the
 // vertices of a closed manifold have closed curves between them, whatever they are; runs of
 // triangles whose normals leave no change are left out. Keeps its memory from view to view. The
-// same result for any number of threads. 4 ns per triangle that is looked at, 0.25 us per point.
+// same result for any number of threads. 3 ns per triangle that is looked at, 0.25 us per point.
 class SilhouetteFinder {
 public:
     // Throws Rejected if the view has no direction.
