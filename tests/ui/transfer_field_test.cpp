@@ -42,6 +42,7 @@ struct TransferRig {
     void click(glm::vec2 where, Button button = Button::left)
     {
         screen.input().push(move_to(where));
+        screen.frames(2, body());
         screen.input().push(press(button));
         screen.input().push(press(button, false));
         screen.frames(5, body());
