@@ -2,10 +2,7 @@
 #include "core/silhouette/level_drawing.h"
 #include "tests/silhouette/scenes.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
-#include <map>
-#include <set>
 
 namespace trivar::testing {
 namespace {
@@ -69,62 +66,6 @@ TEST_P(LevelDrawings, HaveALayerForEachLevelAndAreCertifiedWhereThatIsAsked)
         draw_levels(scene.field, hulls, levels, view, {.certified_depth = 2});
     EXPECT_GT(certified.open, 0u);
     EXPECT_EQ(certified.layers.size(), 2u);
-}
-
-// The lines of a level that are drawn in a view after the one before, seen or hidden.
-struct Watched {
-    std::map<std::string, LineIds> ids;
-    std::map<std::string, std::vector<std::uint64_t>> kept;
-    using Lines = std::set<std::pair<bool, std::uint64_t>>;
-    Lines operator()(const Sampled& scene, const FieldHulls& hulls, const DrawnLevel& level,
-                     const DrawingView& view, bool remembers)
-    {
-        LevelDrawingOptions options;
-        options.ids = [&](const std::string& layer) -> LineIds& { return ids[layer]; };
-        if (remembers)
-            options.kept = [&](const std::string& layer) -> std::vector<std::uint64_t>& {
-                return kept[layer];
-            };
-        Lines out;
-        const LevelDrawing drawn =
-            draw_levels(scene.field, hulls, std::span(&level, 1), view, options);
-        for (const InkedLine& line : drawn.layers[0].lines) out.emplace(line.hidden, line.id);
-        return out;
-    }
-};
-
-TEST(ShareOfLines, KeepsItsLinesWhileTheViewTurns)
-{
-    const Sampled scene("gauss", 40);
-    const FieldHulls hulls(scene.field);
-    const LevelMesh mesh = scene.level();
-    const DrawnLevel all{"bumps", mesh};
-    DrawnLevel some = all;
-    some.more.amount = 0.5f;
-    Watched whole, plain, steady;
-    Watched::Lines whole_before, plain_before, steady_before;
-    int plain_changes = 0, steady_changes = 0;
-    for (int step = 0; step < 120; ++step) {
-        const double angle = glm::radians(0.5 * step);
-        const glm::dvec3 sight(std::cos(angle), std::sin(angle), 0.4);
-        const DrawingView view{image_of(sight), {glm::dvec4(sight, 0)}};
-        const Watched::Lines now = whole(scene, hulls, all, view, false);
-        const auto changes = [&](const Watched::Lines& before, const Watched::Lines& after) {
-            // of lines that are there in both views
-            return std::ranges::count_if(now, [&](const auto& line) {
-                return whole_before.contains(line) && before.contains(line) != after.contains(line);
-            });
-        };
-        const Watched::Lines a = plain(scene, hulls, some, view, false),
-                             b = steady(scene, hulls, some, view, true);
-        plain_changes += static_cast<int>(changes(plain_before, a));
-        steady_changes += static_cast<int>(changes(steady_before, b));
-        whole_before = now;
-        plain_before = a;
-        steady_before = b;
-    }
-    EXPECT_GT(plain_changes, 10) << "there is something to keep";
-    EXPECT_LE(2 * steady_changes, plain_changes) << steady_changes << " of " << plain_changes;
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LevelDrawings, ::testing::Bool());
