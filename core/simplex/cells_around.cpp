@@ -28,7 +28,7 @@ using Flags = std::vector<bool>;
 class Filler {
 public:
     Filler(std::span<const glm::dvec3> positions, std::span<const std::array<int, 3>> triangles,
-           const Filling& filling)
+           const CellFilling& filling)
         : positions_(positions),
           surface_(positions, triangles),
           filling_(filling)
@@ -193,7 +193,7 @@ private:
 
     std::span<const glm::dvec3> positions_;
     SurfaceDistance surface_;
-    const Filling& filling_;
+    const CellFilling& filling_;
     Box model_;
     SimplexMesh<3> mesh_; // the lattice, where it was
     bool capped_ = false;
@@ -215,7 +215,7 @@ double usual_edge(const Box& box)
 } // namespace
 
 FilledCells cells_around(std::span<const glm::dvec3> positions,
-                         std::span<const std::array<int, 3>> triangles, const Filling& filling)
+                         std::span<const std::array<int, 3>> triangles, const CellFilling& filling)
 {
     if (positions.empty()) throw Rejected("There is no model to put cells around.");
     Box box;

@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// A Filling says how cells fill a place. Its grading's `edge` must be finite; 0: as long as makes
-// about 2,000 cells in the box around the model.
-struct Filling {
+// A CellFilling says how cells fill a place. Its grading's `edge` must be finite; 0: as long as
+// makes about 2,000 cells in the box around the model.
+struct CellFilling {
     Grading grading{.edge = 0};
     double margin = 0; // distance of the border from the model, in addition to what cells need:
                        // 0.7 edges
@@ -39,6 +39,6 @@ struct FilledCells {
 //   [1] Labelle, Shewchuk, Isosurface stuffing: fast tetrahedral meshes with good dihedral angles,
 //   2007
 FilledCells cells_around(std::span<const glm::dvec3> positions,
-                         std::span<const std::array<int, 3>> triangles, const Filling& filling);
+                         std::span<const std::array<int, 3>> triangles, const CellFilling& filling);
 
 } // namespace trivar

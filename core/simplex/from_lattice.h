@@ -22,13 +22,12 @@ struct ConvertedLattice {
 
 // A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
 // diagonal, the breaks of its knots kept; where a knot makes it less smooth than the
-// spline, faces are creased, which is met nearly, and where it is torn, so is the spline. Control points are polar forms, at the knots of
-// their functions, of the polynomial through the lattice's displacements in their cell [1]:
-// displacements that are polynomials of at most the degree are met to rounding, others to the
-// order degree + 1 in the size of the spans; a lattice at rest is met exactly. A closed axis counts
-// as one period. Throws Rejected where the lattice is flat at rest or would need more than 10^6
-// cells. About 1 ms per cell and core
-// for degree 3, most of it to look.
+// spline, faces are creased, which is met nearly, and where it is torn, so is the spline. Control
+// points are polar forms, at the knots of their functions, of the polynomial through the lattice's
+// displacements in their cell [1]: displacements that are polynomials of at most the degree are met
+// to rounding, others to the order degree + 1 in the size of the spans; a lattice at rest is met
+// exactly. A closed axis counts as one period. Throws Rejected where the lattice is flat at rest or
+// would need more than 10^6 cells. About 1 ms per cell and core for degree 3, most of it to look.
 //   [1] Serghini, Tijini, New approach to study splines by blossoming method and application to
 //   the construction of a bivariate C1 quartic quasi-interpolant, 2015
 ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how = {});

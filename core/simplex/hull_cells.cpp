@@ -49,7 +49,7 @@ std::vector<Point> thickened(const std::vector<Point>& points)
 
 } // namespace
 
-FilledCells hull_cells(std::span<const glm::dvec3> points, const Filling& filling)
+FilledCells hull_cells(std::span<const glm::dvec3> points, const CellFilling& filling)
 {
     if (points.empty()) throw Rejected("There are no points to put cells around.");
     std::vector<Point> all;

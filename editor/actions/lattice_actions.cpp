@@ -129,6 +129,15 @@ void add_lattice_actions(std::vector<Action>& actions)
                        },
                        something_selected(),
                        true});
+    actions.push_back({"Add",
+                       fitted_tetrahedra_action,
+                       {},
+                       [](Editor& e) {
+                           if (!fit_tetrahedra_round_selection(e.session)) return;
+                           e.choose_tool("Tetrahedra");
+                       },
+                       something_selected(),
+                       true});
     actions.push_back({"Tools",
                        "Proportional editing",
                        {{'O'}},

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-FilledCells around(const TriangleSurface& model, const Filling& filling)
+FilledCells around(const TriangleSurface& model, const CellFilling& filling)
 {
     return cells_around(model.positions, model.triangles, filling);
 }
 
-Filling with_edge(double edge)
+CellFilling with_edge(double edge)
 {
     return {.grading = {.edge = edge}};
 }
@@ -92,7 +92,7 @@ TEST(CellsAround, LeaveHolesOpenAndFillWhatIsClosed)
 TEST(CellsAround, AreFinerWhereAsked)
 {
     const TriangleSurface model = sphere(12);
-    Filling filling = with_edge(0.5);
+    CellFilling filling = with_edge(0.5);
     const std::size_t coarse = around(model, filling).mesh.cells.size();
     filling.grading.balls = {{{1, 0, 0}, 0.1, 0.05}};
     const FilledCells out = around(model, filling);
@@ -122,7 +122,7 @@ TEST(CellsAround, TakeModelsThatAreNoSolids)
 
 TEST(CellsAround, AreAsManyAsAllowedAndSaySo)
 {
-    Filling filling = with_edge(0.01);
+    CellFilling filling = with_edge(0.01);
     filling.grading.cell_limit = 10'000;
     const FilledCells out = around(sphere(12), filling);
     EXPECT_TRUE(out.capped);
