@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/copied_splitting.h"
 #include "core/commands/copied_tiling.h"
 #include "core/commands/cut.h"
 #include "core/commands/heights.h"
@@ -34,13 +35,6 @@ struct CopiedPlacement {
     std::optional<Attachment> attach = {};
     std::optional<glm::dvec3> normal = {};
     bool operator==(const CopiedPlacement&) const = default;
-};
-
-// A CopiedSplitting names obstacles by what they were called, beside their numbers.
-struct CopiedSplitting {
-    Splitting splitting;
-    std::vector<KnownObject> known; // in the order of its obstacles
-    bool operator==(const CopiedSplitting&) const = default;
 };
 
 // A CopiedObject is an object by itself, with its number in the scene from which it was copied.
@@ -95,14 +89,6 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("normal", p.normal, "of the plane that cuts that object; left out: none does");
         field("attach", p.attach,
               "the hosts among onto that it is attached to, by the same numbers");
-    }
-};
-template <> struct FieldsOf<CopiedSplitting> {
-    static constexpr std::string_view told_as = "values of [split](#split), and `known`";
-    static void fields(auto& s, auto&& field)
-    {
-        FieldsOf<Splitting>::fields(s.splitting, field);
-        field("known", s.known, "the obstacles: other copies, or objects of the scene");
     }
 };
 template <> struct FieldsOf<CopiedObject> {

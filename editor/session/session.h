@@ -88,12 +88,10 @@ public:
 
     void poll();                      // takes in what other threads finished; once a frame
     void try_to_write(double time_s); // again every few seconds while steps are not on disk
-    // Takes up, once per second, lines that were added to a file that is only looked at.
-    void follow_file(double time_s);
+    void follow_file(double time_s);  // takes up lines that others add to it, once per second
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
-    // Work that nothing waits for and that is not told of: no card, and files are read meanwhile.
-    Jobs& quiet_jobs() { return quiet_jobs_; }
+    Jobs& quiet_jobs() { return quiet_jobs_; } // work that nobody waits for, and without a card
     BackgroundEvaluator& evaluator() { return *evaluator_; }
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
     // The selection belongs to the person and is no part of the document and of no undo step.

@@ -77,7 +77,7 @@ double TetrahedraTool::radius(const Session& session) const
         session.selected.size() == 1 ? shape_of(session.document(), session.selected) : nullptr;
     if (!shape) return 0.25;
     const glm::dvec3 size = size_of(*shape);
-    constexpr double share = 0.35; // of the middle size
+    const double share = by_ == By::pull ? 0.35 : 0.15; // of the middle size
     return rounded(share * std::cbrt(size.x * size.y * size.z), 2);
 }
 

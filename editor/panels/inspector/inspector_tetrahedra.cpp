@@ -40,7 +40,8 @@ RowPress edit_row(const ui::Theme& theme, const std::string& words, const std::s
     if (ImGui::InvisibleButton("edit", {width, side})) out = RowPress::choose;
     const ui::Rect all = ui::rect_at({at.x, at.y}, {width, side});
     if (chosen || ImGui::IsItemHovered())
-        ui::paint_box(all, chosen ? theme.color.row_selected : theme.color.row_hover, theme.size.rounding);
+        ui::paint_box(all, chosen ? theme.color.row_selected : theme.color.row_hover,
+                      theme.size.rounding);
     ui::name_text(chosen ? theme.font.strong : theme.font.body,
                   ui::rect_at({at.x + edge, at.y}, {width - edge - theme.px(64), side}),
                   theme.color.text, words);
@@ -118,6 +119,8 @@ void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
     auto& at_hand = editor.memory.of<EditAtHand>();
     const std::size_t chosen = chosen_edit(at_hand, id, shape.edits.size());
     if (!ui::section(theme, "Edits")) return;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x + theme.size.padding, at.y});
     if (ui::button(theme, "Bend the volume", ui::ButtonKind::plain, {})) {
         editor.session.run(EditTetrahedra{id, {.warp = Warp{.bend_deg = 30}}});
         return;
