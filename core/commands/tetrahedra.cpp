@@ -125,7 +125,7 @@ StepTitle title(const EditTetrahedra& c, const StepDocuments& step)
 {
     const Object* object = step.was(c.object);
     const auto* old = object ? std::get_if<TetrahedraShape>(&object->source) : nullptr;
-    return {words_of(c.edit, old ? old->degree : 2), name_in(step.before, c.object)};
+    return {words_of(c.edit, old ? old->degree : 2) + " in " + name_in(step.before, c.object), {}};
 }
 
 } // namespace trivar

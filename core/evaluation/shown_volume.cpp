@@ -43,15 +43,10 @@ Box ShownVolume::cast_box() const
 std::vector<glm::dvec3> ShownVolume::seen_corners(const glm::dmat4& to_world) const
 {
     Box box = cast_box();
-    const glm::vec3 end = field->field().end();
-    for (const Level& level : levels) {
-        if (!level.lines) continue;
-        for (const LevelMesh::Brick& brick : level.mesh->bricks)
-            for (const float side_of : {-1.0f, 1.0f})
-                box.add(glm::dvec3(part.first) +
-                        glm::dvec3(glm::clamp(brick.middle + side_of * LevelMesh::half_brick,
-                                              glm::vec3(0), end)));
-    }
+    for (const Level& level : levels)
+        if (level.lines)
+            for (const glm::vec3& p : level.mesh->positions)
+                box.add(glm::dvec3(part.first) + glm::dvec3(p));
     std::vector<glm::dvec3> out;
     if (!box.empty())
         for (const glm::dvec3& p : box.corners())

@@ -41,7 +41,7 @@ struct ShownVolume {
     glm::dmat4 all_to_model() const; // voxels of all data to the object's model
     Box cast_box() const;            // of what is cast, in these voxels; empty: nothing is
     // The corners of the box round what is cast and round the levels with lines, where the object's
-    // model is put into the world; none: nothing is. O(#bricks of the levels).
+    // model is put into the world; none: nothing is. O(#vertices of the levels).
     std::vector<glm::dvec3> seen_corners(const glm::dmat4& to_world) const;
 };
 
