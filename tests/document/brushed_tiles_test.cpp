@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id round_base = 2, brushed = 11, flat_box = 12;
+constexpr Id round_base = 2, brushed = 12, flat_box = 13;
 
 Ref<EvaluatedObject> layer_in(const Document& document)
 {
