@@ -87,7 +87,6 @@ std::vector<Action> all_actions()
                          e.active_tool().resize(e.session, by);
                      }});
         a.back().repeats = true;
-        a.back().group_begins = factor < 1;
     }
     a.push_back({"Lattice",
                  mend_action,

@@ -147,7 +147,6 @@ void add_lattice_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
                         "choose the Lattice tool first"}});
-    actions.back().group_begins = true;
     actions.back().on = [](const Editor& e) {
         return e.active_tool().proportional().value_or(false);
     };

@@ -56,7 +56,6 @@ void add_split_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) { return split_wish(e.session).has_value(); },
                         "select the obstacles and, last, what is to be parted by them"}});
-    actions.back().group_begins = true;
     actions.push_back({"Tools",
                        "Clear split",
                        {},

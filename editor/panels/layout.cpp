@@ -13,7 +13,7 @@ constexpr float strip_pad_px = 6, least_pad_px = 2, tool_gap_px = 4;
 // Puts the tools into columns of a height; returns how many there are.
 int arrange_tools(Layout& l, const ui::Theme& theme, float height, int tools)
 {
-    constexpr float lowest = 0.72f; // of its height, before there are two columns
+    constexpr float lowest = 0.66f; // of its height, before there are two columns
     const float full = theme.size.tool_button, count = static_cast<float>(tools);
     const float high = std::floor((height - 2 * theme.px(least_pad_px)) / count);
     const float button = l.tool_height = high >= lowest * full ? std::min(high, full) : full;

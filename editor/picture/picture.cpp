@@ -130,6 +130,8 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
     }
     if (!object.shape || !object.shape->volume) return;
+    // Corners of a box stand out before the nearest points; surfaces say where these are.
+    if (!object.has_no_geometry() && !object.shape->volume->casting) return;
     for (const glm::dvec3& p : object.shape->volume->seen_corners(object.own_to_world))
         points.push_back(p);
 }

@@ -101,7 +101,7 @@ TEST(TypedCommand, IsContinuedAsFarAsItIsCertain)
     EXPECT_EQ(text("ren"), "rename ");
     EXPECT_EQ(text("add_t"), "add_t");
     EXPECT_THAT(completed("add_t", document).words,
-                ::testing::ElementsAre("add_torus", "add_teapot", "add_text"));
+                ::testing::ElementsAre("add_torus", "add_teapot", "add_text", "add_tetrahedra"));
     EXPECT_EQ(text("rename o"), "rename object=");
     EXPECT_EQ(text("rename object=S"), "rename object=S"); // it wants a quote
     EXPECT_EQ(text("rename object=\""), "rename object=\"Sea shell\" ");
