@@ -15,7 +15,8 @@ struct SimplexCut {
 };
 
 // Cuts along at most 64 planes; faces in further planes are passed over. Where a plane's faces do
-// not cut, both pieces stay together, for there the functions do not jump.
+// not cut, both pieces stay together, for there the functions do not jump. `to_domain` takes points
+// of the mesh to the domain. O(number of planes times number of vertices).
 SimplexCut cut_along(const Mesh& mesh, const glm::dmat4& to_domain, const SimplexDomain<3>& domain);
 
 } // namespace trivar

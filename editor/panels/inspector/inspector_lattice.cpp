@@ -3,6 +3,7 @@
 
 #include "editor/actions/lattice_actions.h"
 #include "editor/panels/inspector/field_rows.h"
+#include "editor/panels/inspector/warp_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/words/volume_words.h"
 
@@ -103,13 +104,7 @@ void draw_bending(Editor& editor, const ui::Theme& theme, Id id)
                 fields.words_of(&Warp::axis),
                 [&](int chosen) { w.axis = static_cast<VolumeAxis>(chosen); });
     if (step == 0) rows.edit = ui::Edit::none; // of a new one it is no step by itself
-    fields(&Warp::twist_deg);
-    fields(&Warp::bend_deg);
-    fields(&Warp::toward_deg);
-    fields(&Warp::fixed);
-    fields(&Warp::taper);
-    fields(&Warp::shear);
-    fields(&Warp::bulge);
+    warp_rows(fields);
     ui::gap(theme, 8);
     if (step > 0)
         return propose_edit(editor, rows.edit, [&] {

@@ -4,6 +4,7 @@
 #include "core/commands/tetrahedra.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/warp_rows.h"
 #include "ui/icons.h"
 
 #include <fmt/format.h>
@@ -82,13 +83,7 @@ void number_rows(ValueRows& rows, TetrahedraEdit& edit, std::size_t number)
     } else if (edit.warp) {
         FieldRows<Warp> fields(rows, *edit.warp, name + "warp");
         fields(&Warp::axis);
-        fields(&Warp::twist_deg);
-        fields(&Warp::bend_deg);
-        fields(&Warp::toward_deg);
-        fields(&Warp::fixed);
-        fields(&Warp::taper);
-        fields(&Warp::shear);
-        fields(&Warp::bulge);
+        warp_rows(fields);
         fields(&Warp::guard);
     } else if (edit.crease) {
         FieldRows<TetrahedraCrease> fields(rows, *edit.crease, "");
