@@ -26,12 +26,14 @@ Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level
     KeyNumbers known;
     for (const LevelMesh::Brick& brick : level.bricks) {
         if (!touches_a_face(brick, field.end())) continue;
-        for (std::size_t c = 3 * std::size_t{brick.first_triangle};
-             c < 3 * std::size_t{brick.triangle_end}; ++c) {
-            const std::uint32_t a = level.corners[c], b = level.corners[c % 3 == 2 ? c - 2 : c + 1];
-            if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
-            known.insert(pair_key(a, b), 0);
-            edges.push_back({a, b});
+        for (std::size_t t = brick.first_triangle; t < brick.triangle_end; ++t) {
+            const std::array<std::uint32_t, 3> corners = level.vertices(brick, t);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+                if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
+                known.insert(pair_key(a, b), 0);
+                edges.push_back({a, b});
+            }
         }
     }
     // Vertices at a sample may be in a face although their edge is not: then it has two triangles.

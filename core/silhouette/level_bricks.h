@@ -19,13 +19,16 @@ struct LevelBrick {
     std::array<std::uint16_t, 64> before{}; // number of edges in the rows before
     std::uint32_t first_vertex = 0, vertices = 0, first_triangle = 0, triangles = 0;
 
-    // The number of an edge from a sample of this brick, 0 .. 7 along each axis.
-    std::uint32_t vertex(const glm::ivec3& sample, int direction) const
+    // The number of an edge from a sample of this brick, 0 .. 7 along each axis, among its own.
+    std::uint32_t edge(const glm::ivec3& sample, int direction) const
     {
         const auto row = static_cast<std::size_t>(sample.y + 8 * sample.z);
         const std::uint64_t earlier = (std::uint64_t{1} << (8 * direction + sample.x)) - 1;
-        return first_vertex + before[row] +
-               static_cast<std::uint32_t>(std::popcount(crossing[row] & earlier));
+        return before[row] + static_cast<std::uint32_t>(std::popcount(crossing[row] & earlier));
+    }
+    std::uint32_t vertex(const glm::ivec3& sample, int direction) const
+    {
+        return first_vertex + edge(sample, direction);
     }
 };
 

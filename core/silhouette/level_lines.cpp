@@ -54,7 +54,7 @@ SurfaceShape shape_of(const LevelPlaces& places, const LevelMesh& level, const g
 {
     const glm::mat3 to_metric(metric);
     SurfaceShape out;
-    out.corners = level.corners;
+    out.corners = level.triangles();
     out.positions.resize(level.positions.size());
     out.normals.resize(level.positions.size());
     out.bends.resize(level.positions.size());

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float edge_tolerance = 2e-6f; // share of a lattice edge
 constexpr int most_edge_steps = 24;
-constexpr float nearly = 1e-3f; // from where one more Newton step is enough
+constexpr float nearly = 1e-3f; // a Newton step after which no other is needed
+constexpr int cubic_steps = 3;
 
 // A point of the level with the field there.
 struct LevelPoint {
@@ -20,38 +21,45 @@ struct LevelPoint {
     ScalarJet<float> jet;
 };
 
+// The change of a share t of an edge to the root of the cubic that has these values at 0, 1 and t
+// and this slope at t; that of the tangent if t is all but at an end.
+float cubic_step(float first, float last, float t, float value, float slope)
+{
+    const float tangent = -value / slope, s = 1 - t;
+    if (!(std::min(t, s) > nearly)) return tangent;
+    // value + slope u + a u^2 + b u^3 in u, from t on
+    const float at_first = (first - value + slope * t) / (t * t),
+                at_last = (last - value - slope * s) / (s * s), b = at_last - at_first,
+                a = at_first + b * t;
+    float u = tangent;
+    for (int k = 0; k < cubic_steps; ++k)
+        u -= (value + u * (slope + u * (a + u * b))) / (slope + u * (2 * a + u * 3 * b));
+    return u;
+}
+
 // The root of the field on a lattice edge, by Newton's method in a bracket. `first` and `last` are
-// the field less the level at its ends, of which just one is negative.
+// the field less the level at its ends, of which just one is negative. Along an axis of the grid
+// the field is a cubic, which two values and one value with its slope tell.
 LevelPoint root_on_edge(const ScalarField<float>& field, float level, const glm::vec3& from,
                         const glm::vec3& step, float first, float last, LevelAccuracy accuracy)
 {
     const bool rises = first < 0;
     float lo = 0, hi = 1, t = first / (first - last);
     ScalarJet<float> jet;
-    const auto look = [&] { jet = field.at<1>(from + t * step); };
-    const auto newton = [&] {
-        const float slope =
-            jet.gradient[0] * step.x + jet.gradient[1] * step.y + jet.gradient[2] * step.z;
-        return slope == 0 ? -1 : t - (jet.value - level) / slope;
-    };
     for (int k = 0;; ++k) {
-        look();
-        ((jet.value - level < 0) == rises ? lo : hi) = t;
-        float next = newton();
-        if (accuracy == LevelAccuracy::quick && next > 0 && next < 1) {
-            t = next;
+        jet = field.at<1>(from + t * step);
+        const float value = jet.value - level, slope = glm::dot(gradient_of(jet), step);
+        ((value < 0) == rises ? lo : hi) = t;
+        const float move = k == 0 ? cubic_step(first, last, t, value, slope) : -value / slope,
+                    next = t + move; // neither is a number where the slope is 0
+        if (std::abs(move) < (k == 0 ? edge_tolerance : nearly)) {
+            t = std::clamp(next, 0.0f, 1.0f);
             break;
         }
-        if (!(next > lo && next < hi)) next = (lo + hi) / 2;
-        const float move = std::abs(next - t);
-        t = next;
-        if (move < edge_tolerance || hi - lo < edge_tolerance || k >= most_edge_steps) break;
-        if (move < nearly) {
-            look();
-            if (const float last_step = newton(); std::abs(last_step - t) < 1e-2f)
-                t = std::clamp(last_step, 0.0f, 1.0f);
-            break;
-        }
+        const bool stays_between = next > lo && next < hi;
+        t = stays_between ? next : (lo + hi) / 2;
+        if (accuracy == LevelAccuracy::quick && stays_between) break;
+        if (hi - lo < edge_tolerance || k >= most_edge_steps) break;
     }
     return {from + t * step, jet};
 }
@@ -74,14 +82,18 @@ public:
     {
         mesh_.level = level_;
         mesh_.positions.resize(bricks_.vertices);
-        for (std::vector<float>* each :
-             {&mesh_.normal_x, &mesh_.normal_y, &mesh_.normal_z, &mesh_.offset})
+        for (std::vector<float>* each : {&mesh_.normal_x, &mesh_.normal_y, &mesh_.normal_z})
             each->resize(bricks_.vertices);
         mesh_.corners.resize(3 * std::size_t{bricks_.triangles});
         mesh_.bricks.resize(bricks_.all.size());
         std::uint32_t runs = 0;
         for (std::size_t b = 0; b < bricks_.all.size(); ++b) {
-            mesh_.bricks[b].first_run = runs;
+            LevelMesh::Brick& brick = mesh_.bricks[b];
+            brick.first_vertex = bricks_.all[b].first_vertex;
+            brick.vertex_end = brick.first_vertex + bricks_.all[b].vertices;
+            brick.first_triangle = bricks_.all[b].first_triangle;
+            brick.triangle_end = brick.first_triangle + bricks_.all[b].triangles;
+            brick.first_run = runs;
             runs += (bricks_.all[b].triangles + LevelMesh::run_length - 1) / LevelMesh::run_length;
         }
         mesh_.runs.resize(runs);
@@ -130,22 +142,19 @@ private:
         mesh_.normal_x[v] = n.x;
         mesh_.normal_y[v] = n.y;
         mesh_.normal_z[v] = n.z;
-        mesh_.offset[v] = -glm::dot(point.p, n);
     }
     void join_triangles(const LevelBrick& from, LevelMesh::Brick& to)
     {
-        to.first_vertex = from.first_vertex;
-        to.vertex_end = from.first_vertex + from.vertices;
-        to.first_triangle = from.first_triangle;
-        to.triangle_end = from.first_triangle + from.triangles;
         to.middle = glm::vec3(8 * from.at) + LevelMesh::half_brick;
         to.owner_count = 0;
         std::array<const LevelBrick*, 8> round{};
+        std::array<std::uint32_t, 8> owner{};
         for (int c = 0; c < 8; ++c) {
             const LevelBrick* near = bricks_.at(from.at + glm::ivec3(c & 1, c >> 1 & 1, c >> 2));
             round[static_cast<std::size_t>(c)] = near;
-            if (near)
-                to.owners[to.owner_count++] = static_cast<std::uint32_t>(near - bricks_.all.data());
+            if (!near) continue;
+            owner[static_cast<std::size_t>(c)] = to.owner_count << LevelMesh::owner_shift;
+            to.owners[to.owner_count++] = static_cast<std::uint32_t>(near - bricks_.all.data());
         }
         std::size_t corner = 3 * std::size_t{from.first_triangle};
         for (int z = 0; z < 8; ++z)
@@ -156,10 +165,10 @@ private:
                             const glm::ivec3 p =
                                 glm::ivec3(x, y, z) +
                                 glm::ivec3(edge.corner & 1, edge.corner >> 1 & 1, edge.corner >> 2);
-                            const int owner = (p.x >> 3) | (p.y >> 3) << 1 | (p.z >> 3) << 2;
-                            mesh_.corners[corner++] =
-                                round[static_cast<std::size_t>(owner)]->vertex(p & 7,
-                                                                               edge.direction);
+                            const auto n = static_cast<std::size_t>((p.x >> 3) | (p.y >> 3) << 1 |
+                                                                    (p.z >> 3) << 2);
+                            mesh_.corners[corner++] = static_cast<LevelMesh::Corner>(
+                                owner[n] | round[n]->edge(p & 7, edge.direction));
                         }
                 });
     }
@@ -175,10 +184,10 @@ private:
             run.greatest.fill(-1e30f);
             const std::uint32_t end = std::min(t + LevelMesh::run_length, brick.triangle_end);
             for (std::size_t c = 3 * std::size_t{t}; c < 3 * std::size_t{end}; ++c) {
-                const std::uint32_t v = mesh_.corners[c];
+                const std::uint32_t v = mesh_.vertex(brick, mesh_.corners[c]);
                 const glm::vec3 n(mesh_.normal_x[v], mesh_.normal_y[v], mesh_.normal_z[v]);
                 const std::array<float, 4> of{n.x, n.y, n.z,
-                                              mesh_.offset[v] + glm::dot(brick.middle, n)};
+                                              mesh_.offset(v) + glm::dot(brick.middle, n)};
                 for (std::size_t k = 0; k < 4; ++k) {
                     run.least[k] = std::min(run.least[k], of[k]);
                     run.greatest[k] = std::max(run.greatest[k], of[k]);
@@ -204,9 +213,21 @@ private:
 
 std::size_t LevelMesh::bytes() const
 {
-    return positions.size() * (sizeof(glm::vec3) + 4 * sizeof(float)) +
-           corners.size() * sizeof(std::uint32_t) + bricks.size() * sizeof(Brick) +
+    return positions.size() * (sizeof(glm::vec3) + 3 * sizeof(float)) +
+           corners.size() * sizeof(Corner) + bricks.size() * sizeof(Brick) +
            runs.size() * sizeof(Run);
+}
+
+std::vector<std::uint32_t> LevelMesh::triangles() const
+{
+    std::vector<std::uint32_t> out(corners.size());
+    parallel_blocks(bricks.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            for (std::size_t c = 3 * std::size_t{bricks[b].first_triangle};
+                 c < 3 * std::size_t{bricks[b].triangle_end}; ++c)
+                out[c] = vertex(bricks[b], corners[c]);
+    });
+    return out;
 }
 
 template <class Sample>

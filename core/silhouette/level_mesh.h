@@ -22,6 +22,10 @@ struct LevelMesh {
         std::array<std::uint32_t, 8> owners; // bricks with vertices of these triangles, this first
         std::uint32_t owner_count;
     };
+    // A corner of a triangle: the number of its vertex within a brick, and above these twelve bits
+    // which of Brick::owners that is. A brick has at most 7 x 8 x 8 x 8 vertices.
+    using Corner = std::uint16_t;
+    static constexpr unsigned owner_shift = 12;
     // The bounds of (n, -<p - middle, n>) over the corners of a run of triangles of one brick.
     struct Run {
         std::array<float, 4> least, greatest;
@@ -30,15 +34,32 @@ struct LevelMesh {
     static constexpr float half_brick = 4;          // voxels from its middle to its sides
 
     float level = 0;
-    std::vector<glm::vec3> positions; // voxels
-    // Unit normals n, 0 where the gradient is, and -<p, n>, each by vertex: one view needs one
-    // product of (n, offset) and a vector of four.
-    std::vector<float> normal_x, normal_y, normal_z, offset;
-    std::vector<std::uint32_t> corners; // three per triangle
+    std::vector<glm::vec3> positions;                // voxels
+    std::vector<float> normal_x, normal_y, normal_z; // unit, 0 where the gradient is
+    std::vector<Corner> corners;                     // three per triangle, of its brick
     std::vector<Brick> bricks;
     std::vector<Run> runs;
 
     std::size_t triangle_count() const { return corners.size() / 3; }
+    std::uint32_t vertex(const Brick& brick, Corner corner) const
+    {
+        return bricks[brick.owners[corner >> owner_shift]].first_vertex +
+               (corner & ((1u << owner_shift) - 1));
+    }
+    // The vertices of a triangle of a brick.
+    std::array<std::uint32_t, 3> vertices(const Brick& brick, std::size_t triangle) const
+    {
+        const Corner* c = corners.data() + 3 * triangle;
+        return {vertex(brick, c[0]), vertex(brick, c[1]), vertex(brick, c[2])};
+    }
+    // The vertices of all triangles, three each.
+    std::vector<std::uint32_t> triangles() const;
+    // -<p, n>: of (n, offset) and a view of four numbers, one product tells the side of a vertex.
+    float offset(std::size_t v) const
+    {
+        return -(positions[v].x * normal_x[v] + positions[v].y * normal_y[v] +
+                 positions[v].z * normal_z[v]);
+    }
     std::size_t bytes() const;
 };
 

@@ -66,7 +66,7 @@ private:
             }
         });
         points_ = static_cast<std::uint32_t>(vertices);
-        mesh_.corners = level_.corners;
+        mesh_.corners = level_.triangles();
         if (above_ == mirrors_)
             for (std::size_t c = 0; c + 2 < mesh_.corners.size(); c += 3)
                 std::swap(mesh_.corners[c + 1], mesh_.corners[c + 2]);

@@ -15,7 +15,7 @@ constexpr std::size_t bricks_per_view_block = 32;
 float product(const LevelMesh& level, std::size_t v, const glm::vec4& h)
 {
     return level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z +
-           level.offset[v] * h.w;
+           level.offset(v) * h.w;
 }
 
 } // namespace
@@ -43,10 +43,12 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
     product_.resize(level.positions.size());
     crossed_.resize(1);
     crossed_[0].clear();
+    std::size_t b = 0;
     for (const std::uint32_t t : triangles) {
-        const std::uint32_t* corners = level.corners.data() + 3 * std::size_t{t};
-        for (std::size_t k = 0; k < 3; ++k) product_[corners[k]] = product(level, corners[k], h);
-        add_crossed(corners, signs_of(corners, product_.data()), crossed_[0]);
+        while (level.bricks[b].triangle_end <= t) ++b;
+        const std::array<std::uint32_t, 3> corners = level.vertices(level.bricks[b], t);
+        for (const std::uint32_t v : corners) product_[v] = product(level, v, h);
+        add_crossed(corners.data(), signs_of(corners.data(), product_.data()), crossed_[0]);
     }
     Silhouettes out = curves(field, level, view, options);
     out.tested = triangles.size();
@@ -112,15 +114,28 @@ void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
     });
 }
 
-void SilhouetteFinder::add_changing(const LevelMesh& level, std::uint32_t first, std::uint32_t end,
-                                    std::vector<CrossedTriangle>& crossed) const
+void SilhouetteFinder::add_changing(const LevelMesh& level, const LevelMesh::Brick& brick,
+                                    BrickSigns& above, std::vector<CrossedTriangle>& crossed,
+                                    std::size_t& tested) const
 {
-    const std::uint8_t* const above = is_above_.data();
-    const std::uint32_t* const stop = level.corners.data() + 3 * std::size_t{end};
-    for (const std::uint32_t* v = level.corners.data() + 3 * std::size_t{first}; v < stop; v += 3) {
-        const unsigned signs =
-            unsigned{above[v[0]]} | unsigned{above[v[1]]} << 1 | unsigned{above[v[2]]} << 2;
-        if (signs != 0 && signs != 7) add_crossed(v, signs, crossed);
+    for (std::size_t o = 0; o < brick.owner_count; ++o) {
+        const LevelMesh::Brick& owner = level.bricks[brick.owners[o]];
+        std::copy(is_above_.data() + owner.first_vertex, is_above_.data() + owner.vertex_end,
+                  above.data() + (o << LevelMesh::owner_shift));
+    }
+    std::uint32_t r = brick.first_run;
+    for (std::uint32_t first = brick.first_triangle; first < brick.triangle_end;
+         first += LevelMesh::run_length, ++r) {
+        if (!run_changes_[r]) continue;
+        const std::uint32_t end = std::min(first + LevelMesh::run_length, brick.triangle_end);
+        tested += end - first;
+        for (std::uint32_t t = first; t < end; ++t) {
+            const LevelMesh::Corner* const c = level.corners.data() + 3 * std::size_t{t};
+            const unsigned signs =
+                unsigned{above[c[0]]} | unsigned{above[c[1]]} << 1 | unsigned{above[c[2]]} << 2;
+            if (signs != 0 && signs != 7)
+                add_crossed(level.vertices(brick, t).data(), signs, crossed);
+        }
     }
 }
 
@@ -134,18 +149,10 @@ std::size_t SilhouetteFinder::find_triangles(const LevelMesh& level)
                     [&](std::size_t begin, std::size_t end) {
                         const std::size_t block = begin / bricks_per_view_block;
                         crossed_[block].clear();
-                        for (std::size_t i = begin; i < end; ++i) {
-                            const LevelMesh::Brick& brick = level.bricks[changing_[i]];
-                            std::uint32_t r = brick.first_run;
-                            for (std::uint32_t t = brick.first_triangle; t < brick.triangle_end;
-                                 t += LevelMesh::run_length, ++r) {
-                                if (!run_changes_[r]) continue;
-                                const std::uint32_t last =
-                                    std::min(t + LevelMesh::run_length, brick.triangle_end);
-                                tested[block] += last - t;
-                                add_changing(level, t, last, crossed_[block]);
-                            }
-                        }
+                        BrickSigns above; // set where it is read
+                        for (std::size_t i = begin; i < end; ++i)
+                            add_changing(level, level.bricks[changing_[i]], above, crossed_[block],
+                                         tested[block]);
                     });
     return std::accumulate(tested.begin(), tested.end(), std::size_t{0});
 }

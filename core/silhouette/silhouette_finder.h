@@ -30,9 +30,11 @@ private:
     void find_runs(const LevelMesh& level, const glm::vec4& h);
     void find_signs(const LevelMesh& level, const glm::vec4& h);
     std::size_t find_triangles(const LevelMesh& level); // how many were tested
-    // Adds those of the triangles first .. end - 1 in which the sign changes.
-    void add_changing(const LevelMesh& level, std::uint32_t first, std::uint32_t end,
-                      std::vector<CrossedTriangle>& crossed) const;
+    // The signs at the vertices of a brick's triangles, by LevelMesh::Corner.
+    using BrickSigns = std::array<std::uint8_t, std::size_t{8} << LevelMesh::owner_shift>;
+    // Adds those triangles of a brick in which the sign changes; counts those that it tests.
+    void add_changing(const LevelMesh& level, const LevelMesh::Brick& brick, BrickSigns& above,
+                      std::vector<CrossedTriangle>& crossed, std::size_t& tested) const;
 
     std::vector<float> product_;          // of the view and the normal, by vertex
     std::vector<std::uint8_t> is_above_;  // whether it is at least 0, by vertex

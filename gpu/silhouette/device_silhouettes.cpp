@@ -67,10 +67,11 @@ void DeviceSilhouettes::take(const Ref<LevelMesh>& level)
     if (level == level_) return;
     std::vector<glm::vec4> normals(level->positions.size());
     for (std::size_t v = 0; v < normals.size(); ++v)
-        normals[v] = {level->normal_x[v], level->normal_y[v], level->normal_z[v], level->offset[v]};
+        normals[v] = {level->normal_x[v], level->normal_y[v], level->normal_z[v], level->offset(v)};
+    const std::vector<std::uint32_t> corners = level->triangles();
     const std::vector<CrossedRun> runs = runs_of(*level);
     normals_.write(std::as_bytes(std::span(normals)));
-    corners_.write(std::as_bytes(std::span(level->corners)));
+    corners_.write(std::as_bytes(std::span<const std::uint32_t>(corners)));
     runs_.write(std::as_bytes(std::span(runs)));
     run_count_ = runs.size();
     level_ = level;

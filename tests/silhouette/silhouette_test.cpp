@@ -27,8 +27,9 @@ bool in_a_face(const glm::vec3& a, const glm::vec3& b, const glm::ivec3& size)
 void expect_manifold(const LevelMesh& mesh, const glm::ivec3& size)
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-        const std::uint32_t a = mesh.corners[c], b = mesh.corners[c % 3 == 2 ? c - 2 : c + 1];
+    const std::vector<std::uint32_t> corners = mesh.triangles();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const std::uint32_t a = corners[c], b = corners[c % 3 == 2 ? c - 2 : c + 1];
         ASSERT_NE(a, b);
         ++edges[{a, b}];
     }
@@ -61,10 +62,11 @@ TEST(LevelMesh, PointsOutwardFromWhatIsInside)
     const Sampled scene("sphere", 24); // greater outside
     const LevelMesh mesh = scene.level();
     const glm::vec3 middle(11.5f);
+    const std::vector<std::uint32_t> corners = mesh.triangles();
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-        const glm::vec3 &a = mesh.positions[mesh.corners[3 * t]],
-                        &b = mesh.positions[mesh.corners[3 * t + 1]],
-                        &c = mesh.positions[mesh.corners[3 * t + 2]];
+        const glm::vec3 &a = mesh.positions[corners[3 * t]],
+                        &b = mesh.positions[corners[3 * t + 1]],
+                        &c = mesh.positions[corners[3 * t + 2]];
         const glm::vec3 normal = glm::cross(b - a, c - a);
         if (glm::length(normal) > 1e-3f) {
             ASSERT_LT(glm::dot(normal, a - middle), 0);
@@ -250,8 +252,9 @@ TEST(BorderLines, AreLoopsInTheFacesOfTheGrid)
         for (const SilhouettePoint& point : lines.points)
             EXPECT_TRUE(in_a_face(point.p, point.p, scene.from.size));
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-        for (std::size_t k = 0; k < mesh.corners.size(); ++k) {
-            const std::uint32_t a = mesh.corners[k], b = mesh.corners[k % 3 == 2 ? k - 2 : k + 1];
+        const std::vector<std::uint32_t> corners = mesh.triangles();
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const std::uint32_t a = corners[k], b = corners[k % 3 == 2 ? k - 2 : k + 1];
             ++edges[std::minmax(a, b)];
         }
         const auto alone =
