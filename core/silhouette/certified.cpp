@@ -266,7 +266,7 @@ CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, cons
     out.boxes = all.boxes;
     out.leaves = all.leaves;
     out.open = all.open;
-    const EdgeChains chains = EdgeChainer()(std::span(&all.triangles, 1));
+    const EdgeChains chains = edge_chains(std::span(&all.triangles, 1));
     for (std::size_t c = 0; c < chains.count(); ++c) {
         if (chains.closed[c]) continue;
         for (const std::uint64_t edge :

@@ -149,7 +149,7 @@ Silhouettes DashTable::operator()(const ScalarField<float>& field, const ViewPoi
     for (const std::uint32_t c : candidates) {
         const glm::vec3 corner(cones_[c].cell);
         SilhouettePoint middle{.p = corner + 0.5f, .edge = 2 * std::uint64_t{c}};
-        finish(field, level_, view, true, middle);
+        finish(field, level_, view, true, std::span(&middle, 1));
         if (!middle.polished || glm::any(glm::lessThan(middle.p, corner)) ||
             glm::any(glm::greaterThan(middle.p, corner + 1.0f)))
             continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/edge_chains.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -8,75 +10,215 @@
 namespace trivar {
 namespace {
 
-constexpr std::uint64_t free_slot = ~std::uint64_t{0};
+constexpr std::int32_t none = -1;
 
-} // namespace
-
-// Slots follow the lower vertex, so that neighbours share cache lines.
-std::int32_t EdgeChainer::node_of(std::uint64_t edge)
-{
-    const std::uint64_t lower = edge >> 32, higher = edge & 0xFFFFFFFF;
-    std::size_t i = (2 * lower + (higher - lower) % 7) & slot_mask_;
-    while (slots_[i] != free_slot && slots_[i] != edge) i = (i + 1) & slot_mask_;
-    if (slots_[i] == free_slot) {
-        slots_[i] = edge;
-        numbers_[i] = static_cast<std::int32_t>(nodes_.size());
-        nodes_.push_back({edge, -1, -1});
+// EdgeSlots keeps a number for each edge.
+class EdgeSlots {
+public:
+    explicit EdgeSlots(std::size_t most)
+        : slots_(std::bit_ceil(2 * most + 16), {free_slot, 0}),
+          shift_(64 - std::countr_zero(slots_.size()))
+    {
     }
-    return numbers_[i];
-}
+    // The number of an edge: this one if it has none yet.
+    std::int32_t number_of(std::uint64_t edge, std::int32_t number)
+    {
+        std::size_t i = edge * 0x9E3779B97F4A7C15 >> shift_; // Fibonacci hashing [Knuth 1973]
+        while (slots_[i].edge != free_slot && slots_[i].edge != edge)
+            i = (i + 1) & (slots_.size() - 1);
+        if (slots_[i].edge == free_slot) slots_[i] = {edge, number};
+        return slots_[i].number;
+    }
 
-void EdgeChainer::walk(std::size_t from, EdgeChains& out)
+private:
+    static constexpr std::uint64_t free_slot = ~std::uint64_t{0};
+    struct Slot {
+        std::uint64_t edge;
+        std::int32_t number;
+    };
+    std::vector<Slot> slots_;
+    int shift_;
+};
+
+// A node of chains, and those before and after it.
+struct ChainNode {
+    std::int32_t next = none, other = none;
+
+    void join(std::int32_t node)
+    {
+        assert(next == none || other == none);
+        (next == none ? next : other) = node;
+    }
+    bool is_end() const { return other == none; }
+};
+
+// Calls begin(), add(node) for each node of a chain in turn, and end(closed): first for the open
+// chains, then for the closed ones.
+void for_chains(std::span<const ChainNode> nodes, auto&& begin, auto&& add, auto&& end)
 {
-    std::int32_t before = -1, at = static_cast<std::int32_t>(from);
-    bool closed = false;
-    while (at >= 0) {
-        const Node& node = nodes_[static_cast<std::size_t>(at)];
-        seen_[static_cast<std::size_t>(at)] = 1;
-        out.edges.push_back(node.edge);
-        const std::int32_t next = before < 0 || node.next != before ? node.next : node.other;
-        if (next >= 0 && seen_[static_cast<std::size_t>(next)]) {
-            closed = static_cast<std::size_t>(next) == from;
+    std::vector<char> seen(nodes.size(), 0);
+    const auto walk = [&](std::size_t from) {
+        begin();
+        std::int32_t before = none, at = static_cast<std::int32_t>(from);
+        bool closed = false;
+        while (at != none) {
+            const ChainNode& node = nodes[static_cast<std::size_t>(at)];
+            seen[static_cast<std::size_t>(at)] = 1;
+            add(static_cast<std::size_t>(at));
+            const std::int32_t next =
+                before == none || node.next != before ? node.next : node.other;
+            before = at;
+            at = next;
+            if (at == none || !seen[static_cast<std::size_t>(at)]) continue;
+            closed = at == static_cast<std::int32_t>(from);
             break;
         }
-        before = at;
-        at = next;
-    }
+        end(closed);
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!seen[i] && nodes[i].is_end()) walk(i);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!seen[i]) walk(i);
+}
+
+void end_chain(EdgeChains& out, bool closed)
+{
     out.closed.push_back(closed);
     out.first.push_back(static_cast<std::uint32_t>(out.edges.size()));
 }
 
-EdgeChains EdgeChainer::operator()(std::span<const std::vector<CrossedTriangle>> triangles)
+// The chains of one part.
+EdgeChains chains_of_part(std::span<const CrossedTriangle> triangles)
 {
-    std::size_t count = 0;
-    for (const std::vector<CrossedTriangle>& part : triangles) count += part.size();
-    const std::size_t slots = std::bit_ceil(3 * count + 64);
-    if (slots_.size() < slots) {
-        slots_.resize(slots);
-        numbers_.resize(slots);
-    }
-    slot_mask_ = slots - 1;
-    std::fill_n(slots_.begin(), slots, free_slot);
-    nodes_.clear();
-    nodes_.reserve(count + count / 8);
-    const auto link = [&](std::int32_t a, std::int32_t b) {
-        Node& node = nodes_[static_cast<std::size_t>(a)];
-        assert(node.next < 0 || node.other < 0);
-        (node.next < 0 ? node.next : node.other) = b;
-    };
-    for (const std::vector<CrossedTriangle>& part : triangles)
-        for (const CrossedTriangle& triangle : part) {
-            const std::int32_t a = node_of(triangle.in), b = node_of(triangle.out);
-            link(a, b);
-            link(b, a);
+    EdgeSlots slots(triangles.size() + triangles.size() / 8);
+    std::vector<std::uint64_t> edges;
+    std::vector<ChainNode> nodes;
+    edges.reserve(triangles.size() + triangles.size() / 8);
+    nodes.reserve(edges.capacity());
+    const auto node_of = [&](std::uint64_t edge) {
+        const auto next = static_cast<std::int32_t>(nodes.size());
+        const std::int32_t number = slots.number_of(edge, next);
+        if (number == next) {
+            edges.push_back(edge);
+            nodes.emplace_back();
         }
+        return number;
+    };
+    for (const CrossedTriangle& triangle : triangles) {
+        const std::int32_t a = node_of(triangle.in), b = node_of(triangle.out);
+        nodes[static_cast<std::size_t>(a)].join(b);
+        nodes[static_cast<std::size_t>(b)].join(a);
+    }
     EdgeChains out;
-    out.edges.reserve(nodes_.size());
-    seen_.assign(nodes_.size(), 0);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (!seen_[i] && nodes_[i].other < 0) walk(i, out);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (!seen_[i]) walk(i, out);
+    out.edges.reserve(edges.size());
+    for_chains(
+        nodes, [] {}, [&](std::size_t i) { out.edges.push_back(edges[i]); },
+        [&](bool closed) { end_chain(out, closed); });
+    return out;
+}
+
+std::span<const std::uint64_t> chain(const EdgeChains& chains, std::size_t c)
+{
+    return std::span(chains.edges).subspan(chains.first[c], chains.first[c + 1] - chains.first[c]);
+}
+
+// Joins the open chains of parts where they end in the same edge. Both ends of each are a node.
+EdgeChains joined(std::span<const EdgeChains> parts)
+{
+    EdgeChains out;
+    std::vector<std::span<const std::uint64_t>> open;
+    for (const EdgeChains& part : parts)
+        for (std::size_t c = 0; c < part.count(); ++c) {
+            const std::span<const std::uint64_t> edges = chain(part, c);
+            if (!part.closed[c]) {
+                open.push_back(edges);
+                continue;
+            }
+            out.edges.insert(out.edges.end(), edges.begin(), edges.end());
+            end_chain(out, true);
+        }
+    std::vector<ChainNode> ends(2 * open.size());
+    EdgeSlots slots(ends.size());
+    for (std::size_t n = 0; n < ends.size(); ++n) ends[n].join(static_cast<std::int32_t>(n ^ 1));
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        const auto here = static_cast<std::int32_t>(n);
+        const std::int32_t there =
+            slots.number_of(n % 2 == 0 ? open[n / 2].front() : open[n / 2].back(), here);
+        if (there == here) continue;
+        ends[n].join(there);
+        ends[static_cast<std::size_t>(there)].join(here);
+    }
+    std::size_t nodes = 0; // of the present chain
+    for_chains(
+        ends, [&] { nodes = 0; },
+        [&](std::size_t n) {
+            if (nodes++ % 2 == 1) return; // the other end of the one before
+            const std::span<const std::uint64_t> edges = open[n / 2];
+            if (nodes > 1) out.edges.pop_back();
+            if (n % 2 == 0)
+                out.edges.insert(out.edges.end(), edges.begin(), edges.end());
+            else
+                out.edges.insert(out.edges.end(), edges.rbegin(), edges.rend());
+        },
+        [&](bool closed) {
+            if (closed) out.edges.pop_back();
+            end_chain(out, closed);
+        });
+    return out;
+}
+
+// The edges of a chain from where it begins, whichever way it was found.
+void add_from_its_begin(std::span<const std::uint64_t> edges, bool closed,
+                        std::vector<std::uint64_t>& out)
+{
+    if (!closed) {
+        if (edges.front() < edges.back())
+            out.insert(out.end(), edges.begin(), edges.end());
+        else
+            out.insert(out.end(), edges.rbegin(), edges.rend());
+        return;
+    }
+    const auto least = std::ranges::min_element(edges);
+    const std::uint64_t next = least + 1 == edges.end() ? edges.front() : least[1],
+                        before = least == edges.begin() ? edges.back() : least[-1];
+    if (next < before) {
+        out.insert(out.end(), least, edges.end());
+        out.insert(out.end(), edges.begin(), least);
+    } else {
+        out.insert(out.end(), std::reverse_iterator(least + 1), edges.rend());
+        out.insert(out.end(), edges.rbegin(), std::reverse_iterator(least + 1));
+    }
+}
+
+std::uint64_t first_edge(std::span<const std::uint64_t> edges, bool closed)
+{
+    return closed ? std::ranges::min(edges) : std::min(edges.front(), edges.back());
+}
+
+} // namespace
+
+EdgeChains edge_chains(std::span<const std::vector<CrossedTriangle>> parts)
+{
+    std::vector<EdgeChains> of_part(parts.size());
+    parallel_blocks(parts.size(), 1,
+                    [&](std::size_t p, std::size_t) { of_part[p] = chains_of_part(parts[p]); });
+    const EdgeChains all = joined(of_part);
+    struct Place {
+        bool closed;
+        std::uint64_t first;
+        std::size_t chain;
+        auto operator<=>(const Place&) const = default;
+    };
+    std::vector<Place> order(all.count());
+    for (std::size_t c = 0; c < order.size(); ++c)
+        order[c] = {all.closed[c] != 0, first_edge(chain(all, c), all.closed[c] != 0), c};
+    std::ranges::sort(order);
+    EdgeChains out;
+    out.edges.reserve(all.edges.size());
+    for (const Place& place : order) {
+        add_from_its_begin(chain(all, place.chain), place.closed, out.edges);
+        end_chain(out, place.closed);
+    }
     return out;
 }
 

@@ -26,26 +26,11 @@ struct EdgeChains {
     std::size_t count() const { return closed.size(); }
 };
 
-// EdgeChainer joins crossed triangles to chains, and keeps its memory from call to call. Each edge
-// may be in at most two of the triangles, as those of a manifold are that change sides: then no
-// chain has a branch. Open chains come first. O(#triangles); about 60 ns each.
-class EdgeChainer {
-public:
-    EdgeChains operator()(std::span<const std::vector<CrossedTriangle>> triangles);
-
-private:
-    struct Node {
-        std::uint64_t edge;
-        std::int32_t next, other; // nodes; -1: none
-    };
-    std::int32_t node_of(std::uint64_t edge);
-    void walk(std::size_t from, EdgeChains& out);
-
-    std::vector<std::uint64_t> slots_; // edges; a power of two, at most a third is taken
-    std::vector<std::int32_t> numbers_;
-    std::size_t slot_mask_ = 0;
-    std::vector<Node> nodes_;
-    std::vector<char> seen_; // by node
-};
+// Joins crossed triangles to chains: those of each part on their own and side by side, then the
+// parts. Each edge may be in at most two of the triangles, as those of a manifold are that change
+// sides: then no chain has a branch. Open chains come first, then by their first edge, the least of
+// a closed chain and the lesser end of an open one; so the parts, and the order of triangles in
+// them, make no difference. O(#triangles); about 20 ns each on one core.
+EdgeChains edge_chains(std::span<const std::vector<CrossedTriangle>> parts);
 
 } // namespace trivar

@@ -11,35 +11,145 @@ constexpr double longest_step = 0.5, longest_way = 1; // voxels
 constexpr double touching = 1e-6;                     // squared sine between the two gradients
 constexpr double is_quadratic = 0.02; // a step from which the next one is its square
 
+// A place on its way, with what is known of the field at its last step but one.
+template <class Real> struct Polishing {
+    explicit Polishing(const glm::vec<3, Real>& from = glm::vec<3, Real>(0)) : p(from), begin(from)
+    {
+    }
+    glm::vec<3, Real> p, begin;
+    ScalarJet<Real> jet;
+    bool is_moving = true, has_come = false;
+};
+
+// Newton's method at some places at once: each waits for the field on its own, and they do their
+// sums together.
+template <class Real, std::size_t lanes> class Polisher {
+public:
+    using Places = std::span<Polishing<Real>>;
+
+    Polisher(const ScalarField<Real>& field, Real level, const ViewPoint& view, Real tolerance)
+        : field_(field),
+          level_(level),
+          view_(view),
+          tolerance2_(tolerance * tolerance),
+          least2_(std::min(square(is_quadratic), tolerance))
+    {
+    }
+    void operator()(Places places) // at most `lanes`
+    {
+        bool moving = true;
+        for (int step = 0; moving && step < most_polishing_steps; ++step) {
+            for (std::size_t i = 0; i < places.size(); ++i)
+                if (places[i].is_moving) look(places[i], i);
+            find_moves();
+            moving = false;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                if (places[i].is_moving) move(places[i], i, step);
+                moving |= places[i].is_moving;
+            }
+        }
+    }
+
+private:
+    using Lanes __attribute__((vector_size(lanes * sizeof(Real)))) = Real;
+    using Numbers = std::array<Real, lanes>;
+    static constexpr Real square(double of) { return static_cast<Real>(of * of); }
+    static Lanes in_lanes(const Numbers& numbers)
+    {
+        Lanes out;
+        std::memcpy(&out, &numbers, sizeof out);
+        return out;
+    }
+
+    static void keep(const Lanes& from, Numbers& numbers)
+    {
+        std::memcpy(&numbers, &from, sizeof numbers);
+    }
+    void look(Polishing<Real>& place, std::size_t i)
+    {
+        place.jet = field_.template at<2>(place.p);
+        value_[i] = place.jet.value - level_;
+        const glm::vec<3, Real> sight(view_.sight(glm::dvec3(place.p)));
+        for (int k = 0; k < 3; ++k) {
+            const auto n = static_cast<std::size_t>(k);
+            sight_[n][i] = sight[k];
+            gradient_[n][i] = place.jet.gradient[n];
+        }
+        for (std::size_t k = 0; k < 6; ++k) hessian_[k][i] = place.jet.hessian[k];
+    }
+    // The steps of least norm to the tangent planes of both surfaces.
+    void find_moves()
+    {
+        const Lanes a0 = in_lanes(gradient_[0]), a1 = in_lanes(gradient_[1]),
+                    a2 = in_lanes(gradient_[2]);
+        const Lanes s0 = in_lanes(sight_[0]), s1 = in_lanes(sight_[1]), s2 = in_lanes(sight_[2]);
+        const Lanes xx = in_lanes(hessian_[0]), yy = in_lanes(hessian_[1]),
+                    zz = in_lanes(hessian_[2]), xy = in_lanes(hessian_[3]),
+                    xz = in_lanes(hessian_[4]), yz = in_lanes(hessian_[5]);
+        const Real w = static_cast<Real>(view_.at.w);
+        const Lanes f = in_lanes(value_), g = a0 * s0 + a1 * s1 + a2 * s2,
+                    b0 = xx * s0 + xy * s1 + xz * s2 + w * a0,
+                    b1 = xy * s0 + yy * s1 + yz * s2 + w * a1,
+                    b2 = xz * s0 + yz * s1 + zz * s2 + w * a2;
+        const Lanes aa = a0 * a0 + a1 * a1 + a2 * a2, ab = a0 * b0 + a1 * b1 + a2 * b2,
+                    bb = b0 * b0 + b1 * b1 + b2 * b2, det = aa * bb - ab * ab;
+        const Lanes along_a = (ab * g - bb * f) / det, along_b = (ab * f - aa * g) / det;
+        const Lanes x = along_a * a0 + along_b * b0, y = along_a * a1 + along_b * b1,
+                    z = along_a * a2 + along_b * b2;
+        keep(x, moves_[0]);
+        keep(y, moves_[1]);
+        keep(z, moves_[2]);
+        keep(x * x + y * y + z * z, length2_);
+        keep(det - static_cast<Real>(touching) * aa * bb, apart_);
+    }
+    void move(Polishing<Real>& place, std::size_t i, int step)
+    {
+        using Vec = glm::vec<3, Real>;
+        place.is_moving = false;
+        if (!(apart_[i] > 0)) return;
+        const Vec by(moves_[0][i], moves_[1][i], moves_[2][i]);
+        place.p += length2_[i] > square(longest_step)
+                       ? by * (static_cast<Real>(longest_step) / std::sqrt(length2_[i]))
+                       : by;
+        const Vec& end = end_;
+        for (int k = 0; k < 3; ++k)
+            if (!(place.p[k] >= 0 && place.p[k] <= end[k])) return;
+        const Vec way = place.p - place.begin;
+        if (glm::dot(way, way) > square(longest_way)) return;
+        place.has_come = length2_[i] < tolerance2_ || (step > 0 && length2_[i] < least2_);
+        place.is_moving = !place.has_come;
+    }
+
+    const ScalarField<Real>& field_;
+    Real level_;
+    const ViewPoint& view_;
+    Real tolerance2_, least2_; // squared lengths: of a last step, and of a last one but the first
+    glm::vec<3, Real> end_{field_.size() - 1};
+    // By place; of those that do not move any more, nothing is read.
+    Numbers value_{}, length2_{}, apart_{};
+    std::array<Numbers, 3> gradient_{}, sight_{}, moves_{};
+    std::array<Numbers, 6> hessian_{};
+};
+
+void set_shape(const ViewPoint& view, const ScalarJet<float>& jet, SilhouettePoint& point)
+{
+    const glm::vec3 sight(view.sight(glm::dvec3(point.p)));
+    point.slope = glm::length(gradient_of(jet));
+    const float scale = glm::dot(sight, sight) * (point.slope > 0 ? point.slope : 1);
+    point.bend = scale > 0 ? glm::dot(sight, hessian_of(jet) * sight) / scale : 0;
+}
+
 } // namespace
 
 template <class Real>
 bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, glm::vec<3, Real>& p,
             ScalarJet<Real>& jet, Real tolerance)
 {
-    using Vec = glm::vec<3, Real>;
-    const Vec begin = p, end(field.size() - 1);
-    for (int step = 0; step < most_polishing_steps; ++step) {
-        jet = field.template at<2>(p);
-        const Vec sight(view.sight(glm::dvec3(p))), a = gradient_of(jet);
-        const Vec b = hessian_of(jet) * sight + static_cast<Real>(view.at.w) * a;
-        const Real f = jet.value - level, g = glm::dot(a, sight);
-        const Real aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b),
-                   det = aa * bb - ab * ab;
-        if (!(det > static_cast<Real>(touching) * aa * bb)) return false;
-        const Vec move = -((bb * f - ab * g) / det) * a - ((aa * g - ab * f) / det) * b;
-        const Real length = glm::length(move);
-        p += length > static_cast<Real>(longest_step)
-                 ? move * (static_cast<Real>(longest_step) / length)
-                 : move;
-        for (int k = 0; k < 3; ++k)
-            if (!(p[k] >= 0 && p[k] <= end[k])) return false;
-        if (glm::distance(p, begin) > static_cast<Real>(longest_way)) return false;
-        if (length < tolerance) return true;
-        if (step > 0 && length < static_cast<Real>(is_quadratic) && length * length < tolerance)
-            return true;
-    }
-    return false;
+    Polishing<Real> place(p);
+    Polisher<Real, 2>(field, level, view, tolerance)(std::span(&place, 1));
+    p = place.p;
+    jet = place.jet;
+    return place.has_come;
 }
 
 template bool polish(const ScalarField<float>&, float, const ViewPoint&, glm::vec3&,
@@ -48,19 +158,23 @@ template bool polish(const ScalarField<double>&, double, const ViewPoint&, glm::
                      ScalarJet<double>&, double);
 
 void finish(const ScalarField<float>& field, float level, const ViewPoint& view, bool polished,
-            SilhouettePoint& point)
+            std::span<SilhouettePoint> points)
 {
-    ScalarJet<float> jet;
-    glm::vec3 p = point.p;
-    point.polished = polished && polish(field, level, view, p, jet);
-    if (point.polished)
-        point.p = p;
-    else
-        jet = field.at<2>(point.p);
-    const glm::vec3 sight(view.sight(glm::dvec3(point.p)));
-    point.slope = glm::length(gradient_of(jet));
-    const float scale = glm::dot(sight, sight) * (point.slope > 0 ? point.slope : 1);
-    point.bend = scale > 0 ? glm::dot(sight, hessian_of(jet) * sight) / scale : 0;
+    constexpr std::size_t lanes = 8;
+    constexpr float tolerance = 1e-4f;
+    Polisher<float, lanes> polish_places(field, level, view, tolerance);
+    std::array<Polishing<float>, lanes> places;
+    for (std::size_t first = 0; first < points.size(); first += lanes) {
+        const std::span<SilhouettePoint> some =
+            points.subspan(first, std::min(lanes, points.size() - first));
+        for (std::size_t i = 0; i < some.size(); ++i) places[i] = Polishing<float>(some[i].p);
+        if (polished) polish_places(std::span(places).first(some.size()));
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            some[i].polished = places[i].has_come;
+            if (places[i].has_come) some[i].p = places[i].p;
+            set_shape(view, places[i].has_come ? places[i].jet : field.at<2>(some[i].p), some[i]);
+        }
+    }
 }
 
 } // namespace trivar

@@ -24,4 +24,17 @@ template <class Row> inline auto dot(const Row& a, const Row& b)
     return (p[0] + p[1]) + (p[2] + p[3]);
 }
 
+// Four sums like dot(), of products.
+template <class Row> inline Row four_sums(const Row& a, const Row& b, const Row& c, const Row& d)
+{
+    const Row ab01 = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+              ab23 = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+              cd01 = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+              cd23 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    return (__builtin_shufflevector(ab01, cd01, 0, 1, 4, 5) +
+            __builtin_shufflevector(ab01, cd01, 2, 3, 6, 7)) +
+           (__builtin_shufflevector(ab23, cd23, 0, 1, 4, 5) +
+            __builtin_shufflevector(ab23, cd23, 2, 3, 6, 7));
+}
+
 } // namespace trivar

@@ -138,12 +138,17 @@ ScalarJet<Real> ScalarField<Real>::at(Real x, Real y, Real z) const
     const Row value = row4(u.value.data()), slope = row4(u.slope.data()),
               bend = row4(u.bend.data());
     ScalarJet<Real> out;
-    out.value = dot(sum, value);
-    if constexpr (derivatives >= 1)
-        out.gradient = {dot(sum, slope), dot(by_y, value), dot(by_z, value)};
-    if constexpr (derivatives >= 2)
-        out.hessian = {dot(sum, bend),   dot(by_yy, value), dot(by_zz, value),
-                       dot(by_y, slope), dot(by_z, slope),  dot(by_yz, value)};
+    if constexpr (derivatives == 0) out.value = dot(sum, value);
+    if constexpr (derivatives >= 1) {
+        const Row first = four_sums(sum * value, sum * slope, by_y * value, by_z * value);
+        out.value = first[0];
+        out.gradient = {first[1], first[2], first[3]};
+    }
+    if constexpr (derivatives >= 2) {
+        const Row second = four_sums(sum * bend, by_yy * value, by_zz * value, by_y * slope);
+        out.hessian = {second[0], second[1],        second[2],
+                       second[3], dot(by_z, slope), dot(by_yz, value)};
+    }
     return out;
 }
 

@@ -8,34 +8,52 @@
 #include <cmath>
 
 namespace trivar {
+namespace {
+
+// Where the product is 0 on each edge.
+std::vector<glm::vec3> places_on(std::span<const std::uint64_t> edges,
+                                 std::span<const glm::vec3> positions,
+                                 std::span<const float> product)
+{
+    std::vector<glm::vec3> out(edges.size());
+    parallel_blocks(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto a = static_cast<std::size_t>(edges[k] >> 32),
+                       b = static_cast<std::size_t>(edges[k] & 0xFFFFFFFF);
+            float t = product[a] / (product[a] - product[b]);
+            if (!(t >= 0 && t <= 1)) t = 0.5f;
+            out[k] = positions[a] + t * (positions[b] - positions[a]);
+        }
+    });
+    return out;
+}
+
+float squared_distance(const glm::vec3& a, const glm::vec3& b)
+{
+    const glm::vec3 way = b - a;
+    return glm::dot(way, way);
+}
+
+} // namespace
 
 Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> positions,
                       std::span<const float> product, float spacing)
 {
-    const auto point = [&](std::uint32_t k) {
-        const std::uint64_t edge = chains.edges[k];
-        const auto a = static_cast<std::size_t>(edge >> 32),
-                   b = static_cast<std::size_t>(edge & 0xFFFFFFFF);
-        float t = product[a] / (product[a] - product[b]);
-        if (!(t >= 0 && t <= 1)) t = 0.5f;
-        return SilhouettePoint{.p = positions[a] + t * (positions[b] - positions[a]), .edge = edge};
-    };
+    const std::vector<glm::vec3> places = places_on(chains.edges, positions, product);
     Silhouettes out;
+    std::vector<std::uint32_t> kept; // of a chain
     for (std::size_t c = 0; c < chains.count(); ++c) {
-        const std::uint32_t begin = chains.first[c], end = chains.first[c + 1];
-        const std::size_t before = out.points.size();
-        for (std::uint32_t k = begin; k < end; ++k) {
-            const SilhouettePoint next = point(k);
-            const bool stays = k == begin || (!chains.closed[c] && k + 1 == end);
-            if (!stays && glm::distance(next.p, out.points.back().p) < spacing) continue;
-            out.points.push_back(next);
-        }
-        const std::uint32_t length = end - begin;
-        if (chains.closed[c] && out.points.size() - before < 3 && length >= 3) {
-            out.points.resize(before);
-            for (std::uint32_t e = 0; e < 3; ++e)
-                out.points.push_back(point(begin + e * length / 3));
-        }
+        const std::uint32_t begin = chains.first[c], end = chains.first[c + 1],
+                            length = end - begin;
+        kept.assign(1, begin);
+        for (std::uint32_t k = begin + 1; k < end; ++k)
+            if (squared_distance(places[kept.back()], places[k]) >= spacing * spacing)
+                kept.push_back(k);
+        if (!chains.closed[c] && kept.back() + 1 != end) kept.push_back(end - 1);
+        if (chains.closed[c] && kept.size() < 3 && length >= 3)
+            kept = {begin, begin + length / 3, begin + 2 * length / 3};
+        for (const std::uint32_t k : kept)
+            out.points.push_back({.p = places[k], .edge = chains.edges[k]});
         out.first.push_back(static_cast<std::uint32_t>(out.points.size()));
         out.closed.push_back(chains.closed[c]);
     }
@@ -46,8 +64,8 @@ void finish(const ScalarField<float>& field, float level, const ViewPoint& view,
             const SilhouetteOptions& options, Silhouettes& out)
 {
     parallel_blocks(out.points.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            finish(field, level, view, options.polished, out.points[i]);
+        finish(field, level, view, options.polished,
+               std::span(out.points).subspan(begin, end - begin));
     });
 }
 

@@ -11,11 +11,19 @@ namespace {
 
 constexpr std::size_t bricks_per_view_block = 32;
 
-// Of the view and the normal at a vertex; crossed.comp does the same.
+// Of the view and the normal at a vertex; crossed.comp does the same. A view in parallel needs no
+// place, and the 0 that it would add changes no sign.
+template <bool from_an_eye>
+[[gnu::always_inline]] inline float product(const LevelMesh& level, std::size_t v,
+                                            const glm::vec4& h)
+{
+    const float of_normal =
+        level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z;
+    return from_an_eye ? of_normal + level.offset(v) * h.w : of_normal;
+}
 float product(const LevelMesh& level, std::size_t v, const glm::vec4& h)
 {
-    return level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z +
-           level.offset(v) * h.w;
+    return h.w == 0 ? product<false>(level, v, h) : product<true>(level, v, h);
 }
 
 } // namespace
@@ -58,7 +66,8 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
 Silhouettes SilhouetteFinder::curves(const ScalarField<float>& field, const LevelMesh& level,
                                      const ViewPoint& view, const SilhouetteOptions& options)
 {
-    Silhouettes out = curves_of(chainer_(crossed_), level.positions, product_, options.spacing);
+    Silhouettes out = curves_of(edge_chains(crossed_), level.positions, product_, options.spacing);
+    for (const std::vector<CrossedTriangle>& part : crossed_) out.crossed += part.size();
     finish(field, level.level, view, options, out);
     return out;
 }
@@ -106,8 +115,12 @@ void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
             const LevelMesh::Brick& brick = level.bricks[b];
             float* const products = product_.data();
             std::uint8_t* const above = is_above_.data();
-            for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
-                products[v] = product(level, v, h);
+            if (h.w == 0)
+                for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
+                    products[v] = product<false>(level, v, h);
+            else
+                for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
+                    products[v] = product<true>(level, v, h);
             for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
                 above[v] = products[v] >= 0;
         }

@@ -42,7 +42,6 @@ private:
     std::vector<char> is_needed_;         // whether the product is, by brick
     std::vector<std::uint32_t> changing_; // bricks with such runs
     std::vector<std::vector<CrossedTriangle>> crossed_; // by block of bricks
-    EdgeChainer chainer_;
 };
 
 } // namespace trivar

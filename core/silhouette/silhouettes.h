@@ -37,7 +37,7 @@ struct Silhouettes {
     std::vector<std::uint32_t> first{0}; // of each curve, and the end of the last
     std::vector<char> closed;            // by curve
     std::size_t count() const { return closed.size(); }
-    std::size_t tested = 0; // triangles
+    std::size_t tested = 0, crossed = 0; // triangles: looked at, and with a change of sign
 };
 
 struct SilhouetteOptions {

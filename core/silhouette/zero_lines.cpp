@@ -84,7 +84,7 @@ public:
         for (const StrongTriangle& each : triangles) // lines end where three sheets meet
             if (strengths.triangles(each.edges.in) <= 2 && strengths.triangles(each.edges.out) <= 2)
                 crossed[0].push_back(each.edges);
-        const EdgeChains chains = EdgeChainer()(crossed);
+        const EdgeChains chains = edge_chains(crossed);
         for (std::size_t c = 0; c < chains.count(); ++c) add_chain(chains, c, strengths);
         return std::move(out_);
     }

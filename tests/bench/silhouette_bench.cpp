@@ -148,10 +148,11 @@ void silhouette_view(benchmark::State& state, const char* name)
     if (lacks(volume, state)) return;
     SilhouetteFinder find;
     int step = 0;
-    std::size_t points = 0;
-    for (auto _ : state)
-        points = find(volume->field->field(), volume->mesh, turned_view(++step)).points.size();
-    state.counters["points"] = static_cast<double>(points);
+    Silhouettes lines;
+    for (auto _ : state) lines = find(volume->field->field(), volume->mesh, turned_view(++step));
+    state.counters["points"] = static_cast<double>(lines.points.size());
+    state.counters["tested"] = static_cast<double>(lines.tested);
+    state.counters["crossed"] = static_cast<double>(lines.crossed);
 }
 BENCHMARK_CAPTURE(silhouette_view, gauss, "gauss")
     ->Unit(benchmark::kMillisecond)
