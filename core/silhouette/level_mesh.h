@@ -30,7 +30,7 @@ struct LevelMesh {
     struct Run {
         std::array<float, 4> least, greatest;
     };
-    static constexpr std::uint32_t run_length = 64; // triangles
+    static constexpr std::uint32_t run_length = 32; // triangles
     static constexpr float half_brick = 4;          // voxels from its middle to its sides
 
     float level = 0;

@@ -1,7 +1,7 @@
 // Lists the triangles of a level's mesh in which the product of the normal and the view changes its
 // sign, as core/silhouette/silhouette_finder.cpp does: the same numbers, rounded alike. One group
-// per run of 64 triangles; see gpu/silhouette/device_silhouettes.h.
-layout(local_size_x = 64) in;
+// per run of 32 triangles; see gpu/silhouette/device_silhouettes.h.
+layout(local_size_x = 32) in;
 struct Run {
     vec4 least, greatest; // of (n, -<p - middle, n>) over the corners
     vec3 middle;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/memory.h"
 #include "core/mesh/primitives.h"
 #include "core/silhouette/certified.h"
 #include "core/silhouette/level_drawing.h"
@@ -62,6 +63,7 @@ Ref<VoxelGrid> bench_grid(const std::string& name, int n, double& level)
 // Null where there is no real data.
 const BenchVolume* bench_volume(const std::string& name, int n = 256)
 {
+    keep_freed_memory(); // as the program does
     static std::map<std::pair<std::string, int>, BenchVolume> known;
     BenchVolume& out = known[{name, n}];
     if (out.field) return &out;
