@@ -16,6 +16,8 @@ std::vector<DrawnLevel> ShownVolume::drawn_levels() const
                            .style = level.ink,
                            .more = level.more,
                            .further = level.further.get(),
+                           .nearby = level.nearby ? std::span<const LevelMesh>(*level.nearby)
+                                                  : std::span<const LevelMesh>(),
                            .certified_depth = level.certified ? certified_halvings : -1});
     return out;
 }

@@ -24,7 +24,8 @@ struct ShownVolume {
         LineStyle ink = {};
         bool certified = false; // its lines are wanted with a proof, and the field can have one
         MoreLines more = {};
-        Ref<LevelLines> further = {}; // that `more` are found by; null: none of them
+        Ref<LevelLines> further = {};            // that `more` are found by; null: none of them
+        Ref<std::vector<LevelMesh>> nearby = {}; // where only a share of the lines is drawn
     };
     Ref<VoxelField> field; // over the part of the data that is shown
     SampleBox part;        // which of all samples these are

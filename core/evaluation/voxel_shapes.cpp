@@ -81,6 +81,7 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
         levels_.keep(kept_changes * (source.levels.size() + 1));
+        nearby_.keep(source.levels.size() + 1);
         further_.keep(kept_changes * (source.levels.size() + 1));
         surfaces_.keep(kept_changes * (source.levels.size() + 1));
     }
@@ -100,6 +101,11 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         if (level.lines && level.more.any())
             shown.levels.back().further = timed(
                 timings, "lines", [&] { return further_lines(shown, all, mesh, level.more); });
+        if (level.lines && level.more.amount < 1)
+            shown.levels.back().nearby = nearby_({shown.field, level.value}, [&] {
+                return timed(timings, "lines",
+                             [&] { return make_ref(shown.field->nearby_levels(level.value)); });
+            });
         if (!level.surface) continue;
         const auto material = static_cast<std::uint32_t>(model.materials.size());
         const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale, material}, [&] {

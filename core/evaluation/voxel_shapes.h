@@ -40,6 +40,7 @@ private:
     Recent<FieldKey, Ref<VoxelField>> fields_;
     Recent<PartKey, Ref<VoxelField>> parts_{2};
     Recent<LevelKey, Ref<LevelMesh>> levels_;
+    Recent<LevelKey, Ref<std::vector<LevelMesh>>> nearby_;
     Recent<SurfaceKey, Ref<Mesh>> surfaces_;
     Recent<Ref<VoxelGrid>, Ref<VolumeSummary>> summaries_;
     Recent<CastingKey, Ref<Casting>> castings_;

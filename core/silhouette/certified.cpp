@@ -201,22 +201,21 @@ std::vector<glm::ivec3> bricks_at(const FieldHulls& hulls, float level)
     return out;
 }
 
-// Puts parts together; vertices that two of them have become one.
-LeafMarch whole_of(const std::vector<LeafMarch>& parts)
+// Puts parts together; vertices that two of them have become one. Triangles stay where they are,
+// with the vertices of the whole.
+LeafMarch whole_of(std::vector<LeafMarch>& parts)
 {
     LeafMarch out;
-    std::size_t positions = 0, triangles = 0, shared = 0;
+    std::size_t positions = 0, shared = 0;
     for (const LeafMarch& part : parts) {
         positions += part.positions.size();
-        triangles += part.triangles.size();
         shared += part.shared.size();
     }
     out.positions.reserve(positions);
     out.product.reserve(positions);
-    out.triangles.reserve(triangles);
     KeyNumbers known(shared);
     std::vector<std::uint32_t> number;
-    for (const LeafMarch& part : parts) {
+    for (LeafMarch& part : parts) {
         const auto base = static_cast<std::uint32_t>(out.positions.size());
         number.resize(part.positions.size());
         for (std::size_t v = 0; v < number.size(); ++v)
@@ -228,8 +227,8 @@ LeafMarch whole_of(const std::vector<LeafMarch>& parts)
         const auto renumbered = [&](std::uint64_t edge) {
             return edge_key(number[edge >> 32], number[edge & 0xFFFFFFFF]);
         };
-        for (const CrossedTriangle& triangle : part.triangles)
-            out.triangles.push_back({renumbered(triangle.in), renumbered(triangle.out)});
+        for (CrossedTriangle& triangle : part.triangles)
+            triangle = {renumbered(triangle.in), renumbered(triangle.out)};
         out.cells += part.cells;
         out.boxes += part.boxes;
         out.leaves += part.leaves;
@@ -266,7 +265,9 @@ CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, cons
     out.boxes = all.boxes;
     out.leaves = all.leaves;
     out.open = all.open;
-    const EdgeChains chains = edge_chains(std::span(&all.triangles, 1));
+    std::vector<std::vector<CrossedTriangle>> triangles;
+    for (LeafMarch& part : parts) triangles.push_back(std::move(part.triangles));
+    const EdgeChains chains = edge_chains(triangles);
     for (std::size_t c = 0; c < chains.count(); ++c) {
         if (chains.closed[c]) continue;
         for (const std::uint64_t edge :

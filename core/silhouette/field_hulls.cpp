@@ -42,4 +42,12 @@ FieldHulls::FieldHulls(const ScalarField<float>& field)
     });
 }
 
+FieldHulls::Range FieldHulls::whole() const
+{
+    Range out = ranges_.front();
+    for (const Range& each : ranges_)
+        out = {std::min(out.least, each.least), std::max(out.greatest, each.greatest)};
+    return out;
+}
+
 } // namespace trivar

@@ -29,6 +29,7 @@ public:
                             static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(b.z))];
     }
     const glm::ivec3& bricks() const { return bricks_; } // number along each axis
+    Range whole() const;                                 // of all bricks
     std::size_t bytes() const { return ranges_.size() * sizeof(Range); }
 
 private:

@@ -44,7 +44,7 @@ void find_edges(const LatticeSigns& signs, const Rows& rows, LevelBrick& brick)
             const auto row = static_cast<std::size_t>(y + 8 * z);
             brick.crossing[row] = crossing;
             brick.before[row] = static_cast<std::uint16_t>(brick.vertices);
-            brick.vertices += static_cast<std::uint32_t>(std::popcount(crossing));
+            brick.vertices += number_of_bits(crossing);
             for_cells(signs, brick.at, y, z, [&](int, std::uint8_t inside) {
                 brick.triangles += static_cast<std::uint32_t>(kuhn_triangles(inside).size());
             });

@@ -8,6 +8,15 @@
 
 namespace trivar {
 
+// The number of bits: a call of a library where the processor is not told to have one for it.
+inline std::uint32_t number_of_bits(std::uint64_t of)
+{
+    of -= of >> 1 & 0x5555555555555555;
+    of = (of & 0x3333333333333333) + (of >> 2 & 0x3333333333333333);
+    of = (of + (of >> 4)) & 0x0F0F0F0F0F0F0F0F;
+    return static_cast<std::uint32_t>(of * 0x0101010101010101 >> 56);
+}
+
 // A LevelBrick is 8 x 8 x 8 samples round which a level passes, with the lattice edges that it
 // crosses and that begin there. Edges are numbered without a table: those of a row by the bits of
 // one word.
@@ -24,7 +33,7 @@ struct LevelBrick {
     {
         const auto row = static_cast<std::size_t>(sample.y + 8 * sample.z);
         const std::uint64_t earlier = (std::uint64_t{1} << (8 * direction + sample.x)) - 1;
-        return before[row] + static_cast<std::uint32_t>(std::popcount(crossing[row] & earlier));
+        return before[row] + number_of_bits(crossing[row] & earlier);
     }
     std::uint32_t vertex(const glm::ivec3& sample, int direction) const
     {

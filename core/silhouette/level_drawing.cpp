@@ -109,15 +109,31 @@ std::string layer_name(const DrawnLevel& level, const KindStrokes& kind)
     return fmt::format("{}: {}", level.name, words_of(kind.kind));
 }
 
+// How much of each line is there at the values nearby, too; none: all of each.
+std::vector<float> lasting(std::span<const Stroke> lines, const ScalarField<float>& field,
+                           const DrawnLevel& level, const DrawingView& view)
+{
+    std::vector<std::vector<Stroke>> nearby;
+    if (level.more.amount < 1)
+        for (const LevelMesh& mesh : level.nearby) {
+            const Silhouettes found =
+                SilhouetteFinder()(field, mesh, view.from, {.spacing = 1, .polished = false});
+            const std::vector<char> hidden(found.points.size(), 0);
+            nearby.push_back(strokes(found, hidden, view.to_image, {}));
+        }
+    if (nearby.empty()) return {};
+    return persistence(lines, nearby);
+}
+
 // The lines of a layer that its budget keeps, of each kind; those that it kept before stay rather
-// than others.
+// than others. `weights` are of the first kind.
 void keep_within_budget(std::span<std::vector<Stroke>> kinds, float share, const std::string& layer,
-                        const LevelDrawingOptions& options)
+                        const LevelDrawingOptions& options, std::vector<float> weights = {})
 {
     std::vector<std::uint64_t> before;
     if (options.kept) before = std::exchange(options.kept(layer), {});
     for (std::vector<Stroke>& kind : kinds) {
-        kind = within_budget(std::move(kind), share, {}, before);
+        kind = within_budget(std::move(kind), share, std::exchange(weights, {}), before);
         if (!options.kept) continue;
         std::vector<std::uint64_t>& kept = options.kept(layer);
         for (const Stroke& stroke : kind) kept.push_back(stroke.id);
@@ -148,7 +164,8 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                 options.ids(layer_name(level, kind))(std::span(&kind.strokes, 1));
         }
         const LevelBody body{field, hulls, level.mesh.level, level.side};
-        keep_within_budget(made, level.more.amount, level.name, options);
+        keep_within_budget(made, level.more.amount, level.name, options,
+                           lasting(made[0], field, level, view));
         for (const std::vector<Stroke>& kind : made)
             std::ranges::move(inked_with_fans(body, kind, level.style, view.to_image),
                               std::back_inserter(out.layers.back().lines));

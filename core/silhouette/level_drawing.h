@@ -12,6 +12,7 @@
 #include "core/silhouette/visibility.h"
 
 #include <functional>
+#include <span>
 
 namespace trivar {
 
@@ -34,7 +35,10 @@ struct DrawnLevel {
     bool border = true; // also lines where the grid cuts the body off
     MoreLines more = {};
     const LevelLines* further = nullptr; // that `more` are found by; null: none of them
-    int certified_depth = -1;            // as LevelDrawingOptions has it; the greater one counts
+    // Levels at values nearby: a share of lines (more.amount) is then rather of those that are
+    // there in these, too. None: all lines count alike.
+    std::span<const LevelMesh> nearby = {};
+    int certified_depth = -1; // as LevelDrawingOptions has it; the greater one counts
 };
 
 struct LevelDrawingOptions {

@@ -71,6 +71,20 @@ LevelMesh VoxelField::level(double value, LevelAccuracy accuracy) const
     return with_lattice([&](auto values) { return level_mesh(field_, values, at, accuracy); });
 }
 
+std::vector<LevelMesh> VoxelField::nearby_levels(double value) const
+{
+    constexpr float share = 0.02f;
+    const FieldHulls::Range all = hulls_.whole();
+    const auto at = static_cast<float>(grid_->sample(value));
+    std::vector<LevelMesh> out;
+    for (const float step : {-share, share})
+        out.push_back(with_lattice([&](auto values) {
+            return level_mesh(field_, values, at + step * (all.greatest - all.least),
+                              LevelAccuracy::quick);
+        }));
+    return out;
+}
+
 LevelSide VoxelField::side(LevelSide of_values) const
 {
     return (of_values == LevelSide::above) == (grid_->slope > 0) ? LevelSide::above

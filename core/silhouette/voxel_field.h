@@ -41,6 +41,9 @@ public:
     // The level at a value; on which side of it, as samples, a body is whose values are on a side.
     LevelMesh level(double value, LevelAccuracy accuracy = LevelAccuracy::exact) const;
     LevelSide side(LevelSide of_values) const;
+    // Quick levels at values a fiftieth of all that there are below and above one, by which
+    // draw_levels() tells lines that last from those that do not.
+    std::vector<LevelMesh> nearby_levels(double value) const;
     LevelBody body(const LevelMesh& level, LevelSide of_values) const
     {
         return {field_, hulls_, level.level, side(of_values)};

@@ -177,6 +177,9 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
         for (const LevelMesh& mesh : meshes)
             further.push_back(level_lines(volume, smooth, mesh, side, grid.to_metres, more));
     }
+    std::vector<std::vector<LevelMesh>> nearby;
+    for (const double value : values)
+        nearby.push_back(more.amount < 1 ? volume.nearby_levels(value) : std::vector<LevelMesh>());
     std::vector<DrawnLevel> levels;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         levels.push_back(
@@ -185,7 +188,8 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
              .side = side,
              .style = style_of(command, i),
              .more = more,
-             .further = more.any() ? &further[i] : nullptr});
+             .further = more.any() ? &further[i] : nullptr,
+             .nearby = nearby[i]});
     std::map<std::string, LineIds> ids;
     return draw_levels(volume.field(), volume.hulls(), levels,
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),

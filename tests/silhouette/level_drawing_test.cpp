@@ -2,7 +2,10 @@
 #include "core/silhouette/level_drawing.h"
 #include "tests/silhouette/scenes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 
 namespace trivar::testing {
 namespace {
@@ -48,6 +51,80 @@ TEST_P(LevelDrawings, LieWhereTheCameraSeesThem)
         EXPECT_GT(p.depth, 0);
         EXPECT_LT(p.depth, 1);
     }
+}
+
+// Of two hills at one height, seen from above, the low one is broader, and nearly under the level.
+TEST_P(LevelDrawings, RatherKeepLinesThatLastAsTheLevelChanges)
+{
+    const glm::ivec3 size(48, 24, 24);
+    std::vector<float> samples;
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                const glm::vec3 p(i, j, k), low = (p - glm::vec3(34, 12, 12)) / 55.0f,
+                                            high = (p - glm::vec3(9, 12, 12)) / 4.5f;
+                samples.push_back(std::max(0.52f * std::exp(-glm::dot(low, low)),
+                                           1.1f * std::exp(-glm::dot(high, high))));
+            }
+    const ScalarField<float> field(std::span<const float>(samples), size);
+    const FieldHulls hulls(field);
+    const auto level_at = [&](float at) {
+        return level_mesh(field, std::span<const float>(samples), at);
+    };
+    const LevelMesh mesh = level_at(0.505f);
+    const std::vector<LevelMesh> nearby{level_at(0.48f), level_at(0.53f)};
+    DrawnLevel level{"hills", mesh};
+    level.border = false;
+    level.more.amount = 0.25f;
+    const glm::dvec3 sight(0, 1, 0);
+    const DrawingView view{image_of(sight), {glm::dvec4(sight, 0)}};
+    const auto kept_at = [&] {
+        const LevelDrawing drawn = draw_levels(field, hulls, std::span(&level, 1), view);
+        EXPECT_EQ(drawn.layers[0].lines.size(), 1u);
+        return drawn.layers[0].lines[0].points[0].at.x;
+    };
+    const float broad = kept_at();
+    level.nearby = nearby;
+    const float lasting = kept_at();
+    EXPECT_NE(broad < 500 + 4 * 20, lasting < 500 + 4 * 20);
+}
+
+TEST(LevelDrawing, KeepsItsShareOfLinesFromViewToView)
+{
+    const Sampled scene("noise", 24);
+    const FieldHulls hulls(scene.field);
+    const LevelMesh mesh = scene.level();
+    DrawnLevel level{"noise", mesh};
+    level.more.amount = 0.3f;
+    // How many lines come or go in a turn, of those that both views could draw.
+    const auto changes = [&](bool remembers) {
+        std::map<std::string, LineIds> ids;
+        std::map<std::string, std::vector<std::uint64_t>> kept;
+        LevelDrawingOptions options;
+        options.ids = [&](const std::string& layer) -> LineIds& { return ids[layer]; };
+        if (remembers)
+            options.kept = [&](const std::string& layer) -> std::vector<std::uint64_t>& {
+                return kept[layer];
+            };
+        std::size_t out = 0;
+        std::set<std::uint64_t> before;
+        for (int step = 0; step < 24; ++step) {
+            const double angle = 0.3 + 0.005 * step;
+            const glm::dvec3 sight(std::cos(angle), std::sin(angle), 0.2);
+            const LevelDrawing drawn =
+                draw_levels(scene.field, hulls, std::span(&level, 1),
+                            {image_of(sight), {glm::dvec4(sight, 0)}}, options);
+            std::set<std::uint64_t> now;
+            for (const InkedLine& line : drawn.layers[0].lines) now.insert(line.id);
+            std::vector<std::uint64_t> differ;
+            std::ranges::set_symmetric_difference(before, now, std::back_inserter(differ));
+            if (step > 0) out += differ.size();
+            before = std::move(now);
+        }
+        return out;
+    };
+    const std::size_t with = changes(true), without = changes(false);
+    EXPECT_LT(10 * with, 8 * without) << with << " " << without;
 }
 
 TEST_P(LevelDrawings, HaveALayerForEachLevelAndAreCertifiedWhereThatIsAsked)
