@@ -78,6 +78,21 @@ std::size_t OrdinaryFile::read(std::span<char> bytes)
     return done;
 }
 
+std::size_t OrdinaryFile::read_at(std::uintmax_t at, std::span<char> bytes) const
+{
+    const std::uintmax_t behind = size_ - std::min(at, size_);
+    const auto wanted = static_cast<std::size_t>(std::min<std::uintmax_t>(bytes.size(), behind));
+    std::size_t done = 0;
+    while (done < wanted) {
+        const ssize_t got =
+            ::pread(descriptor_, bytes.data() + done, wanted - done, static_cast<off_t>(at + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) throw Rejected(path_ + ": cannot be read completely");
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
 std::string read_file(const std::string& path, std::uintmax_t most_bytes)
 {
     OrdinaryFile file(path);

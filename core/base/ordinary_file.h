@@ -20,6 +20,9 @@ public:
     // Reads the next bytes, as many as fit, and returns their number; 0 at the end. Throws
     // Rejected.
     std::size_t read(std::span<char> bytes);
+    // Reads the bytes from a place on, as many as fit, and returns their number, which is less only
+    // at the end; the place of read() stays. Throws Rejected.
+    std::size_t read_at(std::uintmax_t at, std::span<char> bytes) const;
 
 private:
     std::string path_;

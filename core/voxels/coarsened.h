@@ -11,4 +11,12 @@ namespace trivar {
 // memory: what is too large to work on can be looked at first. O(#samples), in parallel.
 VoxelGrid coarsened(const VoxelGrid& grid, const glm::ivec3& times);
 
+// The numbers of samples along each axis that one is made of, for a grid of that size.
+glm::ivec3 coarsening_steps(const glm::ivec3& size, const glm::ivec3& times);
+// Samples of a grid of that size, one for a step of them; as coarsened() makes them.
+VoxelGrid::Samples coarsened_samples(const VoxelGrid::Samples& samples, const glm::ivec3& size,
+                                     const glm::ivec3& step);
+// Where it lies, of where the other one does.
+glm::dmat4 coarsened_place(const glm::dmat4& to_metres, const glm::ivec3& step);
+
 } // namespace trivar

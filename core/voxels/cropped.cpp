@@ -26,8 +26,13 @@ VoxelGrid cropped(const VoxelGrid& grid, const SampleBox& box)
     out.intercept = grid.intercept;
     out.value_unit = grid.value_unit;
     out.notices = grid.notices;
-    out.to_metres = glm::translate(grid.to_metres, glm::dvec3(box.first));
+    out.to_metres = cropped_place(grid.to_metres, box);
     return out;
+}
+
+glm::dmat4 cropped_place(const glm::dmat4& to_metres, const SampleBox& box)
+{
+    return glm::translate(to_metres, glm::dvec3(box.first));
 }
 
 } // namespace trivar

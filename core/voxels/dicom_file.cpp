@@ -80,7 +80,7 @@ void check_pixels(DicomDataset& file, const DicomHead& head, std::string_view by
                 fmt::format("its pixels are packed as {}, which is not read; JPEG, JPEG-LS, "
                             "RLE and pixels that are not packed are",
                             transfer.getXferName()));
-        check_ratio(bytes, Packing::zlib, needed, name);
+        check_ratio(bytes.size(), Packing::zlib, needed, name);
         return;
     }
     const std::uint64_t present = pixels ? pixels->getLength() : 0;

@@ -6,9 +6,11 @@
 #include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
 #include "core/voxels/dicom_file.h"
+#include "core/voxels/part_taker.h"
 #include "core/voxels/slice_order.h"
 #include "core/voxels/slice_samples.h"
 #include "core/voxels/volume_frame.h"
+#include "core/voxels/volume_readers.h"
 
 #include <algorithm>
 #include <array>
@@ -50,23 +52,25 @@ public:
     {
     }
 
-    VoxelGrid grid(const BytesOf& bytes_of, const Progress& progress)
+    ReadVolume volume(const BytesOf& bytes_of, const Progress& progress)
     {
         check_alike();
-        for (const SeriesFile& file : files_)
+        for (const SeriesFile& file : files_) {
+            first_.push_back(slices_.size());
             for (const DicomFrame& frame : file.head.frames) slices_.push_back({frame, file.name});
+        }
+        first_.push_back(slices_.size());
         SliceOrder order;
         try {
             order = ordered_slices(slices_);
         } catch (const Rejected& rejected) {
             refuse(rejected.what());
         }
-        check_sizes(order);
         for (const std::string& sentence : order.notices) say(sentence);
         take_samples(bytes_of, order, progress);
         take_place(order);
         take_meaning();
-        return std::move(grid_);
+        return {std::move(grid_), {}, part_};
     }
 
 private:
@@ -95,36 +99,35 @@ private:
         }
     }
 
-    void check_sizes(const SliceOrder& order)
-    {
-        const SampleBlock block{
-            {first().columns, first().rows, static_cast<std::int64_t>(order.at.size())},
-            first().type};
-        check_block(block, "DICOM series " + words_);
-        if (block.bytes() > options_.max_bytes)
-            refuse(fmt::format("has {} bytes of samples, more than the {} allowed",
-                               with_commas(block.bytes()), with_commas(options_.max_bytes)));
-        for (int k = 0; k < 3; ++k)
-            grid_.size[k] = static_cast<int>(block.size[static_cast<std::size_t>(k)]);
-    }
-
     void take_samples(const BytesOf& bytes_of, const SliceOrder& order, const Progress& progress)
     {
+        const std::string name = "DICOM series " + words_;
+        SampleBlock block{
+            {first().columns, first().rows, static_cast<std::int64_t>(order.at.size())},
+            first().type};
+        check_block(block, name);
         const auto per_slice =
             static_cast<std::size_t>(first().columns) * static_cast<std::size_t>(first().rows);
-        SliceSamples samples(slices_, first().type, per_slice);
-        std::size_t slice = 0, rounded = 0;
-        for (const SeriesFile& file : files_) {
-            report(progress,
-                   0.3 + 0.7 * static_cast<double>(slice) / static_cast<double>(slices_.size()),
-                   "Decoding");
-            const TakenSamples taken =
-                read_dicom_samples(bytes_of(file.name), file.head, file.name);
-            samples.put(slice, taken.samples);
-            rounded += taken.rounded;
-            slice += file.head.frames.size();
-        }
-        grid_.samples = samples.ordered(order);
+        SliceSamples samples(slices_, first_, first().type, per_slice);
+        block.type = samples.type();
+        PartTaker taker(block, options_, name);
+        std::size_t rounded = 0, decoded = 0;
+        samples.for_slices(
+            order, [&](std::size_t slice) { return taker.wants(static_cast<int>(slice)); },
+            [&](std::size_t number) {
+                const SeriesFile& file = files_[number];
+                report(progress,
+                       0.3 + 0.7 * static_cast<double>(decoded++) /
+                                 static_cast<double>(files_.size()),
+                       "Decoding");
+                TakenSamples taken = read_dicom_samples(bytes_of(file.name), file.head, file.name);
+                rounded += taken.rounded;
+                return std::move(taken.samples);
+            },
+            [&](const VoxelGrid::Samples& slice) { taker.take_slice(slice); });
+        part_ = taker.part();
+        grid_.size = part_.size();
+        grid_.samples = taker.finish().samples;
         grid_.slope = samples.slope();
         grid_.intercept = samples.intercept();
         if (!samples.scaled_alike())
@@ -141,7 +144,7 @@ private:
                                 {lowest.along_row * lowest.spacing.x,
                                  lowest.along_column * lowest.spacing.y, order.step}};
         if (!spans_space(frame)) refuse("its distances and directions do not span space");
-        grid_.to_metres = to_metres_of(frame, millimetre);
+        grid_.to_metres = place_of(part_, to_metres_of(frame, millimetre));
         if (!first().spaced)
             say("it does not say how far its pixels are apart (PixelSpacing); 1 mm was taken");
     }
@@ -157,7 +160,9 @@ private:
     std::string words_;
     const ReadVolumeOptions& options_;
     std::vector<PlacedSlice> slices_;
+    std::vector<std::size_t> first_; // slice of each file, and the end of the last
     VoxelGrid grid_;
+    GridPart part_;
 };
 
 // The files of a folder with pixels, by their series.
@@ -260,8 +265,8 @@ std::optional<ReadVolume> read_dicom_folder(const std::string& folder,
         held = read_bytes((fs::path(folder) / name).string(), options.max_bytes);
         return held;
     };
-    ReadVolume out;
-    out.grid = SeriesReader(files, files[0].head.series_words, options).grid(bytes_of, progress);
+    ReadVolume out =
+        SeriesReader(files, files[0].head.series_words, options).volume(bytes_of, progress);
     say_others(all, chosen->first, out.grid);
     say_refused(all, out.grid);
     for (const SeriesFile& file : files) out.companions.push_back(file.name);
@@ -290,10 +295,8 @@ ReadVolume read_dicom_bytes(std::string_view bytes, const std::string& name,
         return std::move(*out);
     }
     const SeriesFiles files{{name, head}};
-    ReadVolume out;
-    out.grid = SeriesReader(files, head.series_words, options)
-                   .grid([&](const std::string&) { return bytes; }, progress);
-    return out;
+    return SeriesReader(files, head.series_words, options)
+        .volume([&](const std::string&) { return bytes; }, progress);
 }
 
 } // namespace trivar

@@ -32,43 +32,40 @@ std::string last_number(const std::string& name)
     return stem.substr(begin, end - begin);
 }
 
-// Pictures one after another into the samples of a grid.
+// Pictures one after another as the slices of a volume.
 class Stack {
 public:
-    Stack(std::size_t slices, int bits) : slices_(slices), full_(bits > 8 ? 65535.0f : 255.0f)
+    Stack(const glm::ivec2& size_px, int bits, std::string first_name)
+        : size_(size_px),
+          full_(bits > 8 ? 65535.0f : 255.0f),
+          type_(bits == 8    ? SampleType::u8
+                : bits == 16 ? SampleType::u16
+                             : SampleType::f32),
+          first_name_(std::move(first_name))
     {
-        if (bits == 8)
-            samples_ = std::vector<std::uint8_t>();
-        else if (bits == 16)
-            samples_ = std::vector<std::uint16_t>();
-        else
-            samples_ = std::vector<float>();
     }
 
-    void add(const GreyImage& image, const std::string& name)
+    SampleType type() const { return type_; }
+    std::size_t not_numbers() const { return not_numbers_; }
+
+    VoxelGrid::Samples slice(const GreyImage& image, const std::string& name)
     {
-        if (size_ == glm::ivec2(0)) {
-            size_ = image.size_px;
-            first_name_ = name;
-        }
         if (image.size_px != size_)
             throw Rejected(fmt::format("{} has {} x {} pixels, but {} has {} x {}; all slices of a "
                                        "volume have one size",
                                        name, image.size_px.x, image.size_px.y, first_name_, size_.x,
                                        size_.y));
         not_numbers_ += image.no_numbers;
+        VoxelGrid::Samples out = samples_for(type_, 0);
         std::visit(
             [&](auto& samples) {
                 using T = std::ranges::range_value_t<decltype(samples)>;
-                samples.reserve(image.values.size() * slices_);
+                samples.reserve(image.values.size());
                 for (const float value : image.values) samples.push_back(sample<T>(value, name));
             },
-            samples_);
+            out);
+        return out;
     }
-
-    glm::ivec2 size_px() const { return size_; }
-    std::size_t not_numbers() const { return not_numbers_; }
-    VoxelGrid::Samples take() { return std::move(samples_); }
 
 private:
     // The whole number that was stored, of its share of the largest one.
@@ -86,12 +83,11 @@ private:
         }
     }
 
-    std::size_t slices_;
+    glm::ivec2 size_;
     float full_;
-    glm::ivec2 size_{0};
+    SampleType type_;
     std::string first_name_;
     std::size_t not_numbers_ = 0;
-    VoxelGrid::Samples samples_;
 };
 
 void say_missing_numbers(const std::vector<std::string>& names, VoxelGrid& grid,
@@ -142,24 +138,21 @@ ReadVolume read_image_stack(const std::string& folder, const std::vector<std::st
     const std::vector<std::string> order = pictures_in_order(names);
     PictureReader reader;
     const ImageHead head = reader.head((root / order[0]).string(), {});
-    Stack stack(order.size(), head.bits);
-    const auto pixels = static_cast<std::uint64_t>(head.size_px.x) *
-                        static_cast<std::uint64_t>(head.size_px.y) *
-                        static_cast<std::uint64_t>(head.bits / 8);
-    if (pixels * order.size() > options.max_bytes)
-        throw Rejected(
-            fmt::format("{} has {} slices of {} x {} pixels, more than the {} bytes that "
-                        "are allowed",
-                        shown_folder, order.size(), head.size_px.x, head.size_px.y,
-                        with_commas(options.max_bytes)));
+    Stack stack(head.size_px, head.bits, order[0]);
+    const SampleBlock block{
+        {head.size_px.x, head.size_px.y, static_cast<std::int64_t>(order.size())}, stack.type()};
+    PartTaker taker(block, options, shown_folder);
     for (std::size_t k = 0; k < order.size(); ++k) {
+        if (!taker.wants(static_cast<std::int64_t>(k))) continue;
         report(progress, static_cast<double>(k) / static_cast<double>(order.size()), "Reading");
-        stack.add(reader.read_grey((root / order[k]).string()), order[k]);
+        taker.take_slice(stack.slice(reader.read_grey((root / order[k]).string()), order[k]));
     }
     ReadVolume out;
-    out.grid.size = {stack.size_px(), static_cast<int>(order.size())};
-    out.grid.samples = stack.take();
-    out.grid.to_metres = to_metres_of(upright_frame(options.spacing), metres_per_unit(options, 0));
+    out.part = taker.part();
+    out.grid.size = out.part.size();
+    out.grid.samples = taker.finish().samples;
+    out.grid.to_metres = place_of(
+        out.part, to_metres_of(upright_frame(options.spacing), metres_per_unit(options, 0)));
     if (stack.not_numbers() > 0)
         out.grid.notices.push_back(fmt::format("{}: {} of its pixels were no number and count as 0",
                                                shown_folder, with_commas(stack.not_numbers())));

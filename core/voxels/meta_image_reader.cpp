@@ -9,73 +9,101 @@
 namespace trivar {
 namespace {
 
-// The samples in one file, `needed` bytes of them, behind the head that it may have.
-std::string meta_samples(const MetaHeader& header, std::string_view bytes, std::uint64_t needed,
-                         const std::string& name, const VolumeSource& source)
+// The samples in one file from a place on, `needed` bytes of them, behind the head that it may
+// have. `wrong` gets the number that there is of them where it is another one; it throws.
+ByteStream meta_stream(const MetaHeader& header, const ByteFile& file, std::uint64_t from,
+                       std::uint64_t needed, const std::string& name, const VolumeSource& source,
+                       const std::function<void(std::uint64_t)>& wrong)
 {
+    const std::uint64_t bytes = file.size() - from;
     const auto skip = static_cast<std::uint64_t>(std::max<std::int64_t>(header.header_bytes, 0));
-    if (header.header_bytes < 0 && !header.packed && bytes.size() >= needed)
-        return std::string(bytes.substr(static_cast<std::size_t>(bytes.size() - needed)));
-    if (skip > bytes.size())
-        source.refuse(fmt::format("{} has {} bytes; its HeaderSize is {}", name,
-                                  with_commas(bytes.size()), with_commas(skip)));
-    bytes.remove_prefix(static_cast<std::size_t>(skip));
-    if (!header.packed) return std::string(bytes);
-    check_ratio(bytes, Packing::zlib, needed, name);
-    return unpacked(bytes, is_gzip(bytes) ? Packing::gzip : Packing::zlib, needed, name);
+    if (header.header_bytes < 0 && !header.packed && bytes >= needed)
+        return stream_of(file, file.size() - needed);
+    if (skip > bytes)
+        source.refuse(fmt::format("{} has {} bytes; its HeaderSize is {}", name, with_commas(bytes),
+                                  with_commas(skip)));
+    from += skip;
+    if (!header.packed) {
+        if (bytes - skip != needed) wrong(bytes - skip);
+        return stream_of(file, from, needed);
+    }
+    std::string buffer;
+    const Packing packing = is_gzip(file.part(from, 2, buffer)) ? Packing::gzip : Packing::zlib;
+    check_ratio(bytes - skip, Packing::zlib, needed, name);
+    return exactly(unpacked(file, from, bytes - skip, packing, name), needed,
+                   [=](std::uint64_t present) {
+                       if (present > needed) refuse_more(needed, name);
+                       wrong(present);
+                   });
 }
 
-TakenSamples taken_of(const MetaHeader& header, std::string_view bytes, const std::string& name)
+// The samples of a file with numbers in words, which is read as a whole.
+TakenSamples words_in(const MetaHeader& header, const ByteFile& file, std::uint64_t from,
+                      const std::string& name, const VolumeSource& source)
 {
-    if (!header.binary) return taken_words(bytes, header.block, name);
-    check_bytes(header.block, bytes.size(), name);
-    return taken_samples(bytes, header.block.type, header.order);
+    const ByteFile all = source.whole(file, name);
+    from += static_cast<std::uint64_t>(std::max<std::int64_t>(header.header_bytes, 0));
+    std::string unused, plain;
+    std::string_view text = all.part(from, all.size(), unused);
+    if (header.packed) {
+        plain = unpacked(text, is_gzip(text) ? Packing::gzip : Packing::zlib, header.block.bytes(),
+                         name);
+        text = plain;
+    }
+    return taken_words(text, header.block, name);
 }
 
-TakenSamples all_meta_samples(VolumeSource& source, const MetaHeader& header)
+// Takes the samples of one file from a place on.
+void take_one(PartTaker& taker, const MetaHeader& header, const ByteFile& file, std::uint64_t from,
+              const std::string& name, const VolumeSource& source)
+{
+    if (!header.binary) {
+        if (taker.wants_samples()) taker.take(words_in(header, file, from, name, source));
+        return;
+    }
+    const ByteStream stream =
+        meta_stream(header, file, from, header.block.bytes(), name, source,
+                    [&](std::uint64_t present) { check_bytes(header.block, present, name); });
+    if (taker.wants_samples()) taker.take(stream, header.order);
+}
+
+void take_samples(PartTaker& taker, const MetaHeader& header, VolumeSource& source)
 {
     const std::uint64_t needed = header.block.bytes(), count = header.data_files.size();
-    if (count == 0) {
-        const std::string_view behind = source.bytes().substr(header.size);
-        if (!header.packed && header.header_bytes == 0)
-            return taken_of(header, behind, source.name());
-        return taken_of(header, meta_samples(header, behind, needed, source.name(), source),
-                        source.name());
-    }
-    if (count == 1) {
-        const std::string name = shown(header.data_files[0]);
-        const std::string bytes = source.read_beside(header.data_files[0]);
-        if (!header.packed && header.header_bytes == 0) return taken_of(header, bytes, name);
-        return taken_of(header, meta_samples(header, bytes, needed, name, source), name);
-    }
+    if (count == 0)
+        return take_one(taker, header, source.file(), header.size, source.name(), source);
+    if (count == 1)
+        return take_one(taker, header, source.open_beside(header.data_files[0]), 0,
+                        shown(header.data_files[0]), source);
     if (!header.binary) source.refuse("numbers in words are in many files; one can be read");
     if (needed % count != 0)
         source.refuse(fmt::format("{} files cannot share {} bytes of samples equally", count,
                                   with_commas(needed)));
-    std::string all;
-    for (const std::string& file : header.data_files) {
-        const std::string bytes = source.read_beside(file);
-        const std::string part = meta_samples(header, bytes, needed / count, shown(file), source);
-        if (part.size() != needed / count)
-            source.refuse(fmt::format("{} has {} bytes of samples; each of the {} files needs {}",
-                                      shown(file), with_commas(part.size()), count,
-                                      with_commas(needed / count)));
-        all += part;
-    }
-    return taken_of(header, all, source.name());
+    const auto stream = [&](std::size_t number) {
+        const std::string name = shown(header.data_files[number]);
+        return meta_stream(header, source.open_beside(header.data_files[number]), 0, needed / count,
+                           name, source, [&source, name, needed, count](std::uint64_t present) {
+                               source.refuse(fmt::format(
+                                   "{} has {} bytes of samples; each of the {} files needs {}",
+                                   name, with_commas(present), count, with_commas(needed / count)));
+                           });
+    };
+    if (taker.wants_samples()) taker.take(joined(count, stream), header.order);
 }
 
 } // namespace
 
-VoxelGrid read_meta_image(VolumeSource& source, const ReadVolumeOptions& options)
+ReadVolume read_meta_image(VolumeSource& source, const ReadVolumeOptions& options)
 {
-    const MetaHeader header = read_meta_header(source.bytes(), source.name());
+    const MetaHeader header = read_meta_header(source.head(), source.name());
     for (const std::string& sentence : header.notices) source.say(sentence);
-    VoxelGrid grid = grid_of(source, header.block, all_meta_samples(source, header), header.frame,
-                             metres_per_unit(options, 0));
-    grid.slope = header.slope;
-    grid.intercept = header.intercept;
-    return grid;
+    PartTaker taker(header.block, options, source.name(), source.progress());
+    take_samples(taker, header, source);
+    ReadVolume out =
+        volume_of(source, taker, header.block.type, header.frame, metres_per_unit(options, 0));
+    out.grid.slope = header.slope;
+    out.grid.intercept = header.intercept;
+    return out;
 }
 
 } // namespace trivar

@@ -10,27 +10,36 @@
 namespace trivar {
 namespace {
 
-// The samples in the file that has them, of which `bytes` are all, packed by gzip or not.
-TakenSamples nifti_samples(std::string_view bytes, const NiftiHeader& header,
-                           const std::string& name)
+// Takes the samples of the file that has them, packed by gzip or not.
+void take_nifti(PartTaker& taker, const ByteFile& file, const NiftiHeader& header,
+                const std::string& name)
 {
-    const std::uint64_t needed = header.block.bytes();
-    std::string plain;
-    if (is_gzip(bytes)) {
-        constexpr std::uint64_t most_before = std::uint64_t{1} << 30; // extensions of the head
-        if (header.data_offset > most_before)
-            throw Rejected(fmt::format("{}: its samples begin at byte {}, which is too far", name,
-                                       header.data_offset));
-        check_ratio(bytes, Packing::gzip, header.data_offset + needed, name);
-        plain = unpacked(bytes, Packing::gzip, header.data_offset + needed, name);
-        bytes = plain;
-    }
-    if (header.data_offset > bytes.size())
+    const std::uint64_t needed = header.block.bytes(), before = header.data_offset;
+    const auto refuse_short = [name, before](std::uint64_t bytes) {
         throw Rejected(fmt::format("{} has {} bytes; its samples should begin at byte {}", name,
-                                   with_commas(bytes.size()), with_commas(header.data_offset)));
-    bytes.remove_prefix(static_cast<std::size_t>(header.data_offset));
-    check_bytes(header.block, bytes.size(), name);
-    return taken_samples(bytes, header.block.type, header.order);
+                                   with_commas(bytes), with_commas(before)));
+    };
+    std::string buffer;
+    if (!is_gzip(file.part(0, 2, buffer))) {
+        if (before > file.size()) refuse_short(file.size());
+        check_bytes(header.block, file.size() - before, name);
+        if (taker.wants_samples()) taker.take(stream_of(file, before), header.order);
+        return;
+    }
+    constexpr std::uint64_t most_before = std::uint64_t{1} << 30; // extensions of the head
+    if (before > most_before)
+        throw Rejected(
+            fmt::format("{}: its samples begin at byte {}, which is too far", name, before));
+    check_ratio(file.size(), Packing::gzip, before + needed, name);
+    if (!taker.wants_samples()) return;
+    const ByteStream stream = unpacked(file, 0, file.size(), Packing::gzip, name);
+    if (const std::uint64_t skipped = stream.skip(before); skipped < before) refuse_short(skipped);
+    taker.take(exactly(stream, needed,
+                       [&header, name, needed, before](std::uint64_t present) {
+                           if (present > needed) refuse_more(before + needed, name);
+                           check_bytes(header.block, present, name);
+                       }),
+               header.order);
 }
 
 // The name of the file with the samples, of that with the head.
@@ -43,26 +52,25 @@ std::string samples_beside(const std::string& name)
 
 } // namespace
 
-VoxelGrid read_nifti(VolumeSource& source, const ReadVolumeOptions& options)
+ReadVolume read_nifti(VolumeSource& source, const ReadVolumeOptions& options)
 {
-    const bool packed = is_gzip(source.bytes());
-    const std::string head = packed ? first_unpacked(source.bytes(), nifti2_head_bytes)
-                                    : std::string(source.bytes().substr(0, nifti2_head_bytes));
+    const bool packed = is_gzip(source.head());
+    const std::string head = packed ? first_unpacked(source.head(), nifti2_head_bytes)
+                                    : std::string(source.head().substr(0, nifti2_head_bytes));
     if (!is_nifti(head)) source.refuse("is packed by gzip, but holds no NIfTI file");
     const NiftiHeader header = read_nifti_header(head, source.name());
     for (const std::string& sentence : header.notices) source.say(sentence);
-    TakenSamples samples;
-    if (header.detached) {
-        const std::string beside = samples_beside(source.name());
-        samples = nifti_samples(source.read_beside(beside), header, beside);
-    } else {
-        samples = nifti_samples(source.bytes(), header, source.name());
-    }
-    VoxelGrid grid = grid_of(source, header.block, std::move(samples), header.frame,
-                             metres_per_unit(options, header.metres_per_unit));
-    grid.slope = header.slope;
-    grid.intercept = header.intercept;
-    return grid;
+    const std::string beside = samples_beside(source.name());
+    PartTaker taker(header.block, options, source.name(), source.progress());
+    if (header.detached)
+        take_nifti(taker, source.open_beside(beside), header, beside);
+    else
+        take_nifti(taker, source.file(), header, source.name());
+    ReadVolume out = volume_of(source, taker, header.block.type, header.frame,
+                               metres_per_unit(options, header.metres_per_unit));
+    out.grid.slope = header.slope;
+    out.grid.intercept = header.intercept;
+    return out;
 }
 
 } // namespace trivar

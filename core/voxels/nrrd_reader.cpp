@@ -39,88 +39,140 @@ std::string from_hex(std::string_view text, const VolumeSource& source)
     return out;
 }
 
-// One stream of an NRRD: what follows the head, or one of its files.
-class NrrdStream {
+// One file of an NRRD, or what follows the head.
+class NrrdFile {
 public:
-    NrrdStream(const NrrdHeader& header, const VolumeSource& source, std::string name)
+    NrrdFile(const NrrdHeader& header, const VolumeSource& source, ByteFile file,
+             std::uint64_t from, std::string name)
         : header_(header),
           source_(source),
+          file_(std::move(file)),
+          from_(from),
           name_(std::move(name))
     {
+        skip_lines();
     }
 
-    // The bytes of the samples, `needed` of them, or of words.
-    std::string_view data(std::string_view bytes, std::uint64_t needed)
+    // The samples, `needed` bytes of them. `wrong` gets the number that there is where it is
+    // another one; it throws.
+    ByteStream stream(std::uint64_t needed, const std::function<void(std::uint64_t)>& wrong)
     {
-        for (std::size_t line = 0; line < header_.line_skip; ++line) {
-            const std::size_t end = bytes.find('\n');
-            if (end == bytes.npos)
-                source_.refuse(fmt::format("{} lines should be skipped in {}; it has {}",
-                                           header_.line_skip, name_, line));
-            bytes.remove_prefix(end + 1);
+        const Packing packing = packing_of(header_.encoding);
+        if (packing != Packing::none) {
+            check_ratio(file_.size() - from_, packing, needed, name_);
+            if (header_.byte_skip >= 0) return unpacked_stream(packing, needed, wrong);
         }
-        if (header_.encoding == NrrdEncoding::ascii) return after_skip(bytes);
-        if (header_.encoding == NrrdEncoding::hex) {
-            unpacked_ = from_hex(bytes, source_);
-            bytes = unpacked_;
-        } else if (const Packing packing = packing_of(header_.encoding); packing != Packing::none) {
-            check_ratio(bytes, packing, needed, name_);
-            unpacked_ = unpacked(bytes, packing, needed + skipped(), name_);
-            bytes = unpacked_;
+        // What is counted from its end is unpacked as a whole.
+        if (packing != Packing::none || header_.encoding == NrrdEncoding::hex) {
+            const ByteFile all = source_.whole(file_, name_);
+            std::string unused;
+            const std::string_view bytes = all.part(from_, all.size(), unused);
+            file_ = ByteFile::kept(header_.encoding == NrrdEncoding::hex
+                                       ? from_hex(bytes, source_)
+                                       : unpacked(bytes, packing, needed + most_before, name_));
+            from_ = 0;
         }
-        return header_.byte_skip < 0 ? last_of(bytes, needed) : after_skip(bytes);
+        const std::uint64_t bytes = file_.size() - from_;
+        if (header_.byte_skip < 0) return stream_of(file_, from_ + place_of_last(bytes, needed));
+        const auto skip = static_cast<std::uint64_t>(header_.byte_skip);
+        check_skip(bytes);
+        if (bytes - skip != needed) wrong(bytes - skip);
+        return stream_of(file_, from_ + skip);
+    }
+
+    // Its numbers in words; the file is read as a whole.
+    TakenSamples words() const
+    {
+        const ByteFile all = source_.whole(file_, name_);
+        check_skip(all.size() - from_);
+        std::string unused;
+        return taken_words(
+            all.part(from_ + static_cast<std::uint64_t>(header_.byte_skip), all.size(), unused),
+            header_.block, name_);
     }
 
 private:
-    // Bytes beside the samples that a packed stream may have, at most.
-    std::uint64_t skipped() const
+    // Bytes beside the samples that a packed file may have whose samples are its last, at most.
+    static constexpr std::uint64_t most_before = std::uint64_t{1} << 20;
+
+    void skip_lines()
     {
-        constexpr std::uint64_t most_before = std::uint64_t{1} << 20;
-        return header_.byte_skip < 0 ? most_before : static_cast<std::uint64_t>(header_.byte_skip);
+        constexpr std::uint64_t at_once = std::uint64_t{1} << 16;
+        std::string buffer;
+        for (std::size_t line = 0; line < header_.line_skip;) {
+            const std::string_view bytes = file_.part(from_, at_once, buffer);
+            if (bytes.empty())
+                source_.refuse(fmt::format("{} lines should be skipped in {}; it has {}",
+                                           header_.line_skip, name_, line));
+            std::size_t at = 0;
+            while (line < header_.line_skip) {
+                const std::size_t end = bytes.find('\n', at);
+                at = end == bytes.npos ? bytes.size() : end + 1;
+                if (end == bytes.npos) break;
+                ++line;
+            }
+            from_ += at;
+        }
     }
 
-    std::string_view after_skip(std::string_view bytes) const
+    ByteStream unpacked_stream(Packing packing, std::uint64_t needed,
+                               const std::function<void(std::uint64_t)>& wrong)
     {
+        const ByteStream all = unpacked(file_, from_, file_.size() - from_, packing, name_);
         const auto skip = static_cast<std::uint64_t>(header_.byte_skip);
-        if (header_.byte_skip < 0 || skip > bytes.size())
-            source_.refuse(fmt::format("{} bytes should be skipped in {}; it has {}",
-                                       header_.byte_skip, name_, with_commas(bytes.size())));
-        return bytes.substr(static_cast<std::size_t>(skip));
+        if (const std::uint64_t skipped = all.skip(skip); skipped < skip) check_skip(skipped);
+        return exactly(all, needed, [=, name = name_](std::uint64_t present) {
+            if (present > needed) refuse_more(skip + needed, name);
+            wrong(present);
+        });
     }
 
-    // With a skip of -1 the samples are the last bytes of the stream; with -n, n - 1 bytes follow
-    // them.
-    std::string_view last_of(std::string_view bytes, std::uint64_t needed) const
+    void check_skip(std::uint64_t bytes) const
+    {
+        if (header_.byte_skip < 0 || static_cast<std::uint64_t>(header_.byte_skip) > bytes)
+            source_.refuse(fmt::format("{} bytes should be skipped in {}; it has {}",
+                                       header_.byte_skip, name_, with_commas(bytes)));
+    }
+
+    // With a skip of -1 the samples are the last bytes; with -n, n - 1 bytes follow them.
+    std::uint64_t place_of_last(std::uint64_t bytes, std::uint64_t needed) const
     {
         const auto behind = static_cast<std::uint64_t>(-(header_.byte_skip + 1));
-        if (behind > bytes.size() || needed > bytes.size() - behind)
+        if (behind > bytes || needed > bytes - behind)
             source_.refuse(fmt::format("{} has {} bytes; {} samples' bytes and {} behind them are "
                                        "needed",
-                                       name_, with_commas(bytes.size()), with_commas(needed),
+                                       name_, with_commas(bytes), with_commas(needed),
                                        with_commas(behind)));
-        return bytes.substr(static_cast<std::size_t>(bytes.size() - behind - needed),
-                            static_cast<std::size_t>(needed));
+        return bytes - behind - needed;
     }
 
     const NrrdHeader& header_;
     const VolumeSource& source_;
-    std::string name_, unpacked_;
+    ByteFile file_;
+    std::uint64_t from_;
+    std::string name_;
 };
 
-TakenSamples samples_of(VolumeSource& source, const NrrdHeader& header)
+void take_samples(PartTaker& taker, VolumeSource& source, const NrrdHeader& header)
 {
     const std::uint64_t needed = header.block.bytes();
     if (header.data_files.size() <= 1) {
         const bool attached = header.data_files.empty();
         const std::string name = attached ? source.name() : shown(header.data_files[0]);
-        const std::string other =
-            attached ? std::string() : source.read_beside(header.data_files[0]);
-        NrrdStream stream(header, source, name);
-        const std::string_view data =
-            stream.data(attached ? source.bytes().substr(header.size) : other, needed);
-        if (header.encoding == NrrdEncoding::ascii) return taken_words(data, header.block, name);
-        check_bytes(header.block, data.size(), name);
-        return taken_samples(data, header.block.type, header.order);
+        NrrdFile file(header, source,
+                      attached ? source.file() : source.open_beside(header.data_files[0]),
+                      attached ? header.size : 0, name);
+        if (header.encoding == NrrdEncoding::ascii) {
+            if (taker.wants_samples()) taker.take(file.words());
+            return;
+        }
+        if (!taker.wants_samples()) return;
+        taker.take(file.stream(needed,
+                               [&header, name](std::uint64_t present) {
+                                   check_bytes(header.block, present, name);
+                               }),
+                   header.order);
+        return;
     }
     // Files behind one another, each with an equal part of the samples.
     const std::uint64_t count = header.data_files.size();
@@ -130,28 +182,28 @@ TakenSamples samples_of(VolumeSource& source, const NrrdHeader& header)
     if (needed % count != 0 || needed / count % size_of(header.block.type) != 0)
         source.refuse(fmt::format("{} files cannot share {} bytes of samples equally", count,
                                   with_commas(needed)));
-    std::string all;
-    for (const std::string& name : header.data_files) {
-        NrrdStream stream(header, source, shown(name));
-        const std::string bytes = source.read_beside(name);
-        const std::string_view data = stream.data(bytes, needed / count);
-        if (data.size() != needed / count)
+    const auto stream = [&](std::size_t number) {
+        const std::string name = shown(header.data_files[number]);
+        NrrdFile file(header, source, source.open_beside(header.data_files[number]), 0, name);
+        return file.stream(needed / count, [&source, name, needed, count](std::uint64_t present) {
             source.refuse(fmt::format("{} has {} bytes of samples; each of the {} files needs {}",
-                                      shown(name), with_commas(data.size()), count,
+                                      name, with_commas(present), count,
                                       with_commas(needed / count)));
-        all += data;
-    }
-    return taken_samples(all, header.block.type, header.order);
+        });
+    };
+    if (taker.wants_samples()) taker.take(joined(count, stream), header.order);
 }
 
 } // namespace
 
-VoxelGrid read_nrrd(VolumeSource& source, const ReadVolumeOptions& options)
+ReadVolume read_nrrd(VolumeSource& source, const ReadVolumeOptions& options)
 {
-    const NrrdHeader header = read_nrrd_header(source.bytes(), source.name());
+    const NrrdHeader header = read_nrrd_header(source.head(), source.name());
     for (const std::string& sentence : header.notices) source.say(sentence);
-    return grid_of(source, header.block, samples_of(source, header), header.frame,
-                   metres_per_unit(options, header.metres_per_unit));
+    PartTaker taker(header.block, options, source.name(), source.progress());
+    take_samples(taker, source, header);
+    return volume_of(source, taker, header.block.type, header.frame,
+                     metres_per_unit(options, header.metres_per_unit));
 }
 
 } // namespace trivar

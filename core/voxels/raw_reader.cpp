@@ -10,7 +10,7 @@ namespace {
 // The layout that the name says. Throws Rejected with what it could be.
 RawLayout guessed_layout(VolumeSource& source)
 {
-    const std::vector<RawGuess> guesses = raw_guesses(source.name(), source.bytes().size());
+    const std::vector<RawGuess> guesses = raw_guesses(source.name(), source.size());
     if (!guesses.empty() && guesses[0].named) {
         const RawLayout& layout = guesses[0].layout;
         const bool alone = guesses.size() == 1 || !guesses[1].named;
@@ -29,25 +29,24 @@ RawLayout guessed_layout(VolumeSource& source)
     source.refuse(fmt::format("a file without a head does not say its size and type, and {} bytes "
                               "do not tell them; give them, or name it such as "
                               "head_64x64x64_u16.raw{}",
-                              with_commas(source.bytes().size()), could));
+                              with_commas(source.size()), could));
 }
 
 } // namespace
 
-VoxelGrid read_raw(VolumeSource& source, const ReadVolumeOptions& options)
+ReadVolume read_raw(VolumeSource& source, const ReadVolumeOptions& options)
 {
     const RawLayout layout = options.raw ? *options.raw : guessed_layout(source);
     check_block(layout.block, source.name());
-    if (layout.header_bytes > source.bytes().size())
-        source.refuse(fmt::format("has {} bytes; {} should be skipped",
-                                  with_commas(source.bytes().size()),
+    if (layout.header_bytes > source.size())
+        source.refuse(fmt::format("has {} bytes; {} should be skipped", with_commas(source.size()),
                                   with_commas(layout.header_bytes)));
-    const std::string_view data =
-        source.bytes().substr(static_cast<std::size_t>(layout.header_bytes));
-    check_bytes(layout.block, data.size(), source.name());
-    const VolumeFrame frame = upright_frame(options.spacing);
-    return grid_of(source, layout.block, taken_samples(data, layout.block.type, layout.order),
-                   frame, metres_per_unit(options, 0));
+    check_bytes(layout.block, source.size() - layout.header_bytes, source.name());
+    PartTaker taker(layout.block, options, source.name(), source.progress());
+    if (taker.wants_samples())
+        taker.take(stream_of(source.file(), layout.header_bytes), layout.order);
+    return volume_of(source, taker, layout.block.type, upright_frame(options.spacing),
+                     metres_per_unit(options, 0));
 }
 
 } // namespace trivar

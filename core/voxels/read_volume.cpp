@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Reader = VoxelGrid (*)(VolumeSource&, const ReadVolumeOptions&);
+using Reader = ReadVolume (*)(VolumeSource&, const ReadVolumeOptions&);
 
 bool is_packed_nifti(std::string_view bytes)
 {
@@ -117,6 +117,27 @@ ReadVolume read_folder(const std::string& folder, const ReadVolumeOptions& optio
     return read_image_stack(folder, pictures, options, progress);
 }
 
+ReadVolume read_file(const ByteFile& bytes, const std::string& name, const std::string& folder,
+                     const ReadVolumeOptions& options, const Progress& progress)
+{
+    const std::string file = fs::path(name).filename().string();
+    if (bytes.size() == 0) throw Rejected(file + ": the file is empty");
+    report(progress, 0, "Reading");
+    VolumeSource source(bytes, file, folder, options, progress);
+    ReadVolume out;
+    if (!options.raw && is_dicom(source.head())) {
+        out = read_dicom_bytes(source.bytes(), file, folder, options, progress);
+    } else {
+        const Reader reader = options.raw ? read_raw : reader_for(source.head(), file);
+        out = reader(source, options);
+        out.grid.notices = source.notices();
+        out.companions = source.companions();
+    }
+    say_not_finite(out.grid, file);
+    report(progress, 1, "Done");
+    return out;
+}
+
 } // namespace
 
 ReadVolume read_volume_bytes(std::string_view bytes, const std::string& name,
@@ -124,22 +145,7 @@ ReadVolume read_volume_bytes(std::string_view bytes, const std::string& name,
                              const Progress& progress)
 {
     check_options(options);
-    const std::string file = fs::path(name).filename().string();
-    if (bytes.empty()) throw Rejected(file + ": the file is empty");
-    report(progress, 0, "Reading");
-    ReadVolume out;
-    if (!options.raw && is_dicom(bytes)) {
-        out = read_dicom_bytes(bytes, file, folder, options, progress);
-    } else {
-        VolumeSource source(bytes, file, folder, options.max_bytes);
-        const Reader reader = options.raw ? read_raw : reader_for(bytes, file);
-        out.grid = reader(source, options);
-        out.grid.notices = source.notices();
-        out.companions = source.companions();
-    }
-    say_not_finite(out.grid, file);
-    report(progress, 1, "Done");
-    return out;
+    return read_file(ByteFile(bytes), name, folder, options, progress);
 }
 
 ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options,
@@ -155,20 +161,22 @@ ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options
         say_not_finite(out.grid, folder.filename().string());
         return out;
     }
-    const std::string bytes = read_bytes(path, options.max_bytes);
+    const ByteFile file = ByteFile::opened(path);
     const std::string folder = absolute.parent_path().string();
     // The samples of a NIfTI or Analyze volume beside its head.
-    if (extension_of(path) == ".img" && !options.raw && !is_nifti(bytes)) {
+    std::string begin;
+    if (extension_of(path) == ".img" && !options.raw &&
+        !is_nifti(file.part(0, nifti2_head_bytes, begin))) {
         const fs::path head = fs::path(absolute).replace_extension(".hdr");
         if (fs::is_regular_file(head, error)) {
-            ReadVolume out = read_volume_bytes(read_bytes(head.string(), options.max_bytes),
-                                               head.string(), folder, options, progress);
+            ReadVolume out = read_file(ByteFile::opened(head.string()), head.string(), folder,
+                                       options, progress);
             std::erase(out.companions, absolute.filename().string());
             out.companions.push_back(head.filename().string());
             return out;
         }
     }
-    return read_volume_bytes(bytes, path, folder, options, progress);
+    return read_file(file, path, folder, options, progress);
 }
 
 } // namespace trivar

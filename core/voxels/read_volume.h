@@ -13,8 +13,10 @@ namespace trivar {
 // NRRD (.nrrd, .nhdr), NIfTI-1 and -2 (.nii, .nii.gz, .hdr with .img), MetaImage (.mha, .mhd),
 // legacy VTK structured points (.vtk), VTK image data (.vti), DICOM, raw. A folder is a DICOM
 // series, or else a stack of pictures; of a DICOM file with one slice its whole series in the
-// folder is read. docs/volumes.md has what is kept and what is refused. Needs twice the memory of
-// the samples. Throws Rejected with one sentence, having changed nothing.
+// folder is read. docs/volumes.md has what is kept and what is refused. Takes memory for the
+// samples of the part that is asked for and for a few slices; more where the format cannot be read
+// bit by bit: numbers in words or in base64, a DICOM file with many frames. Throws Rejected with
+// one sentence, having changed nothing.
 ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options = {},
                        const Progress& progress = {});
 

@@ -36,6 +36,23 @@ std::size_t size_of(SampleType type)
     return 0;
 }
 
+std::size_t kept_size_of(SampleType type)
+{
+    constexpr std::size_t of_float = 4, whole = 2; // what is longer than `whole` becomes a float
+    return size_of(type) <= whole ? size_of(type) : of_float;
+}
+
+VoxelGrid::Samples samples_for(SampleType type, std::size_t count)
+{
+    switch (type) {
+    case SampleType::u8: return std::vector<std::uint8_t>(count);
+    case SampleType::i8: return std::vector<std::int8_t>(count);
+    case SampleType::u16: return std::vector<std::uint16_t>(count);
+    case SampleType::i16: return std::vector<std::int16_t>(count);
+    default: return std::vector<float>(count);
+    }
+}
+
 const char* words_of(SampleType type)
 {
     switch (type) {

@@ -16,6 +16,7 @@ enum class SampleType { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
 enum class ByteOrder { little, big };
 
 std::size_t size_of(SampleType type);         // in bytes
+std::size_t kept_size_of(SampleType type);    // of a sample in memory, bytes
 const char* words_of(SampleType type);        // "unsigned 16-bit whole numbers"
 std::string with_commas(std::uint64_t count); // "262,144"
 
@@ -47,6 +48,9 @@ TakenSamples taken_samples(std::string_view bytes, SampleType type, ByteOrder or
 // commas. Throws Rejected where there are more or fewer than the block has, or a word is no number
 // of the type; "nan" and "inf" are numbers of f32 and f64.
 TakenSamples taken_words(std::string_view text, const SampleBlock& block, const std::string& name);
+
+// Samples for a type, all 0.
+VoxelGrid::Samples samples_for(SampleType type, std::size_t count);
 
 // The sentence for values that were rounded; nothing for none.
 std::optional<std::string> rounded_sentence(std::size_t rounded, SampleType type);

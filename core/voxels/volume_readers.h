@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/voxels/part_taker.h"
 #include "core/voxels/sample_type.h"
 #include "core/voxels/volume_frame.h"
 #include "core/voxels/volume_options.h"
@@ -8,15 +9,16 @@
 
 namespace trivar {
 
-// There is one reader per format. Each gives the samples and where they lie; sizes are checked
-// against the bytes before memory is taken. What all volumes have in common (finite values, the
-// file's name in sentences) is seen to by read_volume. All of them throw Rejected.
-VoxelGrid read_nrrd(VolumeSource& source, const ReadVolumeOptions& options);
-VoxelGrid read_nifti(VolumeSource& source, const ReadVolumeOptions& options);
-VoxelGrid read_meta_image(VolumeSource& source, const ReadVolumeOptions& options);
-VoxelGrid read_legacy_vtk(VolumeSource& source, const ReadVolumeOptions& options);
-VoxelGrid read_vti(VolumeSource& source, const ReadVolumeOptions& options);
-VoxelGrid read_raw(VolumeSource& source, const ReadVolumeOptions& options);
+// There is one reader per format. Each gives the samples of the part that the options ask for, and
+// where they lie, and sets the part; sizes are checked against the bytes before memory is taken.
+// What all volumes have in common (finite values, the file's name in sentences) is seen to by
+// read_volume. All of them throw Rejected.
+ReadVolume read_nrrd(VolumeSource& source, const ReadVolumeOptions& options);
+ReadVolume read_nifti(VolumeSource& source, const ReadVolumeOptions& options);
+ReadVolume read_meta_image(VolumeSource& source, const ReadVolumeOptions& options);
+ReadVolume read_legacy_vtk(VolumeSource& source, const ReadVolumeOptions& options);
+ReadVolume read_vti(VolumeSource& source, const ReadVolumeOptions& options);
+ReadVolume read_raw(VolumeSource& source, const ReadVolumeOptions& options);
 
 // The unit of a file: as the user says, else as the file, else millimetres. `of_file` is in metres,
 // 0 where the file says nothing.
@@ -27,8 +29,11 @@ inline double metres_per_unit(const ReadVolumeOptions& options, double of_file)
     return of_file > 0 ? of_file : millimetre;
 }
 
-// A grid of samples that were read, with the sentence for what they lost.
-VoxelGrid grid_of(VolumeSource& source, const SampleBlock& block, TakenSamples samples,
-                  const VolumeFrame& frame, double metres_per_unit);
+// A volume of the part that was taken, with the sentence for what samples lost. `frame` is that of
+// the whole volume.
+ReadVolume volume_of(VolumeSource& source, PartTaker& taker, SampleType type,
+                     const VolumeFrame& frame, double metres_per_unit);
+// Where a part lies, of where the whole does.
+glm::dmat4 place_of(const GridPart& part, const glm::dmat4& to_metres);
 
 } // namespace trivar

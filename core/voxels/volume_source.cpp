@@ -2,21 +2,48 @@
 #include "core/voxels/volume_source.h"
 
 #include "core/base/rejected.h"
-#include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
+#include "core/voxels/sample_type.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
+namespace {
 
-VolumeSource::VolumeSource(std::string_view bytes, std::string name, const std::string& folder,
-                           std::uintmax_t most_bytes)
-    : bytes_(bytes),
+constexpr std::uint64_t longest_head = std::uint64_t{4} << 20;
+
+void check_most(std::uint64_t bytes, std::uintmax_t most, const std::string& name)
+{
+    if (bytes > most)
+        throw Rejected(
+            fmt::format("{}: has {} bytes, more than the {} allowed", name, bytes, most));
+}
+
+} // namespace
+
+VolumeSource::VolumeSource(ByteFile file, std::string name, const std::string& folder,
+                           const ReadVolumeOptions& options, Progress progress)
+    : file_(std::move(file)),
       name_(std::move(name)),
       files_(folder),
-      bytes_left_(most_bytes - std::min<std::uintmax_t>(most_bytes, bytes.size()))
+      bytes_left_(options.max_bytes),
+      most_in_memory_(options.memory_bytes),
+      progress_(std::move(progress))
 {
+    check_most(file_.size(), bytes_left_, name_);
+    bytes_left_ -= file_.size();
+    head_ = file_.part(0, longest_head, head_buffer_);
+}
+
+std::string_view VolumeSource::bytes()
+{
+    if (file_.size() == head_.size()) return head_;
+    if (file_.is_in_memory() || whole_buffer_.empty()) {
+        check_most(file_.size(), file_.is_in_memory() ? file_.size() : most_in_memory_, name_);
+        return file_.part(0, file_.size(), whole_buffer_);
+    }
+    return whole_buffer_;
 }
 
 std::string VolumeSource::beside(std::string_view name)
@@ -28,11 +55,22 @@ std::string VolumeSource::beside(std::string_view name)
     return found->path;
 }
 
-std::string VolumeSource::read_beside(std::string_view name)
+ByteFile VolumeSource::open_beside(std::string_view name)
 {
-    std::string bytes = trivar::read_bytes(beside(name), bytes_left_);
-    bytes_left_ -= bytes.size();
-    return bytes;
+    const std::string path = beside(name);
+    ByteFile file = ByteFile::opened(path);
+    check_most(file.size(), bytes_left_, path);
+    bytes_left_ -= file.size();
+    return file;
+}
+
+ByteFile VolumeSource::whole(const ByteFile& file, const std::string& name) const
+{
+    if (file.is_in_memory()) return file;
+    check_most(file.size(), most_in_memory_, name);
+    std::string bytes;
+    file.part(0, file.size(), bytes);
+    return ByteFile::kept(std::move(bytes));
 }
 
 void VolumeSource::refuse(std::string_view reason) const

@@ -26,11 +26,11 @@ public:
     LegacyVtk(VolumeSource& source, const ReadVolumeOptions& options)
         : source_(source),
           options_(options),
-          scan_(source.bytes())
+          scan_(source.head())
     {
     }
 
-    VoxelGrid grid()
+    ReadVolume volume()
     {
         read_head();
         while (!read_samples_) read_line();
@@ -42,7 +42,9 @@ public:
         const VolumeFrame frame = upright_frame(spacing_, origin_);
         if (!spans_space(frame))
             source_.refuse("its SPACING should be three numbers that are not 0");
-        return grid_of(source_, block_, samples(), frame, metres_per_unit(options_, 0));
+        PartTaker taker(block_, options_, source_.name(), source_.progress());
+        take_samples(taker);
+        return volume_of(source_, taker, block_.type, frame, metres_per_unit(options_, 0));
     }
 
 private:
@@ -131,20 +133,24 @@ private:
         read_samples_ = true;
     }
 
-    TakenSamples samples()
+    void take_samples(PartTaker& taker)
     {
-        const std::string_view all(scan_.at, static_cast<std::size_t>(scan_.end - scan_.at));
+        const auto from = static_cast<std::uint64_t>(scan_.at - source_.head().data());
         if (!binary_) {
             // Words come after the numbers where the file has more than these.
+            const std::string_view all = source_.bytes().substr(static_cast<std::size_t>(from));
             std::size_t end = 0;
             while (end < all.size() && !begins_word(all, end)) ++end;
-            check_rest(all.substr(end));
-            return taken_words(all.substr(0, end), block_, source_.name());
+            check_rest(from + end);
+            if (taker.wants_samples())
+                taker.take(taken_words(all.substr(0, end), block_, source_.name()));
+            return;
         }
-        const std::size_t needed = block_.bytes();
-        if (all.size() < needed) check_bytes(block_, all.size(), source_.name());
-        check_rest(all.substr(needed));
-        return taken_samples(all.substr(0, needed), block_.type, ByteOrder::big);
+        const std::uint64_t needed = block_.bytes(), bytes = source_.size() - from;
+        if (bytes < needed) check_bytes(block_, bytes, source_.name());
+        check_rest(from + needed);
+        if (taker.wants_samples())
+            taker.take(stream_of(source_.file(), from, needed), ByteOrder::big);
     }
 
     // Whether a word of capitals begins here, at the beginning of a line.
@@ -155,11 +161,20 @@ private:
     }
 
     // Behind the samples may stand an end of line, and other data, which are left out.
-    void check_rest(std::string_view rest)
+    void check_rest(std::uint64_t from)
     {
-        const std::size_t bytes = rest.size();
-        while (!rest.empty() && (is_blank(rest[0]) || rest[0] == '\n')) rest.remove_prefix(1);
-        if (rest.empty()) return;
+        constexpr std::uint64_t at_once = std::uint64_t{1} << 16;
+        const std::uint64_t bytes = source_.size() - from;
+        std::string buffer;
+        std::string_view rest;
+        do {
+            rest = source_.file().part(from, at_once, buffer);
+            const std::size_t before = rest.size();
+            while (!rest.empty() && (is_blank(rest[0]) || rest[0] == '\n')) rest.remove_prefix(1);
+            if (before == 0) return;
+            from += before - rest.size();
+        } while (rest.empty());
+        rest = source_.file().part(from, at_once, buffer);
         TextScan scan(rest.substr(0, 40));
         const std::string word(scan.word());
         for (const char* known :
@@ -207,9 +222,9 @@ private:
 
 } // namespace
 
-VoxelGrid read_legacy_vtk(VolumeSource& source, const ReadVolumeOptions& options)
+ReadVolume read_legacy_vtk(VolumeSource& source, const ReadVolumeOptions& options)
 {
-    return LegacyVtk(source, options).grid();
+    return LegacyVtk(source, options).volume();
 }
 
 } // namespace trivar
