@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/simplex/closed_surface.h"
+#include "core/simplex/mesher_cells.h"
 #include "core/simplex/simplex_domain.h"
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 
 namespace trivar {
 namespace {
@@ -73,31 +73,6 @@ std::vector<std::vector<CgalKernel::Point_3>> bent_edges(const CgalSurface& surf
     return out;
 }
 
-SimplexMesh<3> taken_from(const Complex& complex)
-{
-    SimplexMesh<3> out;
-    std::map<Triangulation::Vertex_handle, int> numbers; // not a result's order
-    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
-        std::array<int, 4> cell;
-        std::array<glm::dvec3, 4> at;
-        for (int k = 0; k < 4; ++k) {
-            const auto v = c->vertex(k);
-            const auto [found, added] =
-                numbers.try_emplace(v, static_cast<int>(out.vertices.size()));
-            if (added) {
-                const auto& p = v->point();
-                out.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                          CGAL::to_double(p.z()));
-            }
-            cell[static_cast<std::size_t>(k)] = found->second;
-            at[static_cast<std::size_t>(k)] = out.vertices[static_cast<std::size_t>(found->second)];
-        }
-        if (orientation(at) < 0) std::swap(cell[2], cell[3]);
-        out.cells.push_back(cell);
-    }
-    return out;
-}
-
 SimplexMesh<3> meshed(const CgalSurface& surface, const Grading& grading, double least_bend)
 {
     CGAL::get_default_random() = CGAL::Random(0);
@@ -121,7 +96,7 @@ SimplexMesh<3> meshed(const CgalSurface& surface, const Grading& grading, double
         throw Rejected(fmt::format("The cage needs more than {} cells: its edges or angles are "
                                    "too small.",
                                    grading.cell_limit));
-    return taken_from(complex);
+    return mesher_cells(complex);
 }
 
 double volume(const SimplexMesh<3>& mesh)

@@ -32,12 +32,14 @@ MultiIndex<S> same_knots(const std::array<int, S + 1>& from, const MultiIndex<S>
 
 } // namespace
 
-template <int S> std::vector<int> shared_points(const SimplexDomain<S>& domain)
+template <int S>
+std::vector<int> shared_points(const SimplexDomain<S>& domain, PointSharing sharing)
 {
     const auto indices = multi_indices<S>(domain.degree);
     std::vector<int> depth;
     for (std::size_t v = 0; v < domain.vertex_count(); ++v)
-        depth.push_back(stacked(domain, static_cast<int>(v)));
+        depth.push_back(sharing == PointSharing::all ? domain.degree
+                                                     : stacked(domain, static_cast<int>(v)));
     JoinedSets sets(domain.cells.size() * indices.size());
     const std::vector<CellFace<S>> faces = sorted_faces(domain);
     std::vector<std::array<int, S>> cuts = domain.cuts;
@@ -70,7 +72,7 @@ template <int S> std::vector<int> shared_points(const SimplexDomain<S>& domain)
     return out;
 }
 
-template std::vector<int> shared_points(const SimplexDomain<2>&);
-template std::vector<int> shared_points(const SimplexDomain<3>&);
+template std::vector<int> shared_points(const SimplexDomain<2>&, PointSharing);
+template std::vector<int> shared_points(const SimplexDomain<3>&, PointSharing);
 
 } // namespace trivar

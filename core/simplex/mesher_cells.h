@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplex/simplex_domain.h"
+#include "core/simplex/simplex_mesh.h"
+
+#include <map>
+
+namespace trivar {
+
+// The cells of a complex of CGAL's mesher, in its order; vertices by their first use.
+template <class Complex> SimplexMesh<3> mesher_cells(const Complex& complex)
+{
+    SimplexMesh<3> out;
+    std::map<typename Complex::Vertex_handle, int> numbers; // not a result's order
+    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
+        std::array<int, 4> cell;
+        std::array<glm::dvec3, 4> at;
+        for (int k = 0; k < 4; ++k) {
+            const auto v = c->vertex(k);
+            const auto [found, added] =
+                numbers.try_emplace(v, static_cast<int>(out.vertices.size()));
+            if (added) {
+                const auto& p = v->point();
+                out.vertices.emplace_back(p.x(), p.y(), p.z());
+            }
+            cell[static_cast<std::size_t>(k)] = found->second;
+            at[static_cast<std::size_t>(k)] = out.vertices[static_cast<std::size_t>(found->second)];
+        }
+        if (orientation(at) < 0) std::swap(cell[2], cell[3]);
+        out.cells.push_back(cell);
+    }
+    return out;
+}
+
+} // namespace trivar
