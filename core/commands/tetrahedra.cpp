@@ -7,6 +7,7 @@
 #include "core/commands/group.h"
 #include "core/simplex/tetrahedra_layers.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -17,13 +18,30 @@ constexpr std::size_t most_edits = 10000;
 void check(const TetrahedraEdit& edit)
 {
     const int kinds = (edit.pull ? 1 : 0) + (edit.warp ? 1 : 0) + (edit.crease ? 1 : 0) +
-                      (edit.refinement ? 1 : 0);
+                      (edit.refinement ? 1 : 0) + (edit.cloud ? 1 : 0);
     if (kinds != 1)
-        throw Rejected(
-            fmt::format("an edit is one of pull, warp, crease and refinement, not {}", kinds));
+        throw Rejected(fmt::format(
+            "an edit is one of pull, warp, crease, refinement and cloud, not {}", kinds));
     if (edit.crease && edit.crease->places.empty())
         throw Rejected("field \"places\" of the crease is empty");
     if (edit.refinement) (void)cells_near(*edit.refinement); // which refuses what cannot be
+}
+
+// Knots that were moved by hand may cross.
+void check_clouds(const TetrahedraShape& shape)
+{
+    if (std::ranges::any_of(shape.edits, [](const TetrahedraEdit& e) { return !!e.cloud; }))
+        (void)domain_of(shape);
+}
+
+// "Pull by 0.2 m", "Turn 3 places".
+std::string words_of(const TetrahedraPull& pull)
+{
+    const std::string places =
+        pull.also.empty() ? "" : fmt::format(" {} places", pull.also.size() + 1);
+    if (pull.by != glm::dvec3(0))
+        return fmt::format("Pull{} by {:.3g} m", places, glm::length(pull.by));
+    return (pull.factors != glm::dvec3(1) ? "Scale" : "Turn") + places;
 }
 
 const TetrahedraShape& volume_of(const Document& document, Id id)
@@ -56,11 +74,30 @@ void check(const TetrahedraShape& shape)
         throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
                                    shape.edits.size(), most_edits));
     for (const TetrahedraEdit& edit : shape.edits) check(edit);
+    check_clouds(shape);
 }
 
 std::string size_words(const SimplexSheetShape& shape)
 {
     return fmt::format("{:.3g} × {:.3g} m", shape.size.x, shape.size.y);
+}
+
+Document applied(Document document, const SetSimplexSheet& command)
+{
+    const Object& o = object(document, command.object);
+    if (!std::holds_alternative<SimplexSheetShape>(o.source))
+        throw Rejected(fmt::format("field \"object\": {} is not a surface of simplex splines",
+                                   named(command.object, o)));
+    return with_changed(std::move(document), command.object,
+                        [&](Object& changed) { changed.source = command.shape; });
+}
+
+StepTitle title(const SetSimplexSheet& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    const auto* old = object ? std::get_if<SimplexSheetShape>(&object->source) : nullptr;
+    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Sheet",
+                            name_in(step.before, c.object));
 }
 
 Document applied(Document document, const AddTetrahedra& command)
@@ -104,16 +141,17 @@ Document applied(Document document, const EditTetrahedra& command)
     if (shape.edits.size() == most_edits)
         throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
     shape.edits.push_back(command.edit);
+    if (command.edit.crease || command.edit.cloud) check_clouds(shape);
     return with_shape(std::move(document), command.object, std::move(shape));
 }
 
 std::string words_of(const TetrahedraEdit& edit, int degree)
 {
-    if (edit.pull)
-        return edit.pull->by == glm::dvec3(0)
-                   ? "Turn"
-                   : fmt::format("Pull by {:.3g} m", glm::length(edit.pull->by));
+    if (edit.pull) return words_of(*edit.pull);
     if (edit.warp) return "Warp";
+    if (edit.cloud)
+        return edit.cloud->knot == 0 ? "Move a cloud of knots"
+                                     : fmt::format("Move knot {}", edit.cloud->knot);
     if (edit.refinement) return fmt::format("Refine to {:.3g} m", edit.refinement->edge);
     if (!edit.crease) return "Nothing";
     return edit.crease->depth >= degree

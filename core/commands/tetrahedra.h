@@ -14,6 +14,28 @@ void check(const TetrahedraShape& shape);
 std::string size_words(const SimplexSheetShape& shape);
 using AddSimplexSheet = AddShape<SimplexSheetShape>;
 
+struct SetSimplexSheet {
+    static constexpr std::string_view verb = "set_simplex_sheet",
+                                      summary = "Change a surface of simplex splines.";
+    Id object = 0;
+    SimplexSheetShape shape = {};
+    bool operator==(const SetSimplexSheet&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a surface of simplex splines", required);
+        FieldsOf<SimplexSheetShape>::fields(c.shape, field);
+    }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetSimplexSheet> as_it_is(const Object& object, Id id)
+    {
+        const auto* own = std::get_if<SimplexSheetShape>(&object.source);
+        if (!own) return std::nullopt;
+        return SetSimplexSheet{id, *own};
+    }
+};
+Document applied(Document document, const SetSimplexSheet& command);
+StepTitle title(const SetSimplexSheet& c, const StepDocuments& step);
+
 struct AddTetrahedra {
     static constexpr std::string_view verb = "add_tetrahedra",
                                       summary =

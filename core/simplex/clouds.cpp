@@ -169,7 +169,8 @@ public:
                 throw Rejected("Three cells of the domain share one face.");
     }
 
-    SimplexDomain<S> operator()(const CloudStyle& style, const std::vector<Crease<S>>& creases)
+    SimplexDomain<S> operator()(const CloudStyle& style, const std::vector<Crease<S>>& creases,
+                                const std::vector<CloudShift<S>>& shifts)
     {
         stars_.resize(out_.vertex_count());
         look_at_faces(creases);
@@ -193,6 +194,8 @@ public:
         put_knots();
         // 0.7^40: nothing is left
         for (int round = 0; round < 40 && draw_nearer(); ++round) put_knots();
+        for (const CloudShift<S>& each : shifts) shift(each);
+        if (!shifts.empty()) check(out_);
         return std::move(out_);
     }
 
@@ -250,6 +253,20 @@ private:
                         scale_[v];
     }
 
+    void shift(const CloudShift<S>& by)
+    {
+        const int n = out_.degree;
+        if (by.vertex < 0 || by.vertex >= static_cast<int>(stars_.size())) return;
+        const Vec<S>& vertex = out_.vertex(by.vertex);
+        for (int j = 1; j <= n; ++j) {
+            if (by.knot != 0 && by.knot != j) continue;
+            Vec<S>& knot = out_.knots[static_cast<std::size_t>(by.vertex * (n + 1) + j)];
+            const std::vector<Vec<S>> planes = planes_of(star(by.vertex), j, n);
+            if (planes.size() >= static_cast<std::size_t>(S)) continue;
+            knot += within(by.factor * (knot - vertex) + by.by - (knot - vertex), planes);
+        }
+    }
+
     bool draw_nearer() // returns whether a cloud moved
     {
         std::vector<bool> nearer(stars_.size(), false);
@@ -282,14 +299,17 @@ private:
 template <int S>
 SimplexDomain<S> with_clouds(std::vector<glm::vec<S, double>> vertices,
                              std::vector<std::array<int, S + 1>> cells, int degree,
-                             const CloudStyle& style, const std::vector<Crease<S>>& creases)
+                             const CloudStyle& style, const std::vector<Crease<S>>& creases,
+                             const std::vector<CloudShift<S>>& shifts)
 {
-    return Maker<S>(std::move(vertices), std::move(cells), degree)(style, creases);
+    return Maker<S>(std::move(vertices), std::move(cells), degree)(style, creases, shifts);
 }
 
 template SimplexDomain<2> with_clouds(std::vector<glm::dvec2>, std::vector<std::array<int, 3>>, int,
-                                      const CloudStyle&, const std::vector<Crease<2>>&);
+                                      const CloudStyle&, const std::vector<Crease<2>>&,
+                                      const std::vector<CloudShift<2>>&);
 template SimplexDomain<3> with_clouds(std::vector<glm::dvec3>, std::vector<std::array<int, 4>>, int,
-                                      const CloudStyle&, const std::vector<Crease<3>>&);
+                                      const CloudStyle&, const std::vector<Crease<3>>&,
+                                      const std::vector<CloudShift<3>>&);
 
 } // namespace trivar

@@ -13,6 +13,16 @@ template <int S> struct Crease {
     bool operator==(const Crease&) const = default;
 };
 
+// A CloudShift moves knots of one vertex after the clouds were made: their distance from the vertex
+// grows by a factor, then they move. Those that a crease holds in a plane stay in it.
+template <int S> struct CloudShift {
+    int vertex = 0;
+    int knot = 0; // 1 .. degree; 0: all
+    glm::vec<S, double> by{0};
+    double factor = 1;
+    bool operator==(const CloudShift&) const = default;
+};
+
 // What clouds on the border of a domain are like: outside, so that the functions sum to 1 in all of
 // the domain; stacked on the vertex, so that control points lie on the border, too; or free, as
 // inside, so that each function fades smoothly, and their sum where the domain ends.
@@ -32,11 +42,13 @@ struct CloudStyle {
 //  - at creases, in the planes of all creases at the vertex. A vertex on the rim of a crease keeps
 //    its cloud: what is cut closes at its rim. The rim is where an odd number of creased faces
 //    meet, but for the border.
-// Clouds that would cross are drawn nearer until they do not. Throws Rejected for vertices and
-// cells that check() refuses. The same bits everywhere. O(number of cells).
+// Clouds that would cross are drawn nearer until they do not; those that are shifted so that they
+// cross are refused. Throws Rejected for vertices and cells that check() refuses. The same bits
+// everywhere. O(number of cells).
 template <int S>
 SimplexDomain<S>
 with_clouds(std::vector<glm::vec<S, double>> vertices, std::vector<std::array<int, S + 1>> cells,
-            int degree, const CloudStyle& style = {}, const std::vector<Crease<S>>& creases = {});
+            int degree, const CloudStyle& style = {}, const std::vector<Crease<S>>& creases = {},
+            const std::vector<CloudShift<S>>& shifts = {});
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/tetrahedra_layers.h"
 
+#include "core/base/box.h"
 #include "core/base/rejected.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/clouds.h"
@@ -30,6 +31,26 @@ std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<Tet
             if (within(edit.crease->places, edit.crease->radius, middle))
                 out.push_back({face.vertices, edit.crease->depth});
         }
+    }
+    return out;
+}
+
+// What the edits do to clouds. A vertex is one within a millionth of the domain's size.
+std::vector<CloudShift<3>> shifts(const SimplexMesh<3>& mesh,
+                                  const std::vector<TetrahedraEdit>& edits)
+{
+    std::vector<CloudShift<3>> out;
+    Box box;
+    for (const TetrahedraEdit& edit : edits) {
+        if (!edit.cloud) continue;
+        if (box.empty())
+            for (const glm::dvec3& v : mesh.vertices) box.add(v);
+        const auto found = std::ranges::find_if(mesh.vertices, [&](const glm::dvec3& v) {
+            return glm::distance(v, edit.cloud->at) <= 1e-6 * glm::length(box.size());
+        });
+        if (found != mesh.vertices.end())
+            out.push_back({static_cast<int>(found - mesh.vertices.begin()), edit.cloud->knot,
+                           edit.cloud->by, edit.cloud->factor});
     }
     return out;
 }
@@ -101,15 +122,20 @@ SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement)
     return out;
 }
 
+SimplexDomain<3> domain_of(const TetrahedraShape& shape)
+{
+    const SimplexMesh<3> mesh = domain_cells(shape);
+    return with_clouds<3>(mesh.vertices, mesh.cells, shape.degree, {.spread = shape.spread},
+                          creases(mesh, shape.edits), shifts(mesh, shape.edits));
+}
+
 std::vector<Ref<SimplexBasis<3>>> layers_of(const TetrahedraShape& shape)
 {
     const auto made = [](SimplexDomain<3> domain) {
         return make_ref(SimplexBasis<3>(std::move(domain)));
     };
-    const SimplexMesh<3> mesh = domain_cells(shape);
     std::vector<Ref<SimplexBasis<3>>> out;
-    out.push_back(made(with_clouds<3>(mesh.vertices, mesh.cells, shape.degree,
-                                      {.spread = shape.spread}, creases(mesh, shape.edits))));
+    out.push_back(made(domain_of(shape)));
     for (const TetrahedraEdit& edit : shape.edits) {
         if (!edit.refinement) continue;
         const SimplexMesh<3> near = cells_near(*edit.refinement);

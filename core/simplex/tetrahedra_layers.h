@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
 #include "core/simplex/box_domain.h"
 #include "core/simplex/simplex_basis.h"
 #include "core/simplex/tetrahedra_shape.h"
@@ -17,7 +18,10 @@ SimplexMesh<3> domain_cells(const TetrahedraShape& shape);
 // places. Throws Rejected where they are none or more than most_cells.
 SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement);
 
-// The domain with its creases, and one layer per refinement, whose functions fade smoothly at its
+// The domain with its creases and clouds. Throws Rejected for what check() refuses.
+SimplexDomain<3> domain_of(const TetrahedraShape& shape);
+
+// That domain, and one layer per refinement, whose functions fade smoothly at its
 // border. Throws Rejected for what check() refuses, and for degrees and sizes out of range.
 std::vector<Ref<SimplexBasis<3>>> layers_of(const TetrahedraShape& shape);
 

@@ -12,14 +12,17 @@
 
 namespace trivar {
 
-// A TetrahedraPull moves and turns the control points in a ball as one, less and less toward its
-// rim. It does not reach across cuts.
+// A TetrahedraPull scales, turns and moves the control points in one or several balls as one, less
+// and less toward the rims. It does not reach across cuts. Balls round resting
+// places that hold no other ones, with the decay `box`, move control points by hand.
 struct TetrahedraPull {
     int layer = 0; // 0: the domain; n: the nth refinement
     glm::dvec3 at{0};
-    double radius = 0.5; // metres
-    glm::dvec3 by{0};    // metres
-    glm::dvec3 rotation_deg{0};
+    std::vector<glm::dvec3> also = {}; // middles of more balls of that radius
+    double radius = 0.5;               // metres
+    glm::dvec3 by{0};                  // metres
+    // About X, Y and Z and along them, about the middle of where the balls' middles are now.
+    glm::dvec3 rotation_deg{0}, factors{1};
     Decay decay = Decay::smooth;
     bool guard = true; // does no more of it than keeps det J above 0 at the samples
     bool operator==(const TetrahedraPull&) const = default;
@@ -34,6 +37,17 @@ struct TetrahedraCrease {
     bool operator==(const TetrahedraCrease&) const = default;
 };
 
+// A TetrahedraCloud moves knots of the cloud of one vertex of the domain from where they would be:
+// all of them `factor` times as far from the vertex, then by some way. Knots that a crease holds in
+// a plane stay in it.
+struct TetrahedraCloud {
+    glm::dvec3 at{0}; // where the vertex is; where none is, nothing changes
+    int knot = 0;     // 1 .. degree; 0: all
+    glm::dvec3 by{0}; // metres
+    double factor = 1;
+    bool operator==(const TetrahedraCloud&) const = default;
+};
+
 // A TetrahedraRefinement adds a layer of smaller tetrahedra round some places. Its control points
 // add to the displacement of all layers before, and begin at 0, so that nothing changes its shape
 // [Forsey, Bartels, Hierarchical B-spline refinement, 1988].
@@ -44,12 +58,13 @@ struct TetrahedraRefinement {
     bool operator==(const TetrahedraRefinement&) const = default;
 };
 
-// A TetrahedraEdit holds exactly one of these. Creases apply from the beginning.
+// A TetrahedraEdit holds exactly one of these. Creases and clouds apply from the beginning.
 struct TetrahedraEdit {
     std::optional<TetrahedraPull> pull = {};
     std::optional<Warp> warp = {}; // of the box round the domain
     std::optional<TetrahedraCrease> crease = {};
     std::optional<TetrahedraRefinement> refinement = {};
+    std::optional<TetrahedraCloud> cloud = {};
     bool operator==(const TetrahedraEdit&) const = default;
 };
 

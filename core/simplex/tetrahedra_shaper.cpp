@@ -44,10 +44,11 @@ const TetrahedraRefinement* refinement(const TetrahedraShape& shape, int number)
 }
 
 // The shape with only the edits that change the domain.
-TetrahedraShape domain_of(TetrahedraShape shape)
+TetrahedraShape domain_alone(TetrahedraShape shape)
 {
-    std::erase_if(shape.edits,
-                  [](const TetrahedraEdit& edit) { return !edit.crease && !edit.refinement; });
+    std::erase_if(shape.edits, [](const TetrahedraEdit& edit) {
+        return !edit.crease && !edit.refinement && !edit.cloud;
+    });
     return shape;
 }
 
@@ -57,7 +58,7 @@ ShapedTetrahedra TetrahedraShaper::operator()(const TetrahedraShape& shape,
                                               const Progress& progress)
 {
     report(progress, 0, "shape");
-    const Ref<Domain> domain = domains_(domain_of(shape), [&] {
+    const Ref<Domain> domain = domains_(domain_alone(shape), [&] {
         Domain made{layers_of(shape), {}};
         made.guard = Lazy<FoldGuard>([layers = made.layers] { return FoldGuard(layers); });
         return make_ref(std::move(made));

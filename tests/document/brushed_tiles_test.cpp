@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id round_base = 2, brushed = 12, flat_box = 13;
+constexpr Id round_base = 2, brushed = 13, flat_box = 14;
 
 Ref<EvaluatedObject> layer_in(const Document& document)
 {

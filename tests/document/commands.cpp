@@ -164,7 +164,7 @@ Document fitting_document()
               PeelFlap{.object = 5, .flap = a_flap()});
     const Document volume =
         after(peeled, AddVoxels{.shape = {.path = "head.nrrd", .levels = {{.value = 3}}}});
-    return after(volume, AddTetrahedra{.objects = {9}});
+    return after(after(volume, AddTetrahedra{.objects = {9}}), AddSimplexSheet{});
 }
 
 std::vector<Command> fitting_commands()
@@ -230,6 +230,7 @@ std::vector<Command> fitting_commands()
             SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}}},
             EditTetrahedra{.object = 11, .edit = {.pull = TetrahedraPull{.by = {0.1, 0, 0}}}},
             AddSimplexSheet{.shape = {.lifts = {SheetLift{}}}},
+            SetSimplexSheet{.object = 12, .shape = {.degree = 3}},
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-constexpr Id base_ball = 2, layer_stud = 8, other_box = 12; // of mixed_document()
+constexpr Id base_ball = 2, layer_stud = 8, other_box = 13; // of mixed_document()
 
 // A layer of cylinders on a ball, mixed with a box that is red.
 Document mixed_document(double own = 1, double of_box = 1)
@@ -170,7 +170,7 @@ TEST(MixTiles, IsRefusedInASentence)
     expect_no_mix(PaintTiles{other_box, layer_stud, a_tile_stroke()}, "depends on");
 }
 
-constexpr Id morphing = 12, morph_into = 13; // of morphing_document()
+constexpr Id morphing = 13, morph_into = 14; // of morphing_document()
 
 // A layer of cubes on the ball that become flat boxes, or what `into` makes.
 Document morphing_document(const Command& into = AddBox{.shape = {.size = {0.2, 0.2, 0.05},

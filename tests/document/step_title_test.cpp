@@ -78,6 +78,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Boxes of Tetrahedra 3 × 2 × 2",
         "Pull by 0.1 m in Tetrahedra",
         "Add Simplex sheet 2 × 2 m",
+        "Degree of Simplex sheet 3",
         "Twist Lattice 30°",
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",

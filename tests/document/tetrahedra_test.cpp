@@ -146,6 +146,29 @@ TEST(TetrahedraInDocuments, PartTheirContentsAtACut)
     for (const auto& [edge, count] : edges) EXPECT_EQ(count, 2);
 }
 
+TEST(TetrahedraInDocuments, KeepKnotsThatWereMovedAndTheShapeAtRest)
+{
+    const TetrahedraCloud moved{.at = {0, 0, 0}, .knot = 2, .by = {0.05, 0, 0.02}};
+    const Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, {.cloud = moved}});
+    EXPECT_EQ(points_of(document, 1), points_of(ball_in_tetrahedra(), 1));
+    const auto knots_of = [](const Document& d) {
+        return all_of(d).objects.at(2)->tetrahedra->volume->layers[0]->domain().knots;
+    };
+    EXPECT_NE(knots_of(document), knots_of(ball_in_tetrahedra()));
+    const Document read =
+        after(ball_in_tetrahedra(),
+              command_from_json_line(to_json_line(EditTetrahedra{2, {.cloud = moved}})));
+    EXPECT_EQ(digest(read), digest(document));
+}
+
+TEST(TetrahedraInDocuments, SetASheetAsItWasMade)
+{
+    const SimplexSheetShape cubic{.degree = 3, .lifts = {{.by = {0, 0, 0.2}}}};
+    const Document added = after(Document{}, AddSimplexSheet{.shape = cubic});
+    const Document set = after(after(Document{}, AddSimplexSheet{}), SetSimplexSheet{1, cubic});
+    EXPECT_EQ(points_of(set, 1), points_of(added, 1));
+}
+
 TEST(TetrahedraInDocuments, AreCopiedWithTheirEdits)
 {
     const Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
@@ -163,6 +186,10 @@ TEST(TetrahedraInDocuments, RefuseWhatCannotBe)
     };
     refused(EditTetrahedra{1, pulled}, "not a volume of tetrahedra");
     refused(EditTetrahedra{2, {}}, "one of pull");
+    const TetrahedraCloud across{.at = {0, 0, 0}, .knot = 2, .by = {0.9, 0.1, 0}};
+    refused(EditTetrahedra{2, {.cloud = across}}, "The knot clouds at cell");
+    refused(SetTetrahedra{2, {.edits = {{.cloud = across}}}}, "cross");
+    refused(SetSimplexSheet{2, {}}, "not a surface of simplex splines");
     refused(AddTetrahedra{.objects = {}}, "no object");
     refused(AddTetrahedra{.objects = {1}, .shape = {.boxes = {100, 100, 100}}}, "at most 200000");
     refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 7}}, "between 1 and 3");

@@ -15,12 +15,15 @@ template <> struct FieldsOf<TetrahedraPull> {
               in_range(0, 1000).called("Layer").without_keys());
         field("at", p.at, "the middle of the ball, in the volume before it was deformed",
               required.called("Middle").in(Unit::metres));
+        field("also", p.also, "middles of more balls of the same radius", any_value.without_keys());
         field("radius", p.radius, "of the ball, metres",
               positive.called("Radius").in(Unit::metres));
         field("by", p.by, "metres by which its middle moves",
               any_value.called("Move").in(Unit::metres));
         field("rotation_deg", p.rotation_deg, "degrees about X, Y and Z, about its middle",
               in_range(-3600, 3600).called("Turn").in(Unit::degrees));
+        field("factors", p.factors, "by which it grows along X, Y and Z, about its middle",
+              in_range(-1000, 1000).called("Scale"));
         field("decay", p.decay, "how it fades from the middle to the rim",
               any_value.called("Fading"));
         field("guard", p.guard, "stops it before the volume would fold", any_value.called("Guard"));
@@ -50,6 +53,20 @@ template <> struct FieldsOf<TetrahedraRefinement> {
               positive.called("Edge").in(Unit::metres).without_keys());
     }
 };
+template <> struct FieldsOf<TetrahedraCloud> {
+    static constexpr std::string_view told_as = "[cloud](#cloud)";
+    static void fields(auto& c, auto&& field)
+    {
+        field("at", c.at, "where a vertex of the domain is, before it was deformed",
+              required.called("Vertex").in(Unit::metres).without_keys());
+        field("knot", c.knot, "which knot of its cloud, from 1 to the degree; 0: all",
+              in_range(0, 3).called("Knot").without_keys());
+        field("by", c.by, "metres from where the knot would be",
+              any_value.called("Move").in(Unit::metres));
+        field("factor", c.factor, "distance from the vertex, in shares of what it would be",
+              in_range(0, 100).called("Distance").in(Unit::share));
+    }
+};
 template <> struct FieldsOf<TetrahedraEdit> {
     static constexpr std::string_view told_as = "[edit](#edit)";
     static void fields(auto& e, auto&& field)
@@ -58,6 +75,7 @@ template <> struct FieldsOf<TetrahedraEdit> {
         field("warp", e.warp, "the box round the domain twisted, bent, tapered, sheared or bulged");
         field("crease", e.crease, "less continuity across some faces, or none");
         field("refinement", e.refinement, "a layer of smaller tetrahedra, in the same shape");
+        field("cloud", e.cloud, "knots of a vertex moved by hand");
     }
 };
 template <> struct FieldsOf<SheetLift> {
@@ -81,13 +99,17 @@ template <> struct FieldsOf<SimplexSheetShape> {
     static void fields(auto& s, auto&& field)
     {
         field("size", s.size, "along X and Y, metres", positive.in(Unit::metres));
-        field("boxes", s.boxes, "along X and Y, of two triangles each", in_range(1, 100));
-        field("degree", s.degree, "of the splines: 1 linear, 2 quadratic, 3 cubic", in_range(1, 3));
+        field("boxes", s.boxes, "along X and Y, of two triangles each",
+              in_range(1, 100).called("Boxes"));
+        field("degree", s.degree, "of the splines: 1 linear, 2 quadratic, 3 cubic",
+              in_range(1, 3).called("Degree"));
         field("spread", s.spread,
               "distance of knots from their vertex, as a share of its shortest edge",
-              in_range(0.01, 0.3));
-        field("clamped", s.clamped, "whether control points lie on the border");
-        field("segments", s.segments, "of the mesh, along each side", in_range(1, 1000));
+              in_range(0.01, 0.3).called("Spread").in(Unit::share));
+        field("clamped", s.clamped, "whether control points lie on the border",
+              any_value.called("Clamped"));
+        field("segments", s.segments, "of the mesh, along each side",
+              in_range(1, 1000).called("Segments"));
         field("lifts", s.lifts, "control points moved, one circle after the other");
     }
 };

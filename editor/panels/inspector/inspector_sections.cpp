@@ -75,6 +75,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_parted, draw_split},
         {is_made_of<LatticeShape>, draw_lattice},
         {is_made_of<TetrahedraShape>, draw_tetrahedra},
+        {is_made_of<SimplexSheetShape>, draw_simplex_sheet},
         {has_a_volume, draw_shaping},
         {is_made_of<ImportedFile>,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},

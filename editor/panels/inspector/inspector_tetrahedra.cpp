@@ -76,6 +76,7 @@ void number_rows(ValueRows& rows, TetrahedraEdit& edit, std::size_t number)
         FieldRows<TetrahedraPull> fields(rows, *edit.pull, name + "pull");
         fields(&TetrahedraPull::by);
         fields(&TetrahedraPull::rotation_deg);
+        fields(&TetrahedraPull::factors);
         fields(&TetrahedraPull::at);
         fields(&TetrahedraPull::radius);
         fields(&TetrahedraPull::decay);
@@ -85,6 +86,10 @@ void number_rows(ValueRows& rows, TetrahedraEdit& edit, std::size_t number)
         fields(&Warp::axis);
         warp_rows(fields);
         fields(&Warp::guard);
+    } else if (edit.cloud) {
+        FieldRows<TetrahedraCloud> fields(rows, *edit.cloud, name + "cloud");
+        fields(&TetrahedraCloud::by);
+        fields(&TetrahedraCloud::factor);
     } else if (edit.crease) {
         FieldRows<TetrahedraCrease> fields(rows, *edit.crease, "");
         fields(&TetrahedraCrease::radius);
@@ -161,6 +166,21 @@ void draw_tetrahedra(Editor& editor, const ui::Theme& theme, Id id)
         ui::gap(theme, 8);
     }
     draw_edits(editor, theme, id);
+}
+
+void draw_simplex_sheet(Editor& editor, const ui::Theme& theme, Id id)
+{
+    if (!ui::section(theme, "Sheet")) return;
+    auto shape = std::get<SimplexSheetShape>(object(editor.session.document(), id).source);
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
+    FieldRows<SimplexSheetShape> fields(rows, shape, "shape");
+    fields(&SimplexSheetShape::degree);
+    fields(&SimplexSheetShape::spread);
+    fields(&SimplexSheetShape::clamped);
+    fields(&SimplexSheetShape::segments);
+    propose_edit(editor, rows.edit, [&] { return SetSimplexSheet{id, shape}; });
+    ui::gap(theme, 8);
 }
 
 } // namespace trivar

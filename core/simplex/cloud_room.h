@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplex/simplex_domain.h"
+
+#include <span>
+
+namespace trivar {
+
+// The least share of its cell's volume that the simplices of knots keep at the cells round a
+// vertex: those that take one knot of the cloud of each corner, with numbers that sum to the degree
+// at most. Where one turns over, clouds cross: the spline has no basis then. 1: all clouds are
+// stacked. O(number of cells round the vertex), once these are known.
+double cloud_room(const SimplexDomain<3>& domain, std::span<const int> cells_round);
+
+// The greatest share, 0..1, of the movement of one knot (1 .. degree) of a vertex of which no
+// lesser one leaves any of these simplices less than `least_room` of its cell, or less than it has
+// where that is less. Exact, for a simplex's volume is linear in one of its corners.
+inline constexpr double least_room = 0.05;
+double allowed_share(const SimplexDomain<3>& domain, std::span<const int> cells_round, int vertex,
+                     int knot, const glm::dvec3& by);
+
+// Where one knot of a vertex may be so that these simplices keep that much, as far as `reach` from
+// the vertex along each axis: a convex body, by its faces, each in a plane and anticlockwise from
+// outside. About 1 ms.
+std::vector<std::vector<glm::dvec3>> knot_region(const SimplexDomain<3>& domain,
+                                                 std::span<const int> cells_round, int vertex,
+                                                 int knot, double reach);
+
+// The cells round a vertex, ascending. O(number of cells).
+std::vector<int> cells_round(const SimplexDomain<3>& domain, int vertex);
+
+} // namespace trivar
