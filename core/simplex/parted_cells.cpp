@@ -113,8 +113,7 @@ PartedCells parted_cells(const CellParting& parting)
     Complex complex;
     try {
         complex = CGAL::make_mesh_3<Complex>(
-            domain, criteria, Options::no_lloyd(), Options::no_odt(),
-            Options::perturb(Options::sliver_bound = sliver_bound),
+            domain, criteria, Options::no_lloyd(), Options::no_odt(), Options::no_perturb(),
             Options::exude(Options::sliver_bound = sliver_bound),
             Options::mesh_3_options(Options::maximal_number_of_vertices = parting.cell_limit / 3,
                                     Options::pointer_to_error_code = &error));

@@ -2,6 +2,7 @@
 #include "core/simplex/parted_cells.h"
 
 #include "core/base/rejected.h"
+#include "core/simplex/boundary_fit.h"
 #include "tests/simplex/domain_shapes.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,36 @@ TEST(PartedCells, FillTheBoxAndFollowTheBoundary)
     for (const Crease<3>& cut : cuts)
         for (const int v : cut.face)
             EXPECT_NEAR(glm::length(cells.mesh.vertices[static_cast<std::size_t>(v)]), 0.6, 1e-3);
+}
+
+TEST(PartedCells, AreTheSameWhereverTheyLieInMemory)
+{
+    const CellParting parting = ball_in_box(0.35);
+    const PartedCells cells = parted_cells(parting);
+    std::vector<std::vector<char>> holes; // so that the next run gets other addresses
+    for (std::size_t i = 0; i < 5000; ++i) holes.emplace_back(17 * i % 700 + 1);
+    for (std::size_t i = 0; i < holes.size(); i += 3) holes[i] = {};
     EXPECT_EQ(parted_cells(parting).mesh, cells.mesh);
+}
+
+double inner_volume(const PartedCells& cells)
+{
+    SimplexMesh<3> inner{cells.mesh.vertices, {}};
+    for (std::size_t c = 0; c < cells.inside.size(); ++c)
+        if (cells.inside[c]) inner.cells.push_back(cells.mesh.cells[c]);
+    return volume(inner);
+}
+
+TEST(PartedCells, HaveFacesOnBothSidesOfTheBoundaryOnceTheseAreFitted)
+{
+    const CellParting parting = ball_in_box(0.5);
+    const PartedCells cells = parted_cells(parting),
+                      fitted = with_fitted_faces(cells, parting.inside);
+    const double ball = 4.18879 * 0.216;
+    EXPECT_LT(inner_volume(cells), 0.97 * ball);
+    EXPECT_NEAR(inner_volume(fitted), ball, 0.012 * ball);
+    EXPECT_EQ(fault(fitted.mesh), "");
+    EXPECT_NEAR(volume(fitted.mesh), volume(cells.mesh), 1e-9);
 }
 
 TEST(PartedCells, NeedABoundaryAndLengths)
