@@ -366,6 +366,14 @@ private:
         return glm::normalize(inside_[cap.face.cell] == cap.with_face ? sum : -sum);
     }
 
+    // One of the two sides of all cuts, or a direction out of the border.
+    std::array<long, 3> facing(const Cap& cap) const
+    {
+        if (cap.cut) return {inside_[cap.face.cell] == cap.with_face ? 2'000'000 : -2'000'000};
+        const glm::dvec3 out = glm::round(outward(cap.face) * 1e6);
+        return {static_cast<long>(out.x), static_cast<long>(out.y), static_cast<long>(out.z)};
+    }
+
     Mesh finished() const
     {
         Mesh mesh;
@@ -389,22 +397,17 @@ private:
             }
             add_face(mesh, corners);
         }
-        // Those of one side of the cuts share their vertices.
-        std::map<std::tuple<bool, std::uint32_t, bool>, std::uint32_t> of_cut;
+        // Caps that face the same way share their vertices.
+        std::map<std::tuple<bool, std::uint32_t, std::array<long, 3>>, std::uint32_t> of_caps;
         for (const Cap& cap : caps_) {
             std::array<std::uint32_t, 3> corners;
             for (std::size_t i = 0; i < 3; ++i) {
                 const SidePlace& corner = cap.corners[i];
-                const auto made = [&] {
-                    return add(corner.is_root, corner.id, place(corner), cap_normal(cap, corner));
-                };
-                if (!cap.cut) {
-                    corners[i] = made();
-                    continue;
-                }
-                const auto [found, added] = of_cut.try_emplace(
-                    {corner.is_root, corner.id, inside_[cap.face.cell] == cap.with_face}, none);
-                if (added) found->second = made();
+                const auto [found, added] =
+                    of_caps.try_emplace({corner.is_root, corner.id, facing(cap)}, none);
+                if (added)
+                    found->second =
+                        add(corner.is_root, corner.id, place(corner), cap_normal(cap, corner));
                 corners[i] = found->second;
             }
             add_face(mesh, corners);
