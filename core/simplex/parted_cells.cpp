@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/parted_cells.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/mesher_cells.h"
@@ -75,7 +76,24 @@ void check(const CellParting& p)
         throw Rejected("Edges of cells must be longer than 1/1,000 of the box.");
 }
 
-// Vertices on the faces of the box, to what the mesher finds them by, are put exactly there.
+// The nearest place on a face of the box.
+glm::dvec3 on_box(const glm::dvec3& p, const Box& box)
+{
+    glm::dvec3 out = p;
+    double least = infinite;
+    for (int i = 0; i < 3; ++i)
+        for (const double side : {box.lo[i], box.hi[i]})
+            if (std::abs(p[i] - side) < least) {
+                least = std::abs(p[i] - side);
+                out = p;
+                out[i] = side;
+            }
+    return out;
+}
+
+// Vertices on the faces of the box, to what the mesher finds them by, are put exactly there; then
+// others of the border, too: the mesher leaves some inside where the boundary meets the box. Those
+// that would flatten a cell stay.
 void put_on_box(SimplexMesh<3>& mesh, const Box& box)
 {
     const double near = 2 * on_boundary * glm::length(box.size());
@@ -83,6 +101,34 @@ void put_on_box(SimplexMesh<3>& mesh, const Box& box)
         for (int i = 0; i < 3; ++i)
             for (const double side : {box.lo[i], box.hi[i]})
                 if (std::abs(v[i] - side) < near) v[i] = side;
+    const std::vector<std::vector<int>> stars = vertex_stars(mesh);
+    const auto volume = [&](int cell) {
+        std::array<glm::dvec3, 4> at;
+        for (std::size_t k = 0; k < 4; ++k)
+            at[k] = mesh.vertices[static_cast<std::size_t>(
+                mesh.cells[static_cast<std::size_t>(cell)][k])];
+        return orientation(at);
+    };
+    SimplexDomain<3> domain;
+    domain.cells = mesh.cells;
+    const std::vector<CellFace<3>> faces = sorted_faces(domain);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (f + 1 < faces.size() && faces[f].vertices == faces[f + 1].vertices) {
+            ++f;
+            continue;
+        }
+        for (const int number : faces[f].vertices) {
+            glm::dvec3& v = mesh.vertices[static_cast<std::size_t>(number)];
+            const glm::dvec3 from = v;
+            const auto& star = stars[static_cast<std::size_t>(number)];
+            double least = infinite;
+            for (const int c : star) least = std::min(least, volume(c));
+            v = on_box(v, box);
+            if (!std::all_of(star.begin(), star.end(),
+                             [&](int c) { return volume(c) > 0.25 * least; }))
+                v = from;
+        }
+    }
 }
 
 } // namespace
