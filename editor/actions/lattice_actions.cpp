@@ -7,6 +7,7 @@
 #include "editor/files/kept_shapes.h"
 #include "editor/session/scene_facts.h"
 #include "editor/tools/lattice_round.h"
+#include "editor/tools/tetrahedra_round.h"
 
 namespace trivar {
 
@@ -133,7 +134,7 @@ void add_lattice_actions(std::vector<Action>& actions)
                        fitted_tetrahedra_action,
                        {},
                        [](Editor& e) {
-                           if (!fit_tetrahedra_round_selection(e.session)) return;
+                           if (!put_tetrahedra_round_selection(e.session, Around::fitted)) return;
                            e.choose_tool("Tetrahedra");
                        },
                        something_selected(),
@@ -145,7 +146,7 @@ void add_lattice_actions(std::vector<Action>& actions)
                            if (const auto on = e.active_tool().proportional())
                                e.active_tool().set_proportional(!*on);
                        },
-                       {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
+                       {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
                         "choose the Lattice tool first"}});
     actions.back().on = [](const Editor& e) {
         return e.active_tool().proportional().value_or(false);

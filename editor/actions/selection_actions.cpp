@@ -111,7 +111,7 @@ void add_selection_actions(std::vector<Action>& a)
                  "Select more points",
                  {{ui::key_keypad_plus}, {ui::key_equal}},
                  [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
-                 {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
+                 {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
                   "choose control points with the Lattice tool first"}});
     a.push_back({"Select",
                  "Select the same type",

@@ -321,7 +321,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                         (editor.playback.playing() && moves_in_time(session.shown()));
     VolumeFacts& facts = editor.viewport.volume_facts();
     const int state =
-        ((static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0)) * 4 + facts.known()) * 4 +
+        ((static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0)) * 4 + facts.known()) *
+            0x10000 +
         tool.mode();
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);

@@ -76,6 +76,19 @@ std::vector<gpu::Line> bent_lines(const TetrahedraEffects& effects, const Simple
     return out;
 }
 
+// The edges where the domain has them.
+std::vector<gpu::Line> straight_lines(const SimplexDomain<3>& domain, std::span<const Edge> edges,
+                                      const glm::dmat4& to_world, ui::Color color, float width_px)
+{
+    std::vector<gpu::Line> out;
+    for (const auto& [a, b] : edges)
+        out.push_back({{glm::dvec3(to_world * glm::dvec4(domain.vertex(a), 1)),
+                        glm::dvec3(to_world * glm::dvec4(domain.vertex(b), 1))},
+                       ui::linear_light(color),
+                       width_px});
+    return out;
+}
+
 void append(std::vector<gpu::Line>& to, std::vector<gpu::Line> more)
 {
     to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -120,19 +133,48 @@ std::vector<gpu::Line> support_lines(const TetrahedraEffects& volume, const Tetr
     const std::vector<Ref<SimplexBasis<3>>>& layers = volume.tetrahedra->volume->layers;
     if (pull.layer >= static_cast<int>(layers.size())) return {};
     const SimplexBasis<3>& layer = *layers[static_cast<std::size_t>(pull.layer)];
-    const std::vector<bool> reach = reached(layer, pull.at, pull.radius);
+    std::vector<bool> moved(layer.point_count(), false);
+    for (const glm::dvec3& ball : middles(pull)) {
+        const std::vector<bool> reach = reached(layer, ball, pull.radius);
+        for (std::size_t i = 0; i < moved.size(); ++i)
+            if (reach[i] && glm::distance(layer.rest()[i], ball) < pull.radius) moved[i] = true;
+    }
     const std::size_t per_cell = multi_indices<3>(layer.domain().degree).size();
     std::vector<std::array<int, 4>> cells;
     for (std::size_t c = 0; c < layer.domain().cells.size(); ++c)
         for (std::size_t i = 0; i < per_cell; ++i) {
-            const auto point = static_cast<std::size_t>(layer.point_of(c, i));
-            if (!reach[point] || glm::distance(layer.rest()[point], pull.at) >= pull.radius)
-                continue;
+            if (!moved[static_cast<std::size_t>(layer.point_of(c, i))]) continue;
             cells.push_back(layer.domain().cells[c]);
             break;
         }
     return bent_lines(volume, layer.domain(), edges_of(cells), ui::faded(color.sphere, 0.6f),
                       1.4f * line_px);
+}
+
+std::vector<gpu::Line> cell_lines(const SimplexDomain<3>& domain, std::span<const int> cells,
+                                  const glm::dmat4& to_world, ui::Color color, float width_px)
+{
+    std::vector<std::array<int, 4>> some;
+    for (const int c : cells) some.push_back(domain.cells[static_cast<std::size_t>(c)]);
+    return straight_lines(domain, edges_of(some), to_world, color, width_px);
+}
+
+std::vector<gpu::Line> domain_lines(const TetrahedraEffects& volume, std::size_t layer,
+                                    const ui::Palette& color, float line_px)
+{
+    if (!volume.tetrahedra || layer >= volume.tetrahedra->volume->layers.size()) return {};
+    const SimplexDomain<3>& domain = volume.tetrahedra->volume->layers[layer]->domain();
+    const std::vector<Edge> border = border_edges(domain), all = edges_of(domain.cells);
+    std::vector<Edge> inside;
+    std::set_difference(all.begin(), all.end(), border.begin(), border.end(),
+                        std::back_inserter(inside));
+    std::vector<gpu::Line> out =
+        straight_lines(domain, border, volume.tetrahedra_to_world, color.focus, 1.6f * line_px);
+    constexpr std::size_t most_inside = 1500; // more are a fog
+    if (inside.size() <= most_inside)
+        append(out, straight_lines(domain, inside, volume.tetrahedra_to_world,
+                                   ui::faded(color.focus, 0.25f), line_px));
+    return out;
 }
 
 } // namespace trivar

@@ -18,4 +18,12 @@ std::vector<gpu::Line> tetrahedra_lines(const TetrahedraEffects& volume, const u
 std::vector<gpu::Line> support_lines(const TetrahedraEffects& volume, const TetrahedraPull& pull,
                                      const ui::Palette& color, float line_px);
 
+// The edges of a layer's cells before any deformation, in blue; those inside faint.
+std::vector<gpu::Line> domain_lines(const TetrahedraEffects& volume, std::size_t layer,
+                                    const ui::Palette& color, float line_px);
+
+// The edges of some cells of a domain.
+std::vector<gpu::Line> cell_lines(const SimplexDomain<3>& domain, std::span<const int> cells,
+                                  const glm::dmat4& to_world, ui::Color color, float width_px);
+
 } // namespace trivar

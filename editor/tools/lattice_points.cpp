@@ -27,7 +27,6 @@ namespace trivar {
 namespace {
 
 constexpr double point_reach_px = 10; // of the mouse, at scale 1
-constexpr double radius_step = 1.1;   // by a notch of the wheel
 
 // The axis of a volume's row through a point that is seen longest, or of the plane through it that
 // looks at the eye most.

@@ -7,16 +7,11 @@ namespace trivar {
 
 inline constexpr const char* lattice_action = "Lattice round selection";
 
-inline constexpr const char* tetrahedra_action = "Tetrahedra round selection";
+// The group in which all objects are; 0: none. At least one.
+Id common_parent(const Document& document, const std::vector<Id>& ids);
 
-// Puts a box of tetrahedra round the selection, which is then selected itself; false where that is
-// refused.
-bool put_tetrahedra_round_selection(Session& session);
-
-inline constexpr const char* fitted_tetrahedra_action = "Tetrahedra fitted to selection";
-
-// The same with about 2,000 tetrahedra that follow what they hold. O(number of vertices).
-bool fit_tetrahedra_round_selection(Session& session);
+// A box of control points round objects, in the group that holds them.
+AddLattice lattice_round(const Session& session, const std::vector<Id>& ids);
 
 // Puts a box round the selection, which is then selected itself; false where that is refused.
 bool put_lattice_round_selection(Session& session);

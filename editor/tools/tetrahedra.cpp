@@ -8,27 +8,16 @@
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/tools/select.h"
+#include "editor/tools/shown_tetrahedra.h"
 #include "ui/icons.h"
+#include "ui/keys.h"
 
 #include <algorithm>
+#include <cmath>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
-
-const EvaluatedObject* shown_volume(const Session& session, Id id)
-{
-    const auto found = session.evaluated().objects.find(id);
-    return found != session.evaluated().objects.end() && found->second->tetrahedra ? &*found->second
-                                                                                   : nullptr;
-}
-
-const TetrahedraShape* shape_of(const Document& document, Id id)
-{
-    const auto found = document.objects.find(id);
-    return found == document.objects.end() ? nullptr
-                                           : std::get_if<TetrahedraShape>(&found->second->source);
-}
 
 // The last refinement that holds a place; 0: none does.
 int layer_at(const TetrahedraShape& shape, const glm::dvec3& place)
@@ -43,11 +32,6 @@ int layer_at(const TetrahedraShape& shape, const glm::dvec3& place)
     return out;
 }
 
-double length_of(const EvaluatedObject& volume)
-{
-    return glm::length(glm::dvec3(volume.tetrahedra_to_world[0]));
-}
-
 } // namespace
 
 const char* TetrahedraTool::icon() const
@@ -55,37 +39,28 @@ const char* TetrahedraTool::icon() const
     return ui::icon::tetrahedra;
 }
 
-Id TetrahedraTool::volume_of(const Session& session, Id id)
-{
-    if (id == 0 || !session.document().objects.contains(id)) return 0;
-    if (shape_of(session.document(), id)) return id;
-    for (const Id up : lattices_round(session.document(), id))
-        if (shape_of(session.document(), up)) return up;
-    return 0;
-}
-
 void TetrahedraTool::begin(Session& session)
 {
     if (session.selected.size() != 1) return;
-    if (const Id id = volume_of(session, session.selected); id != 0) session.selected = id;
+    if (const Id id = tetrahedra_holding(session, session.selected); id != 0) session.selected = id;
 }
 
 double TetrahedraTool::radius(const Session& session) const
 {
     if (radius_ > 0) return radius_;
-    const TetrahedraShape* shape =
-        session.selected.size() == 1 ? shape_of(session.document(), session.selected) : nullptr;
+    const TetrahedraShape* shape = session.selected.size() == 1
+                                       ? tetrahedra_shape(session.document(), session.selected)
+                                       : nullptr;
     if (!shape) return 0.25;
     const glm::dvec3 size = size_of(*shape);
-    const double share = by_ == By::pull ? 0.35 : 0.15; // of the middle size
+    const double share = by_ == By::pull || by_ == By::points ? 0.35 : 0.15; // of the middle size
     return rounded(share * std::cbrt(size.x * size.y * size.z), 2);
 }
 
 std::optional<TetrahedraTool::Place> TetrahedraTool::place_under(const Session& session,
                                                                  const ViewportInput& input) const
 {
-    const EvaluatedObject* volume =
-        session.selected.size() == 1 ? shown_volume(session, session.selected) : nullptr;
+    const EvaluatedObject* volume = selected_tetrahedra(session);
     if (!volume) return {};
     const Ray ray = ray_through(session.view.camera, input.mouse);
     double nearest = 1e300;
@@ -122,15 +97,20 @@ TetrahedraEdit TetrahedraTool::edit_at(const TetrahedraShape& shape, const Place
 
 void TetrahedraTool::use(Session& session, const ViewportInput& input)
 {
+    if (by_ == By::points) {
+        if (input.wheel != 0 && takes_wheel()) resize(session, std::pow(radius_step, input.wheel));
+        return points_.use(session, input, manner(session));
+    }
+    if (by_ == By::knots) return clouds_.use(session, input);
     if (gesture_) {
-        if (!shown_volume(session, gesture_->object)) return cancel(session);
+        if (!shown_tetrahedra(session, gesture_->object)) return cancel(session);
         return go_on(session, input);
     }
     at_.reset();
     if (input.hovered || input.pressed) at_ = place_under(session, input);
     if (!input.pressed || session.committing()) return;
     if (!at_)
-        if (const Id id = volume_of(session, input.under); id != 0) {
+        if (const Id id = tetrahedra_holding(session, input.under); id != 0) {
             session.selected = id;
             at_ = place_under(session, input);
         }
@@ -142,8 +122,8 @@ void TetrahedraTool::use(Session& session, const ViewportInput& input)
 
 void TetrahedraTool::start(Session& session, const ViewportInput& input)
 {
-    const EvaluatedObject& volume = *shown_volume(session, session.selected);
-    const TetrahedraShape& shape = *shape_of(session.document(), volume.id);
+    const EvaluatedObject& volume = *shown_tetrahedra(session, session.selected);
+    const TetrahedraShape& shape = *tetrahedra_shape(session.document(), volume.id);
     gesture_ = Gesture{volume.id, edit_at(shape, *at_, session), at_->world,
                        glm::inverse(glm::dmat3(volume.tetrahedra_to_world)), input.mouse};
 }
@@ -155,7 +135,7 @@ void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
     g.moved = g.moved || glm::length(input.mouse - g.from_px) >= click_slip_px * input.scale;
     if (input.wheel != 0 && g.edit.pull)
         g.edit.pull->radius = radius_ =
-            rounded(g.edit.pull->radius * std::pow(1.1, input.wheel), 3);
+            rounded(g.edit.pull->radius * std::pow(radius_step, input.wheel), 3);
     if (g.edit.pull && g.moved) {
         // in the plane through the grabbed point that the camera faces
         const Camera& camera = session.view.camera;
@@ -196,6 +176,8 @@ void TetrahedraTool::finish(Session& session)
 
 void TetrahedraTool::cancel(Session& session)
 {
+    points_.cancel(session);
+    clouds_.cancel(session);
     if (!gesture_) return;
     gesture_.reset();
     session.cancel();
@@ -207,19 +189,72 @@ bool TetrahedraTool::resize(Session& session, double factor)
     return true;
 }
 
+bool TetrahedraTool::grab(Session& session, MotionKind kind)
+{
+    if (by_ == By::points) return points_.grab(session, kind);
+    return by_ == By::knots && clouds_.grab(session, kind);
+}
+
+std::optional<std::vector<std::string>> TetrahedraTool::numbers(const Session& session) const
+{
+    if (by_ != By::points) return {};
+    return points_.numbers(session);
+}
+
+bool TetrahedraTool::choose_parts(Session& session, PartChoice choice)
+{
+    return by_ == By::points && points_.choose(session, choice);
+}
+
+std::optional<bool> TetrahedraTool::proportional() const
+{
+    return by_ == By::points ? std::optional(proportional_) : std::nullopt;
+}
+
+void TetrahedraTool::take_keys(Session& session)
+{
+    if (points_.drags() && ui::struck({'O'})) proportional_ = !proportional_;
+    for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
+        if (points_.drags() && proportional_ && ui::struck({key}, true))
+            resize(session, std::pow(radius_step, steps));
+    points_.take_keys(session);
+    clouds_.take_keys(session);
+}
+
+int TetrahedraTool::mode() const
+{
+    return static_cast<int>(by_) + 5 * ((clouds_.picks() + points_.layer()) % 10000);
+}
+
+TetrahedraPoints::Manner TetrahedraTool::manner(const Session& session) const
+{
+    return {proportional_, radius(session), decay_, guard_};
+}
+
 std::vector<gpu::Line> TetrahedraTool::lines(const Session& session, const ui::Theme& theme) const
 {
-    if (!gesture_ || !gesture_->edit.pull) return {};
-    const EvaluatedObject* volume = shown_volume(session, gesture_->object);
+    const EvaluatedObject* volume = selected_tetrahedra(session);
     if (!volume) return {};
-    return support_lines(*volume, *gesture_->edit.pull, theme.color, theme.line(1));
+    std::vector<gpu::Line> out;
+    if (by_ == By::knots || by_ == By::points)
+        out =
+            domain_lines(*volume, by_ == By::knots ? 0 : static_cast<std::size_t>(points_.layer()),
+                         theme.color, theme.line(1));
+    if (by_ == By::knots) std::ranges::move(clouds_.lines(session, theme), std::back_inserter(out));
+    const TetrahedraPull* pull = points_.pull();
+    if (gesture_ && gesture_->edit.pull) pull = &*gesture_->edit.pull;
+    if (pull)
+        std::ranges::move(support_lines(*volume, *pull, theme.color, theme.line(1)),
+                          std::back_inserter(out));
+    return out;
 }
 
 std::vector<gpu::Translucent> TetrahedraTool::veils(const Session& session,
                                                     const ui::Theme& theme) const
 {
+    if (by_ == By::knots) return clouds_.veils(theme);
     if (!gesture_ || !gesture_->edit.pull) return {};
-    const EvaluatedObject* volume = shown_volume(session, gesture_->object);
+    const EvaluatedObject* volume = shown_tetrahedra(session, gesture_->object);
     if (!volume) return {};
     const TetrahedraPull& pull = *gesture_->edit.pull;
     const glm::dvec3 now = evaluate(*volume->tetrahedra->volume, pull.at).position;

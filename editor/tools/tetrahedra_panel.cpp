@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/shown_tetrahedra.h"
 #include "editor/tools/tetrahedra.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,66 +13,118 @@ namespace {
 
 const TetrahedraShape* selected_shape(const Session& session)
 {
-    if (session.selected.size() != 1) return nullptr;
-    const auto found = session.document().objects.find(session.selected);
-    return found == session.document().objects.end()
-               ? nullptr
-               : std::get_if<TetrahedraShape>(&found->second->source);
+    return session.selected.size() == 1 ? tetrahedra_shape(session.document(), session.selected)
+                                        : nullptr;
 }
 
-// What came of the last edit; null: nothing did.
-const TetrahedraOutcome* last_outcome(const Session& session, Id id)
+void paint_words(const ui::Theme& theme, float field, const std::string& words)
 {
-    const auto found = session.evaluated().objects.find(id);
-    if (found == session.evaluated().objects.end() || !found->second->tetrahedra ||
-        found->second->tetrahedra->outcomes.empty())
-        return nullptr;
-    return &found->second->tetrahedra->outcomes.back();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ui::name_text(theme.font.body, ui::rect_at({at.x, at.y}, {field, theme.size.row}),
+                  theme.color.text_2, words);
 }
 
 } // namespace
 
-void TetrahedraTool::options(Session& session, const ui::Theme& theme, float width)
+void TetrahedraTool::around_options(Session& session, const ui::Theme& theme, float width)
 {
-    const TetrahedraShape* shape = selected_shape(session);
-    if (!shape) {
-        ui::option_bar(
-            theme, {{"Select a volume of tetrahedra, or put one round objects", 1, [](float) {}}},
-            width);
-        return;
-    }
     std::vector<ui::Option> options;
-    options.push_back({"", 204,
+    if (session.selected == 0) {
+        options.push_back(
+            {"Select a volume of tetrahedra, or objects to put one round", 1, [](float) {}});
+        return ui::option_bar(theme, options, width);
+    }
+    options.push_back(
+        {"Around", 104,
+         [&](float field) {
+             int around = static_cast<int>(around_);
+             ui::choice(theme, "around", around, {"Box", "Fitted", "Hull", "Cage"}, field);
+             around_ = static_cast<Around>(around);
+         },
+         "A box; about 2,000 tetrahedra that follow the shape, or fill its convex hull; or those "
+         "that fill the active object, a closed mesh, exactly."});
+    options.push_back({"", 190,
                        [&](float field) {
-                           int by = static_cast<int>(by_);
-                           ui::segments(theme, "by", by, {"Pull", "Crease", "Refine"}, field);
-                           by_ = static_cast<By>(by);
+                           if (ui::button(theme, tetrahedra_action, ui::ButtonKind::plain,
+                                          {field, theme.size.row}))
+                               put_tetrahedra_round_selection(session, around_);
                        },
-                       "Pull moves what the ball holds. Crease paints on faces between "
-                       "tetrahedra how smoothly they meet, or cuts them. Refine lays smaller "
-                       "tetrahedra along a stroke; the shape stays."});
-    double shown_radius = radius(session);
+                       "Puts tetrahedra round the selected objects that bend them."});
+    ui::option_bar(theme, options, width);
+}
+
+void TetrahedraTool::add_layer_option(std::vector<ui::Option>& options, const ui::Theme& theme,
+                                      const TetrahedraShape& shape)
+{
+    const auto refinements = std::ranges::count_if(
+        shape.edits, [](const TetrahedraEdit& edit) { return edit.refinement.has_value(); });
+    if (refinements == 0) return;
+    options.push_back({"Of", 112,
+                       [this, &theme, refinements](float field) {
+                           std::vector<std::string> names{"Domain"};
+                           for (int i = 1; i <= refinements; ++i)
+                               names.push_back(fmt::format("Refinement {}", i));
+                           int layer = points_.layer();
+                           ui::choice(theme, "layer", layer, names, field);
+                           points_.choose_layer(layer);
+                       },
+                       "Whose control points are shown."});
+}
+
+void TetrahedraTool::add_ball_options(std::vector<ui::Option>& options, const ui::Theme& theme,
+                                      const Session& session)
+{
+    shown_radius_ = radius(session);
     options.push_back({"Radius", 88,
                        [&](float field) {
-                           if (ui::number_field(theme, "radius", shown_radius,
+                           if (ui::number_field(theme, "radius", shown_radius_,
                                                 {.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"},
                                                 field) != ui::Edit::none)
-                               radius_ = shown_radius;
+                               radius_ = shown_radius_;
                        },
                        "Of the ball or the brush, metres in the volume. The wheel changes it while "
                        "you pull."});
-    if (by_ == By::pull) {
-        options.push_back(
-            {"Falloff", 104,
-             [&](float field) {
-                 int kind = static_cast<int>(decay_);
-                 ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
-                 decay_ = static_cast<Decay>(kind);
-             },
-             "How the pull falls off from the ball's middle to its rim."});
+    if (by_ != By::pull && by_ != By::points) return;
+    options.push_back(
+        {"Falloff", 104,
+         [&](float field) {
+             int kind = static_cast<int>(decay_);
+             ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
+             decay_ = static_cast<Decay>(kind);
+         },
+         "How the pull falls off from the ball's middle to its rim."});
+}
+
+void TetrahedraTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const TetrahedraShape* shape = selected_shape(session);
+    if (!shape) return around_options(session, theme, width);
+    std::vector<ui::Option> options;
+    options.push_back(
+        {"", 104,
+         [&](float field) {
+             int by = static_cast<int>(by_);
+             ui::choice(theme, "by", by, {"Pull", "Points", "Crease", "Refine", "Knots"}, field);
+             if (!busy()) by_ = static_cast<By>(by);
+         },
+         "Pull moves what the ball holds, Points the control points that you choose. "
+         "Crease paints on faces how smoothly they meet, or cuts them. Refine lays "
+         "smaller tetrahedra along a stroke. Knots moves those of a vertex."});
+    if (by_ == By::points) {
+        add_layer_option(options, theme, *shape);
+        options.push_back({"Proportional", 20,
+                           [&](float) { ui::check_box(theme, "proportional", proportional_, ""); },
+                           "Nearby points follow the selected ones, less with distance."});
+    }
+    if (by_ != By::knots && (by_ != By::points || proportional_))
+        add_ball_options(options, theme, session);
+    if (by_ == By::pull || by_ == By::points)
         options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
                            "Stops the pull before the volume would fold."});
-    }
+    if (by_ == By::points)
+        options.push_back({"Selected", 96,
+                           [&](float field) { paint_words(theme, field, points_.words()); },
+                           "Control points, of those that can be moved."});
     if (by_ == By::crease)
         options.push_back({"Meet", 88 + 44 * static_cast<float>(shape->degree),
                            [&](float field) {
@@ -83,12 +137,21 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
                                depth_ = at + 1;
                            },
                            "C0: faces meet with a crease. Cut: they part where you pull."});
+    if (const auto room = clouds_.room(); by_ == By::knots && room)
+        options.push_back({"Room", 56,
+                           [&, room](float field) {
+                               paint_words(theme, field, fmt::format("{:.0f} %", 100 * *room));
+                           },
+                           "What the knots here leave of the least tetrahedron, in shares of it. "
+                           "At 5 % a drag stops: at 0 the clouds cross."});
     ui::option_bar(theme, options, width);
 }
 
 void TetrahedraTool::overlay(const Session& session, const ui::Theme& theme,
                              const ViewportInput& input) const
 {
+    if (by_ == By::points) return points_.overlay(session, theme, input, manner(session));
+    if (by_ == By::knots) return clouds_.overlay(session, theme, input);
     if (!at_ && !gesture_) return;
     const Camera& camera = session.view.camera;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
@@ -125,10 +188,14 @@ std::vector<Hint> TetrahedraTool::hints(const Session& session) const
 {
     if (gesture_)
         return {{{"left"}, "Let go when done"}, {{"wheel"}, "Radius"}, {{"Esc"}, "Cancel"}};
+    if (selected_shape(session) && by_ == By::points) return points_.hints();
+    if (selected_shape(session) && by_ == By::knots) return clouds_.hints();
     if (!selected_shape(session))
         return {{{"left"}, "Select tetrahedra, or what stands in them"}, {{"Esc"}, "Select"}};
-    const char* const verbs[]{"Drag to pull", "Draw over faces", "Draw a stroke"};
-    return {{{"left"}, verbs[static_cast<int>(by_)]}, {{"middle"}, "Orbit"}, {{"Esc"}, "Select"}};
+    const char* const verb = by_ == By::pull     ? "Drag to pull"
+                             : by_ == By::crease ? "Draw over faces"
+                                                 : "Draw a stroke";
+    return {{{"left"}, verb}, {{"middle"}, "Orbit"}, {{"Esc"}, "Select"}};
 }
 
 } // namespace trivar

@@ -25,6 +25,9 @@ struct Hint {
 // A hand that clicks moves the mouse as far as this.
 inline constexpr double click_slip_px = 3;
 
+// A notch of the wheel makes a ball or a brush so much larger.
+inline constexpr double radius_step = 1.1;
+
 // What a tool sees of the viewport in one frame.
 struct ViewportInput {
     ui::Rect rect;         // of the picture in the window
@@ -122,7 +125,8 @@ public:
     virtual std::optional<std::string> take_wanted_model() { return {}; }
     virtual void take_read(Session& session, const TileFile& model) { (void)session, (void)model; }
     virtual void cancel(Session& session) { (void)session; } // the gesture
-    // Which of up to four ways of working is chosen in its bar, if it shows other things in each.
+    // Another number (0 .. 65535) wherever its lines and veils are others without a gesture: by
+    // what is chosen in its bar, or in the picture.
     virtual int mode() const { return 0; }
     // Of the volume of the selected placement all that bends with what it has hold of.
     virtual std::vector<VolumePart> held_parts(const Session&) const { return {}; }
