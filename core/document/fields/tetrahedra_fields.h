@@ -15,7 +15,7 @@ template <> struct FieldsOf<TetrahedraPull> {
               in_range(0, 1000).called("Layer").without_keys());
         field("at", p.at, "the middle of the ball, in the volume before it was deformed",
               required.called("Middle").in(Unit::metres));
-        field("also", p.also, "middles of more balls of the same radius", any_value.without_keys());
+        field("also", p.also, "middles of more balls of the same radius", later.without_keys());
         field("radius", p.radius, "of the ball, metres",
               positive.called("Radius").in(Unit::metres));
         field("by", p.by, "metres by which its middle moves",
@@ -23,7 +23,7 @@ template <> struct FieldsOf<TetrahedraPull> {
         field("rotation_deg", p.rotation_deg, "degrees about X, Y and Z, about its middle",
               in_range(-3600, 3600).called("Turn").in(Unit::degrees));
         field("factors", p.factors, "by which it grows along X, Y and Z, about its middle",
-              in_range(-1000, 1000).called("Scale"));
+              later_in_range(-1000, 1000).resting_at(1).called("Scale").in(Unit::times));
         field("decay", p.decay, "how it fades from the middle to the rim",
               any_value.called("Fading"));
         field("guard", p.guard, "stops it before the volume would fold", any_value.called("Guard"));
@@ -75,7 +75,7 @@ template <> struct FieldsOf<TetrahedraEdit> {
         field("warp", e.warp, "the box round the domain twisted, bent, tapered, sheared or bulged");
         field("crease", e.crease, "less continuity across some faces, or none");
         field("refinement", e.refinement, "a layer of smaller tetrahedra, in the same shape");
-        field("cloud", e.cloud, "knots of a vertex moved by hand");
+        field("cloud", e.cloud, "knots of a vertex moved by hand", later);
     }
 };
 template <> struct FieldsOf<SheetLift> {
