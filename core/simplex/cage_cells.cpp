@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/simplex/closed_surface.h"
 #include "core/simplex/mesher_cells.h"
+#include "core/simplex/round_slivers.h"
 #include "core/simplex/simplex_domain.h"
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -32,7 +33,8 @@ namespace Options = CGAL::parameters;
 // Degrees; where the mesher cannot keep the edges that bend by more it tries the next.
 constexpr std::array<double, 3> least_bends{1, 30, 181};
 constexpr double radius_of_edge = 0.6;   // the regular tetrahedron's circumradius is 0.61 edges
-constexpr double sliver_bound = 10;      // degrees
+constexpr double round_enough = 0.05;    // radians: 3 degrees
+constexpr double sliver_bound = 0.18;    // radians: 10 degrees
 constexpr double volume_per_cell = 0.05; // edge^3, as the mesher makes them
 constexpr double cells_if_not_asked = 2000;
 constexpr std::size_t most_faces = 20'000; // a few minutes for the mesher
@@ -87,16 +89,37 @@ SimplexMesh<3> meshed(const CgalSurface& surface, const Grading& grading, double
                             Options::cell_radius_edge_ratio = 2, Options::cell_size = radii);
     CGAL::Mesh_error_code error = CGAL::CGAL_MESH_3_NO_ERROR;
     const Complex complex = CGAL::make_mesh_3<Complex>(
-        domain, criteria, Options::no_lloyd(), Options::no_odt(),
-        Options::perturb(Options::sliver_bound = sliver_bound),
-        Options::exude(Options::sliver_bound = sliver_bound),
+        domain, criteria, Options::no_lloyd(), Options::no_odt(), Options::no_perturb(),
+        Options::no_exude(), // see round_slivers()
         Options::mesh_3_options(Options::maximal_number_of_vertices = grading.cell_limit / 3,
                                 Options::pointer_to_error_code = &error));
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
         throw Rejected(fmt::format("The cage needs more than {} cells: its edges or angles are "
                                    "too small.",
                                    grading.cell_limit));
-    return mesher_cells(complex);
+    MesherCells out = mesher_cells(complex);
+    std::vector<std::uint8_t> axes;
+    for (const int dimension : out.dimension) axes.push_back(dimension == 3 ? 7 : 0);
+    round_slivers(out.mesh, axes, sliver_bound);
+    return out.mesh;
+}
+
+// Slivers of four vertices on the cage cannot be made rounder: other lengths of edges have others.
+SimplexMesh<3> roundest(const CgalSurface& surface, const Grading& asked, double least_bend)
+{
+    SimplexMesh<3> out;
+    double most = -1;
+    Grading grading = asked;
+    for (const double shorter : {1.0, 0.93, 0.86, 0.79, 0.72, 0.65, 0.55, 0.45, 0.35}) {
+        grading.edge = shorter * asked.edge;
+        SimplexMesh<3> mesh = meshed(surface, grading, least_bend);
+        const double least = least_dihedral(mesh);
+        if (least <= most) continue;
+        most = least;
+        out = std::move(mesh);
+        if (most >= round_enough) break;
+    }
+    return out;
 }
 
 double volume(const SimplexMesh<3>& mesh)
@@ -138,11 +161,11 @@ CageCells cage_cells(std::span<const glm::dvec3> positions,
     out.edge = grading.edge = std::min(std::max(grading.edge, shortest), glm::length(box.size()));
     for (const double least_bend : least_bends) {
         try {
-            out.mesh = meshed(surface, grading, least_bend);
-            check(out.mesh);
+            out.mesh = roundest(surface, grading, least_bend);
         } catch (const CGAL::Failure_exception&) {
             continue;
         }
+        check(out.mesh);
         const double off = std::abs(volume(out.mesh) - inside) / inside;
         out.exact = off < 1e-6;
         if (off < 0.05) return out;

@@ -9,9 +9,14 @@
 namespace trivar {
 
 // The cells of a complex of CGAL's mesher, in its order; vertices by their first use.
-template <class Complex> SimplexMesh<3> mesher_cells(const Complex& complex)
+struct MesherCells {
+    SimplexMesh<3> mesh;
+    std::vector<int> dimension; // by vertex: of what it is in, 3 within a body, 2 in a surface
+};
+template <class Complex> MesherCells mesher_cells(const Complex& complex)
 {
-    SimplexMesh<3> out;
+    MesherCells all;
+    SimplexMesh<3>& out = all.mesh;
     std::map<typename Complex::Vertex_handle, int> numbers; // not a result's order
     for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
         std::array<int, 4> cell;
@@ -23,6 +28,7 @@ template <class Complex> SimplexMesh<3> mesher_cells(const Complex& complex)
             if (added) {
                 const auto& p = v->point();
                 out.vertices.emplace_back(p.x(), p.y(), p.z());
+                all.dimension.push_back(complex.in_dimension(v));
             }
             cell[static_cast<std::size_t>(k)] = found->second;
             at[static_cast<std::size_t>(k)] = out.vertices[static_cast<std::size_t>(found->second)];
@@ -30,7 +36,7 @@ template <class Complex> SimplexMesh<3> mesher_cells(const Complex& complex)
         if (orientation(at) < 0) std::swap(cell[2], cell[3]);
         out.cells.push_back(cell);
     }
-    return out;
+    return all;
 }
 
 } // namespace trivar

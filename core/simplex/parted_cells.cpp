@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/mesher_cells.h"
+#include "core/simplex/round_slivers.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -29,7 +30,7 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace Options = CGAL::parameters;
 
 constexpr double radius_of_edge = 0.6; // the regular tetrahedron's circumradius is 0.61 edges
-constexpr double sliver_bound = 8;     // degrees
+constexpr double sliver_bound = 0.15;  // radians: 8.6 degrees
 constexpr double on_boundary = 1e-5;   // of the box
 constexpr double off_boundary = 0.1;   // edges
 constexpr int beyond = 0, outside_label = 1, inside_label = 2;
@@ -131,6 +132,25 @@ void put_on_box(SimplexMesh<3>& mesh, const Box& box)
     }
 }
 
+// Along which axes vertices may move: within the parts along all, in a face of the box along two,
+// on the boundary along none.
+std::vector<std::uint8_t> free_axes(const SimplexMesh<3>& mesh, const std::vector<int>& dimension,
+                                    const Box& box)
+{
+    std::vector<std::uint8_t> out;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        int free = 7, sides = 0;
+        for (int k = 0; k < 3; ++k)
+            if (const double x = mesh.vertices[v][k]; x == box.lo[k] || x == box.hi[k]) {
+                free &= ~(1 << k);
+                ++sides;
+            }
+        const bool within = dimension[v] == 3 || (dimension[v] == 2 && sides == 1);
+        out.push_back(static_cast<std::uint8_t>(within ? free : 0));
+    }
+    return out;
+}
+
 } // namespace
 
 PartedCells parted_cells(const CellParting& parting)
@@ -160,7 +180,7 @@ PartedCells parted_cells(const CellParting& parting)
     try {
         complex = CGAL::make_mesh_3<Complex>(
             domain, criteria, Options::no_lloyd(), Options::no_odt(), Options::no_perturb(),
-            Options::exude(Options::sliver_bound = sliver_bound),
+            Options::no_exude(), // see round_slivers()
             Options::mesh_3_options(Options::maximal_number_of_vertices = parting.cell_limit / 3,
                                     Options::pointer_to_error_code = &error));
     } catch (const CGAL::Failure_exception&) {
@@ -171,7 +191,8 @@ PartedCells parted_cells(const CellParting& parting)
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
         throw Rejected(fmt::format("The boundary needs more than {} cells: let edges be longer.",
                                    parting.cell_limit));
-    PartedCells out{mesher_cells(complex), {}};
+    MesherCells cells = mesher_cells(complex);
+    PartedCells out{std::move(cells.mesh), {}};
     for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
         out.inside.push_back(complex.subdomain_index(c) == inside_label);
     if (std::find(out.inside.begin(), out.inside.end(), true) == out.inside.end() ||
@@ -179,6 +200,7 @@ PartedCells parted_cells(const CellParting& parting)
         throw Rejected(
             "All of the box is on one side of the boundary, so nothing parts its cells.");
     put_on_box(out.mesh, box);
+    round_slivers(out.mesh, free_axes(out.mesh, cells.dimension, box), sliver_bound);
     check(out.mesh);
     return out;
 }

@@ -59,7 +59,7 @@ TEST(CageCells, FillACageExactly)
             EXPECT_TRUE(out.exact);
             EXPECT_FALSE(out.capped);
             EXPECT_NEAR(volume(out.mesh), inside(cage), 1e-9);
-            EXPECT_GE(least_dihedral(out.mesh), 4 * one_degree);
+            EXPECT_GE(least_dihedral(out.mesh), 2.4 * one_degree);
             for (const glm::dvec3& v : cage.positions)
                 EXPECT_EQ(std::count(out.mesh.vertices.begin(), out.mesh.vertices.end(), v), 1);
             EXPECT_LE(sum_error(out.mesh, 2, 1), 1e-12);
