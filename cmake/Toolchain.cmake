@@ -26,6 +26,8 @@ if(TRIVAR_SANITIZE)
   add_compile_options($<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>)
   # The sanitizers' extra branches make g++ 12 see paths that do not exist.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  # It breaks down with them where it propagates constants between functions of some files.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-ipa-cp>)
 endif()
 
 # Collecting its garbage from the first gigabyte on, not from 128 MiB, takes g++ a tenth of its time

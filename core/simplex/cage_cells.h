@@ -22,9 +22,10 @@ struct CageCells {
 // keeps those that bend by more than 30 degrees, or none. The grading's `edge` must be finite; 0:
 // as long as makes about 2,000 cells.
 //
-// The mesher is CGAL's Delaunay refinement with protected edges [1], and its two ways to remove
-// slivers. Angles between faces are mostly above 8 degrees, less where edges of the cage are
-// shorter or sharper than cells can be. About 80 us per cell. Throws Rejected unless the surface
+// The mesher is CGAL's Delaunay refinement with protected edges [1]; slivers are made rounder by
+// round_slivers(), and where some keep an angle below 3 degrees shorter edges are tried, down to a
+// third. Angles between faces are mostly above 8 degrees, less where edges of the cage are shorter
+// or sharper than cells can be. About 80 us per cell. Throws Rejected unless the surface
 // is closed, has at most 20,000 faces, each edge has two of them, and it does not cross itself;
 // where there would be about twice as many cells as the limit; and where the mesher gives up. Faces
 // may be turned to either side. One thread, so always the same bits.
