@@ -30,6 +30,7 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace Options = CGAL::parameters;
 
 constexpr double radius_of_edge = 0.6; // the regular tetrahedron's circumradius is 0.61 edges
+constexpr double round_enough = 0.02;  // radians: a degree
 constexpr double sliver_bound = 0.15;  // radians: 8.6 degrees
 constexpr double on_boundary = 1e-5;   // of the box
 constexpr double off_boundary = 0.1;   // edges
@@ -151,11 +152,9 @@ std::vector<std::uint8_t> free_axes(const SimplexMesh<3>& mesh, const std::vecto
     return out;
 }
 
-} // namespace
-
-PartedCells parted_cells(const CellParting& parting)
+// The cells with these lengths; some may be flat.
+PartedCells filled(const CellParting& parting)
 {
-    check(parting);
     const Box& box = parting.box;
     const auto label = [&](const Kernel::Point_3& p) {
         const glm::dvec3 x(p.x(), p.y(), p.z());
@@ -199,8 +198,33 @@ PartedCells parted_cells(const CellParting& parting)
         std::find(out.inside.begin(), out.inside.end(), false) == out.inside.end())
         throw Rejected(
             "All of the box is on one side of the boundary, so nothing parts its cells.");
+    // Before, too: a sliver may be turned over by the way to the box.
+    round_slivers(out.mesh, free_axes(out.mesh, cells.dimension, box), sliver_bound);
     put_on_box(out.mesh, box);
     round_slivers(out.mesh, free_axes(out.mesh, cells.dimension, box), sliver_bound);
+    return out;
+}
+
+} // namespace
+
+// Slivers with four vertices on the boundary stay: other lengths of edges have others.
+PartedCells parted_cells(const CellParting& asked)
+{
+    check(asked);
+    PartedCells out = filled(asked);
+    double most = least_dihedral(out.mesh);
+    for (const double shorter : {0.93, 0.86, 0.79, 0.72}) {
+        if (most >= round_enough) break;
+        CellParting parting = asked;
+        parting.edge *= shorter;
+        parting.boundary_edge *= shorter;
+        parting.cell_limit *= 2; // of what was asked for there were few enough
+        PartedCells cells = filled(parting);
+        const double least = least_dihedral(cells.mesh);
+        if (least <= most) continue;
+        most = least;
+        out = std::move(cells);
+    }
     check(out.mesh);
     return out;
 }
