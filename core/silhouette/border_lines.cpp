@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/border_lines.h"
 
-#include "core/base/key_numbers.h"
 #include "core/silhouette/silhouette_curves.h"
+
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -17,25 +18,30 @@ bool touches_a_face(const LevelMesh::Brick& brick, const glm::vec3& end)
 
 } // namespace
 
-Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level, float spacing)
+void BorderEdges::add(const ScalarField<float>& field, const LevelMesh& level, std::size_t bricks,
+                      std::uint32_t first_vertex)
 {
-    struct Edge {
-        std::uint32_t from, to;
-    };
-    std::vector<Edge> edges;
-    KeyNumbers known;
-    for (const LevelMesh::Brick& brick : level.bricks) {
+    for (std::size_t n = 0; n < bricks; ++n) {
+        const LevelMesh::Brick& brick = level.bricks[n];
         if (!touches_a_face(brick, field.end())) continue;
         for (std::size_t t = brick.first_triangle; t < brick.triangle_end; ++t) {
             const std::array<std::uint32_t, 3> corners = level.vertices(brick, t);
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
-                if (!are_in_a_face(level.positions[a], level.positions[b], field.end())) continue;
-                known.insert(pair_key(a, b), 0);
-                edges.push_back({a, b});
+                const glm::vec3& p = level.positions[a];
+                if (!are_in_a_face(p, level.positions[b], field.end())) continue;
+                known_.insert(pair_key(first_vertex + a, first_vertex + b), 0);
+                edges_.push_back({first_vertex + a, first_vertex + b, p,
+                                  glm::length(gradient_of(field.at<1>(p)))});
             }
         }
     }
+}
+
+Silhouettes BorderEdges::lines(float spacing)
+{
+    std::vector<Edge> edges = std::exchange(edges_, {});
+    const KeyNumbers known = std::exchange(known_, {});
     // Vertices at a sample may be in a face although their edge is not: then it has two triangles.
     std::erase_if(edges, [&](const Edge& e) { return known.contains(pair_key(e.to, e.from)); });
     KeyNumbers leaving(edges.size());
@@ -54,16 +60,14 @@ Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level
             loop.push_back(i);
         }
         const auto add = [&](const Edge& edge) {
-            const glm::vec3& p = level.positions[edge.from];
-            const ScalarJet<float> jet = field.at<1>(p);
-            out.points.push_back({.p = p,
+            out.points.push_back({.p = edge.p,
                                   .polished = true,
                                   .edge = edge_key(edge.from, edge.to),
-                                  .slope = glm::length(gradient_of(jet))});
+                                  .slope = edge.slope});
         };
         for (const std::uint32_t i : loop)
             if (out.points.size() == before ||
-                glm::distance(level.positions[edges[i].from], out.points.back().p) >= spacing)
+                glm::distance(edges[i].p, out.points.back().p) >= spacing)
                 add(edges[i]);
         if (out.points.size() - before < 3 && loop.size() >= 3) {
             out.points.resize(before);
@@ -73,6 +77,13 @@ Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level
         out.closed.push_back(1);
     }
     return out;
+}
+
+Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level, float spacing)
+{
+    BorderEdges edges;
+    edges.add(field, level, level.bricks.size(), 0);
+    return edges.lines(spacing);
 }
 
 } // namespace trivar

@@ -6,17 +6,21 @@
 namespace trivar {
 
 FieldHulls::FieldHulls(const ScalarField<float>& field)
-    : bricks_((field.size() - 1 + brick - 1) / brick)
+    : bricks_((field.size() - 1 + brick - 1) / brick),
+      first_layer_(field.first_slice() / brick)
 {
+    const int end_slice = field.first_slice() + field.slice_count();
     const auto across = static_cast<std::size_t>(bricks_.x),
                down = static_cast<std::size_t>(bricks_.y),
-               layers = static_cast<std::size_t>(bricks_.z);
+               layers =
+                   static_cast<std::size_t>((end_slice - 1 + brick - 1) / brick - first_layer_);
     ranges_.resize(across * down * layers);
     const std::size_t row = field.row();
     parallel_blocks(layers, 1, [&](std::size_t layer, std::size_t) {
         std::vector<float> least(row), greatest(row);
-        const int k_first = static_cast<int>(layer) * brick - 1,
-                  k_last = std::min(k_first + brick + 2, field.size().z);
+        const int from = (first_layer_ + static_cast<int>(layer)) * brick - 1,
+                  k_first = std::max(from, field.first_slice() - 1),
+                  k_last = std::min(from + brick + 2, end_slice);
         for (std::size_t b = 0; b < down; ++b) {
             const int j_first = static_cast<int>(b) * brick - 1,
                       j_last = std::min(j_first + brick + 2, field.size().y);

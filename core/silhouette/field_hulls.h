@@ -6,7 +6,8 @@
 namespace trivar {
 
 // FieldHulls bounds a field in bricks of 4 x 4 x 4 cells by the least and the greatest of the
-// coefficients there: a spline stays in the hull of its coefficients. 1/8 byte per sample.
+// coefficients there: a spline stays in the hull of its coefficients. Of a slab it has the bricks
+// of its slices, of which those at both ends may know too little. 1/8 byte per sample.
 class FieldHulls {
 public:
     static constexpr int brick = 4; // cells along each axis
@@ -26,7 +27,8 @@ public:
         return ranges_[static_cast<std::size_t>(b.x) +
                        static_cast<std::size_t>(bricks_.x) *
                            (static_cast<std::size_t>(b.y) +
-                            static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(b.z))];
+                            static_cast<std::size_t>(bricks_.y) *
+                                static_cast<std::size_t>(b.z - first_layer_))];
     }
     const glm::ivec3& bricks() const { return bricks_; } // number along each axis
     Range whole() const;                                 // of all bricks
@@ -34,6 +36,7 @@ public:
 
 private:
     glm::ivec3 bricks_;
+    int first_layer_;           // of bricks, along z
     std::vector<Range> ranges_; // x fastest
 };
 

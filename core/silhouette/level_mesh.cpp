@@ -68,13 +68,15 @@ LevelPoint root_on_edge(const ScalarField<float>& field, float level, const glm:
 template <class Sample> class LevelBuilder {
 public:
     LevelBuilder(const ScalarField<float>& field, std::span<const Sample> samples,
-                 const LatticeSigns& signs, float level, LevelAccuracy accuracy, LevelMesh& mesh)
+                 const LatticeSigns& signs, float level, LevelAccuracy accuracy, int first_slice,
+                 LevelMesh& mesh)
         : field_(field),
           samples_(samples),
           signs_(signs),
           bricks_(level_bricks(signs)),
           level_(level),
           accuracy_(accuracy),
+          from_(0, 0, first_slice),
           mesh_(mesh)
     {
     }
@@ -129,8 +131,9 @@ private:
                 const auto above = [&](const glm::ivec3& p) {
                     return static_cast<float>(samples_[offset(p)]) - level_;
                 };
-                set_vertex(vertex, root_on_edge(field_, level_, glm::vec3(at), glm::vec3(step),
-                                                above(at), above(at + step), accuracy_));
+                set_vertex(vertex,
+                           root_on_edge(field_, level_, glm::vec3(from_ + at), glm::vec3(step),
+                                        above(at), above(at + step), accuracy_));
             }
     }
     void set_vertex(std::size_t v, const LevelPoint& point)
@@ -145,7 +148,7 @@ private:
     }
     void join_triangles(const LevelBrick& from, LevelMesh::Brick& to)
     {
-        to.middle = glm::vec3(8 * from.at) + LevelMesh::half_brick;
+        to.middle = glm::vec3(from_ + 8 * from.at) + LevelMesh::half_brick;
         to.owner_count = 0;
         std::array<const LevelBrick*, 8> round{};
         std::array<std::uint32_t, 8> owner{};
@@ -206,6 +209,7 @@ private:
     LevelBricks bricks_;
     float level_;
     LevelAccuracy accuracy_;
+    glm::ivec3 from_; // the first sample
     LevelMesh& mesh_;
 };
 
@@ -232,11 +236,15 @@ std::vector<std::uint32_t> LevelMesh::triangles() const
 
 template <class Sample>
 LevelMesh level_mesh(const ScalarField<float>& field, std::span<const Sample> samples, float level,
-                     LevelAccuracy accuracy)
+                     LevelAccuracy accuracy, int first_slice)
 {
     LevelMesh out;
-    const LatticeSigns signs(samples, field.size(), level);
-    LevelBuilder<Sample>(field, samples, signs, level, accuracy, out)();
+    const std::size_t of_slice =
+        static_cast<std::size_t>(field.size().x) * static_cast<std::size_t>(field.size().y);
+    const LatticeSigns signs(
+        samples, {field.size().x, field.size().y, static_cast<int>(samples.size() / of_slice)},
+        level);
+    LevelBuilder<Sample>(field, samples, signs, level, accuracy, first_slice, out)();
     return out;
 }
 
@@ -244,14 +252,15 @@ std::vector<float> lattice_values(const ScalarField<float>& field)
 {
     const glm::ivec3& size = field.size();
     const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
-    std::vector<float> out(width * height * static_cast<std::size_t>(size.z));
+    std::vector<float> out(width * height * static_cast<std::size_t>(field.slice_count()));
+    const auto first = static_cast<std::size_t>(field.first_slice());
     parallel_blocks(out.size() / width, 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r)
             for (std::size_t i = 0; i < width; ++i)
                 out[width * r + i] =
                     field
                         .at<0>(static_cast<float>(i), static_cast<float>(r % height),
-                               static_cast<float>(r / height))
+                               static_cast<float>(first + r / height))
                         .value;
     });
     return out;
@@ -259,7 +268,7 @@ std::vector<float> lattice_values(const ScalarField<float>& field)
 
 #define TRIVAR_LEVEL_OF(Sample)                                                              \
     template LevelMesh level_mesh(const ScalarField<float>&, std::span<const Sample>, float, \
-                                  LevelAccuracy);
+                                  LevelAccuracy, int);
 TRIVAR_LEVEL_OF(std::uint8_t)
 TRIVAR_LEVEL_OF(std::int8_t)
 TRIVAR_LEVEL_OF(std::uint16_t)

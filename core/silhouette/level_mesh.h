@@ -65,12 +65,14 @@ struct LevelMesh {
 
 // Finds the level. `samples` are the field's values at the points of its lattice: its own samples
 // if it goes through them, else lattice_values(). Samples of a level that is beyond all of them
-// give an empty mesh. About 0.3 us per vertex; the same for any number of threads.
+// give an empty mesh. About 0.3 us per vertex; the same for any number of threads. With the samples
+// of some slices alone, from `first_slice` on, which is a multiple of 8, it is the part of the mesh
+// there, with the numbers that vertices and triangles have from there on.
 template <class Sample>
 LevelMesh level_mesh(const ScalarField<float>& field, std::span<const Sample> samples, float level,
-                     LevelAccuracy accuracy = LevelAccuracy::exact);
+                     LevelAccuracy accuracy = LevelAccuracy::exact, int first_slice = 0);
 
-// The values of a field at the points of its lattice, x fastest.
+// The values of a field at the points of its lattice, of those slices that it holds, x fastest.
 std::vector<float> lattice_values(const ScalarField<float>& field);
 
 } // namespace trivar

@@ -36,13 +36,16 @@ int mirrored(int i, int count)
 } // namespace
 
 template <class Real>
-ScalarField<Real>::ScalarField(const glm::ivec3& size, FieldSpline spline, FieldOrder order)
+ScalarField<Real>::ScalarField(const glm::ivec3& size, Slab slab, FieldSpline spline,
+                               FieldOrder order)
     : size_(size),
+      first_slice_(slab.first),
+      slices_(slab.count),
       spline_(spline),
       order_(order)
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (size[axis] < 2)
+        if (size[axis] < 2 || slab.count < 2)
             throw Rejected(fmt::format("a volume needs at least two samples along each axis; this "
                                        "one has {} x {} x {}",
                                        size.x, size.y, size.z));
@@ -50,14 +53,14 @@ ScalarField<Real>::ScalarField(const glm::ivec3& size, FieldSpline spline, Field
     plane_ = row_ * (static_cast<std::size_t>(size.y) + 2);
     // Orders below 4 have weights of 0, whose coefficients may be one plane and row further on.
     const std::size_t beyond = order == FieldOrder::cubic ? 0 : 2 * (plane_ + row_ + 2);
-    coefficients_.resize(plane_ * (static_cast<std::size_t>(size.z) + 2) + beyond);
+    coefficients_.resize(plane_ * (static_cast<std::size_t>(slices_) + 2) + beyond);
 }
 
 template <class Real>
 template <class Sample>
 ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3& size,
                                FieldSpline spline, FieldOrder order)
-    : ScalarField(size, spline, order)
+    : ScalarField(size, {0, size.z}, spline, order)
 {
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                               static_cast<std::size_t>(size.z);
@@ -68,9 +71,22 @@ ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3
 }
 
 template <class Real>
+template <class Sample>
+ScalarField<Real>::ScalarField(std::span<const Sample> samples, const glm::ivec3& size,
+                               int first_slice, FieldSpline spline, FieldOrder order)
+    : ScalarField(
+          size,
+          {first_slice, static_cast<int>(samples.size() / (static_cast<std::size_t>(size.x) *
+                                                           static_cast<std::size_t>(size.y)))},
+          spline, order)
+{
+    take(samples);
+}
+
+template <class Real>
 ScalarField<Real> ScalarField<Real>::part(const glm::ivec3& first, const glm::ivec3& size) const
 {
-    ScalarField out(size, spline_, order_);
+    ScalarField out(size, {0, size.z}, spline_, order_);
     parallel_blocks(static_cast<std::size_t>(size.z) + 2, 1, [&](std::size_t plane, std::size_t) {
         const int k = static_cast<int>(plane) - 1;
         for (int j = -1; j <= size.y; ++j)
@@ -88,9 +104,9 @@ void ScalarField<Real>::take(std::span<const Sample> samples)
     const double gain = filtered ? std::pow(prefilter_of(order_).gain, 3) : 1;
     const auto width = static_cast<std::size_t>(size_.x),
                height = static_cast<std::size_t>(size_.y),
-               depth = static_cast<std::size_t>(size_.z);
+               depth = static_cast<std::size_t>(slices_);
     parallel_blocks(depth, 1, [&](std::size_t k, std::size_t) {
-        const int z = static_cast<int>(k);
+        const int z = first_slice_ + static_cast<int>(k);
         for (std::size_t j = 0; j < height; ++j) {
             const Sample* from = samples.data() + width * (j + height * k);
             Real* to = coefficients_.data() + index(0, static_cast<int>(j), z);
@@ -109,12 +125,15 @@ void ScalarField<Real>::take(std::span<const Sample> samples)
     if (filtered)
         parallel_blocks(height + 2, 4, [&](std::size_t begin, std::size_t end) {
             for (std::size_t j = begin; j < end; ++j)
-                filter_lines(coefficients_.data() + index(-1, static_cast<int>(j) - 1, 0), plane_,
-                             size_.z, row_);
+                filter_lines(coefficients_.data() +
+                                 index(-1, static_cast<int>(j) - 1, first_slice_),
+                             plane_, slices_, row_);
         });
-    const auto plane_at = [&](int k) { return coefficients_.data() + index(-1, -1, k); };
+    const auto plane_at = [&](int k) {
+        return coefficients_.data() + index(-1, -1, first_slice_ + k);
+    };
     std::copy_n(plane_at(1), plane_, plane_at(-1));
-    std::copy_n(plane_at(size_.z - 2), plane_, plane_at(size_.z));
+    std::copy_n(plane_at(slices_ - 2), plane_, plane_at(slices_));
 }
 
 // The first and the last row of a plane.
@@ -178,8 +197,10 @@ void ScalarField<Real>::filter_lines(Real* first, std::size_t stride, int count,
 
 template class ScalarField<float>;
 template class ScalarField<double>;
-#define TRIVAR_FIELD_OF(Real, Sample)                                                   \
-    template ScalarField<Real>::ScalarField(std::span<const Sample>, const glm::ivec3&, \
+#define TRIVAR_FIELD_OF(Real, Sample)                                                        \
+    template ScalarField<Real>::ScalarField(std::span<const Sample>, const glm::ivec3&,      \
+                                            FieldSpline, FieldOrder);                        \
+    template ScalarField<Real>::ScalarField(std::span<const Sample>, const glm::ivec3&, int, \
                                             FieldSpline, FieldOrder);
 TRIVAR_FIELD_OF(float, std::uint8_t)
 TRIVAR_FIELD_OF(float, std::int8_t)

@@ -4,9 +4,8 @@
 #include "core/silhouette/field_spline.h"
 #include "core/silhouette/row4.h"
 #include "core/silhouette/scalar_jet.h"
+#include "core/silhouette/spline_weights.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -28,12 +27,23 @@ public:
                 FieldSpline spline = FieldSpline::interpolating,
                 FieldOrder order = FieldOrder::cubic);
 
+    // The function near a slab of the grid: `samples` are those of all slices from `first_slice` on
+    // that are held, of a grid of that size. Places are those of the whole grid. Beyond the slab
+    // the samples are taken as mirrored, which is wrong but for the ends of the grid: a value errs
+    // by what 0.27^n leaves n slices within it, below the rounding from 16 on.
+    template <class Sample>
+    ScalarField(std::span<const Sample> samples, const glm::ivec3& size, int first_slice,
+                FieldSpline spline, FieldOrder order);
+
     // The same function over a part of the grid that begins at a sample and has that number of
     // them, at least two, along each axis. Its place p is the place first + p of this one, and it
     // has the same values there, also in its border. O(#samples of the part).
     ScalarField part(const glm::ivec3& first, const glm::ivec3& size) const;
 
     const glm::ivec3& size() const { return size_; } // number of samples along each axis
+    // The slices of samples that it holds: all of them, but for a slab.
+    int first_slice() const { return first_slice_; }
+    int slice_count() const { return slices_; }
     FieldOrder order() const { return order_; }
     FieldSpline spline() const { return spline_; }
     // The greatest coordinates of the grid.
@@ -47,7 +57,8 @@ public:
         return at<derivatives>(p.x, p.y, p.z);
     }
 
-    // The coefficient number (i, j, k), from -1 to the number of samples along each axis.
+    // The coefficient number (i, j, k), from -1 to the number of samples along each axis; of a slab
+    // from one slice before it to one behind it.
     const Real& coefficient(int i, int j, int k) const { return coefficients_[index(i, j, k)]; }
     std::size_t row() const { return row_; }     // from one j to the next
     std::size_t plane() const { return plane_; } // from one k to the next
@@ -57,20 +68,19 @@ private:
     std::size_t index(int i, int j, int k) const
     {
         return static_cast<std::size_t>(i + 1) + row_ * static_cast<std::size_t>(j + 1) +
-               plane_ * static_cast<std::size_t>(k + 1);
+               plane_ * static_cast<std::size_t>(k - first_slice_ + 1);
     }
-    ScalarField(const glm::ivec3& size, FieldSpline spline, FieldOrder order); // coefficients of 0
+    struct Slab {
+        int first, count;
+    };
+    ScalarField(const glm::ivec3& size, Slab slab, FieldSpline spline, FieldOrder order); // all 0
     template <class Sample> void take(std::span<const Sample> samples);
     void filter_along_x(int k);
     void filter_lines(Real* first, std::size_t stride, int count, std::size_t width) const;
     void mirror_border(int k);
-    struct Weights { // of the four coefficients from `first` on
-        int first;
-        std::array<Real, 4> value, slope, bend;
-    };
-    Weights weights(Real x, int size) const;
 
     glm::ivec3 size_;
+    int first_slice_, slices_;
     FieldSpline spline_;
     FieldOrder order_;
     std::size_t row_ = 0, plane_ = 0;
@@ -78,42 +88,13 @@ private:
 };
 
 template <class Real>
-[[gnu::always_inline]] inline auto ScalarField<Real>::weights(Real x, int size) const -> Weights
-{
-    Weights w;
-    if (order_ == FieldOrder::cubic) {
-        const int i = std::clamp(static_cast<int>(x), 0, size - 2);
-        const Real t = x - static_cast<Real>(i), s = 1 - t, sixth = Real(1) / 6;
-        w.first = i - 1;
-        w.value = {s * s * s * sixth, (3 * t * t * t - 6 * t * t + 4) * sixth,
-                   (3 * s * s * s - 6 * s * s + 4) * sixth, t * t * t * sixth};
-        w.slope = {Real(-0.5) * s * s, Real(1.5) * t * t - 2 * t, 2 * s - Real(1.5) * s * s,
-                   Real(0.5) * t * t};
-        w.bend = {s, 3 * t - 2, 1 - 3 * t, t};
-    } else if (order_ == FieldOrder::quadratic) {
-        const int i = std::clamp(static_cast<int>(x + Real(0.5)), 0, size - 1);
-        const Real t = x - static_cast<Real>(i), a = Real(0.5) - t, b = Real(0.5) + t;
-        w.first = i - 1;
-        w.value = {a * a / 2, Real(0.75) - t * t, b * b / 2, 0};
-        w.slope = {-a, -2 * t, b, 0};
-        w.bend = {1, -2, 1, 0};
-    } else {
-        const int i = std::clamp(static_cast<int>(x), 0, size - 2);
-        const Real t = x - static_cast<Real>(i);
-        w.first = i;
-        w.value = {1 - t, t, 0, 0};
-        w.slope = {-1, 1, 0, 0};
-        w.bend = {0, 0, 0, 0};
-    }
-    return w;
-}
-
-template <class Real>
 template <int derivatives>
 ScalarJet<Real> ScalarField<Real>::at(Real x, Real y, Real z) const
 {
     using Row = Row4<Real>;
-    const Weights u = weights(x, size_.x), v = weights(y, size_.y), w = weights(z, size_.z);
+    const SplineWeights<Real> u = spline_weights(order_, x, size_.x),
+                              v = spline_weights(order_, y, size_.y),
+                              w = spline_weights(order_, z, size_.z);
     const Real* p = coefficients_.data() + index(u.first, v.first, w.first);
     Row sum{}, by_y{}, by_z{}, by_yy{}, by_zz{}, by_yz{};
     for (std::size_t b = 0; b < 4; ++b, p += row_) {

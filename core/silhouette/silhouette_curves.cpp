@@ -8,6 +8,14 @@
 #include <cmath>
 
 namespace trivar {
+
+glm::vec3 place_on_edge(const glm::vec3& a, const glm::vec3& b, float product_a, float product_b)
+{
+    float t = product_a / (product_a - product_b);
+    if (!(t >= 0 && t <= 1)) t = 0.5f;
+    return a + t * (b - a);
+}
+
 namespace {
 
 // Where the product is 0 on each edge.
@@ -20,9 +28,7 @@ std::vector<glm::vec3> places_on(std::span<const std::uint64_t> edges,
         for (std::size_t k = begin; k < end; ++k) {
             const auto a = static_cast<std::size_t>(edges[k] >> 32),
                        b = static_cast<std::size_t>(edges[k] & 0xFFFFFFFF);
-            float t = product[a] / (product[a] - product[b]);
-            if (!(t >= 0 && t <= 1)) t = 0.5f;
-            out[k] = positions[a] + t * (positions[b] - positions[a]);
+            out[k] = place_on_edge(positions[a], positions[b], product[a], product[b]);
         }
     });
     return out;
@@ -39,7 +45,11 @@ float squared_distance(const glm::vec3& a, const glm::vec3& b)
 Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> positions,
                       std::span<const float> product, float spacing)
 {
-    const std::vector<glm::vec3> places = places_on(chains.edges, positions, product);
+    return curves_of(chains, places_on(chains.edges, positions, product), spacing);
+}
+
+Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> places, float spacing)
+{
     Silhouettes out;
     std::vector<std::uint32_t> kept; // of a chain
     for (std::size_t c = 0; c < chains.count(); ++c) {

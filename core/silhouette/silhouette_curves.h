@@ -5,6 +5,8 @@
 #include "core/silhouette/scalar_field.h"
 #include "core/silhouette/silhouettes.h"
 
+#include <span>
+
 namespace trivar {
 
 // Which corners of a triangle have a product of at least 0, one bit each.
@@ -29,6 +31,11 @@ inline void add_crossed(const std::uint32_t* corners, unsigned signs,
 // nearer to the last one than the spacing are left out; ends stay, and three points of a loop.
 Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> positions,
                       std::span<const float> product, float spacing);
+
+// The same with the places, one for each edge of the chains.
+Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> places, float spacing);
+// The place where a line crosses an edge, of the products at its ends.
+glm::vec3 place_on_edge(const glm::vec3& a, const glm::vec3& b, float product_a, float product_b);
 
 // Moves the points to the spline, if that is wished, and sets what else is known of them.
 void finish(const ScalarField<float>& field, float level, const ViewPoint& view,

@@ -33,7 +33,7 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
 {
     const glm::vec4 h(view.at);
     check(view);
-    find_runs(level, h);
+    find_runs(level, h, level.bricks.size());
     find_signs(level, h);
     const std::size_t tested = find_triangles(level);
     Silhouettes out = curves(field, level, view, options);
@@ -63,6 +63,20 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
     return out;
 }
 
+std::vector<CrossedTriangle> SilhouetteFinder::crossed(const LevelMesh& level,
+                                                       const ViewPoint& view, std::size_t bricks)
+{
+    const glm::vec4 h(view.at);
+    check(view);
+    find_runs(level, h, bricks);
+    find_signs(level, h);
+    find_triangles(level);
+    std::vector<CrossedTriangle> out;
+    for (const std::vector<CrossedTriangle>& part : crossed_)
+        out.insert(out.end(), part.begin(), part.end());
+    return out;
+}
+
 Silhouettes SilhouetteFinder::curves(const ScalarField<float>& field, const LevelMesh& level,
                                      const ViewPoint& view, const SilhouetteOptions& options)
 {
@@ -72,11 +86,11 @@ Silhouettes SilhouetteFinder::curves(const ScalarField<float>& field, const Leve
     return out;
 }
 
-void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h)
+void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h, std::size_t bricks)
 {
     run_changes_.assign(level.runs.size(), 0);
     is_needed_.assign(level.bricks.size(), 0);
-    parallel_blocks(level.bricks.size(), 256, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(bricks, 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             const LevelMesh::Brick& brick = level.bricks[b];
             const glm::vec3 u = glm::vec3(h) - h.w * brick.middle;
@@ -98,7 +112,7 @@ void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h)
         }
     });
     changing_.clear();
-    for (std::size_t b = 0; b < level.bricks.size(); ++b)
+    for (std::size_t b = 0; b < bricks; ++b)
         if (is_needed_[b]) changing_.push_back(static_cast<std::uint32_t>(b));
     for (const std::uint32_t b : changing_)
         for (std::uint32_t o = 0; o < level.bricks[b].owner_count; ++o)

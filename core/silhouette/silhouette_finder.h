@@ -23,11 +23,16 @@ public:
     Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
                            const ViewPoint& view, std::span<const std::uint32_t> triangles,
                            const SilhouetteOptions& options = {});
+    // The triangles of a mesh's first bricks in which the sign changes, in the order of the mesh.
+    std::vector<CrossedTriangle> crossed(const LevelMesh& level, const ViewPoint& view,
+                                         std::size_t bricks);
+    // <V, n> at a vertex of a triangle that was found last.
+    float product_at(std::uint32_t vertex) const { return product_[vertex]; }
 
 private:
     Silhouettes curves(const ScalarField<float>& field, const LevelMesh& level,
                        const ViewPoint& view, const SilhouetteOptions& options);
-    void find_runs(const LevelMesh& level, const glm::vec4& h);
+    void find_runs(const LevelMesh& level, const glm::vec4& h, std::size_t bricks);
     void find_signs(const LevelMesh& level, const glm::vec4& h);
     std::size_t find_triangles(const LevelMesh& level); // how many were tested
     // The signs at the vertices of a brick's triangles, by LevelMesh::Corner.

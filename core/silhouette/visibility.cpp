@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trivar {
@@ -30,6 +31,14 @@ float way_to_end(const glm::vec3& p, const glm::vec3& direction, const glm::vec3
             way = std::min(way, (lo[k] - p[k]) / direction[k]);
     }
     return way;
+}
+
+// The way along a line to where it comes between two slices; more than any where it does not.
+float way_into(float z, float direction, float low, float high)
+{
+    if (z >= low && z <= high) return 0;
+    const float to = (z < low ? low : high) - z;
+    return to * direction > 0 && std::abs(direction) > no_movement ? to / direction : 1e30f;
 }
 
 // A place on a line of sight: how deep it is in the body, and how fast that changes.
@@ -60,11 +69,14 @@ float top_between(const Depth& a, const Depth& b)
 bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, float distance)
 {
     const float sign = body.side == LevelSide::above ? 1.0f : -1.0f;
-    const float end = std::min(distance, way_to_end(p, to_eye, glm::vec3(0), body.field.end()));
+    const glm::vec3 least(0, 0, std::max(0.0f, body.low)),
+        greatest(body.field.end().x, body.field.end().y, std::min(body.field.end().z, body.high));
+    const float end = std::min(distance, way_to_end(p, to_eye, least, greatest));
     const auto depth_of = [&](float value) { return sign * (value - body.level); };
     Depth before{};
     bool has_before = false;
-    for (float way = first_step; way < end;) {
+    for (float way = std::max(first_step, way_into(p.z, to_eye.z, least.z, greatest.z));
+         way < end;) {
         const glm::vec3 at = p + way * to_eye;
         const glm::ivec3 brick = body.hulls.brick_of(at);
         const FieldHulls::Range& range = body.hulls.of(brick);
@@ -94,27 +106,38 @@ bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, f
     return false;
 }
 
+std::vector<char> hollow_points(const Silhouettes& silhouettes, LevelSide side)
+{
+    std::vector<char> out;
+    out.reserve(silhouettes.points.size());
+    for (const SilhouettePoint& point : silhouettes.points)
+        out.push_back(side == LevelSide::above ? point.bend > 0 : point.bend < 0);
+    return out;
+}
+
+std::vector<char> hidden_by(std::vector<char> hidden, const Silhouettes& silhouettes,
+                            const ViewPoint& view, std::span<const LevelBody> bodies)
+{
+    parallel_blocks(hidden.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (hidden[i]) continue;
+            const SilhouettePoint& point = silhouettes.points[i];
+            const glm::vec3 way(-view.sight(glm::dvec3(point.p)));
+            const float length = glm::length(way), distance = view.at.w == 0 ? 1e30f : length;
+            hidden[i] = std::ranges::any_of(bodies, [&](const LevelBody& body) {
+                return hides(body, point.p, way / length, distance);
+            });
+        }
+    });
+    return hidden;
+}
+
 std::vector<char> hidden_points(const Silhouettes& silhouettes, const ViewPoint& view,
                                 const LevelBody& own, std::span<const LevelBody> others)
 {
-    std::vector<char> out(silhouettes.points.size(), 0);
-    const bool body_is_above = own.side == LevelSide::above;
-    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const SilhouettePoint& point = silhouettes.points[i];
-            if (body_is_above ? point.bend > 0 : point.bend < 0) {
-                out[i] = 1;
-                continue;
-            }
-            const glm::vec3 way(-view.sight(glm::dvec3(point.p)));
-            const float length = glm::length(way), distance = view.at.w == 0 ? 1e30f : length;
-            const auto is_hidden_by = [&](const LevelBody& body) {
-                return hides(body, point.p, way / length, distance);
-            };
-            out[i] = is_hidden_by(own) || std::ranges::any_of(others, is_hidden_by);
-        }
-    });
-    return out;
+    std::vector<LevelBody> bodies{own};
+    for (const LevelBody& other : others) bodies.push_back(other);
+    return hidden_by(hollow_points(silhouettes, own.side), silhouettes, view, bodies);
 }
 
 } // namespace trivar

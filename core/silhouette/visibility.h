@@ -15,6 +15,8 @@ struct LevelBody {
     const FieldHulls& hulls;
     float level;
     LevelSide side = LevelSide::above;
+    // It is looked at between these slices alone, voxels: of a slab.
+    float low = -1e30f, high = 1e30f;
 };
 
 // Whether a body hides a point from an eye in a direction (unit, voxels), at most `distance` away.
@@ -29,5 +31,10 @@ bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, f
 // border lines have no bend, so rays alone tell.
 std::vector<char> hidden_points(const Silhouettes& silhouettes, const ViewPoint& view,
                                 const LevelBody& own, std::span<const LevelBody> others = {});
+// The same in two steps, for bodies that come slab by slab: the points that are hidden where they
+// are, and those that were hidden with those that bodies hide.
+std::vector<char> hollow_points(const Silhouettes& silhouettes, LevelSide side);
+std::vector<char> hidden_by(std::vector<char> hidden, const Silhouettes& silhouettes,
+                            const ViewPoint& view, std::span<const LevelBody> bodies);
 
 } // namespace trivar

@@ -8,8 +8,7 @@
 #include "core/drawing/hand_edits.h"
 #include "core/files/file_bytes.h"
 #include "core/files/sample_models.h"
-#include "core/silhouette/level_drawing.h"
-#include "core/silhouette/voxel_field.h"
+#include "core/silhouette/slab_drawing.h"
 #include "core/voxels/read_volume.h"
 #include "core/voxels/usual_level.h"
 #include "editor/command_line/drawing.h"
@@ -18,6 +17,7 @@
 #include <charconv>
 #include <chrono>
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace trivar {
 namespace {
@@ -160,6 +160,16 @@ std::optional<std::pair<glm::vec3, glm::vec3>> crop_of(const SilhouetteCommand& 
     return std::pair(low, high);
 }
 
+FieldSpline spline_of(const SilhouetteCommand& command)
+{
+    return command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
+}
+
+std::string layer_name(const SilhouetteCommand& command, std::size_t level)
+{
+    return level < command.names.size() ? command.names[level] : fmt::format("level {}", level + 1);
+}
+
 // `volume` is the box of the samples of `all`; no box: it is all of it.
 LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
                         const VoxelField& all, const std::optional<SampleBox>& box,
@@ -182,14 +192,13 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
         nearby.push_back(more.amount < 1 ? volume.nearby_levels(value) : std::vector<LevelMesh>());
     std::vector<DrawnLevel> levels;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        levels.push_back(
-            {.name = i < command.names.size() ? command.names[i] : fmt::format("level {}", i + 1),
-             .mesh = meshes[i],
-             .side = side,
-             .style = style_of(command, i),
-             .more = more,
-             .further = more.any() ? &further[i] : nullptr,
-             .nearby = nearby[i]});
+        levels.push_back({.name = layer_name(command, i),
+                          .mesh = meshes[i],
+                          .side = side,
+                          .style = style_of(command, i),
+                          .more = more,
+                          .further = more.any() ? &further[i] : nullptr,
+                          .nearby = nearby[i]});
     std::map<std::string, LineIds> ids;
     return draw_levels(volume.field(), volume.hulls(), levels,
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
@@ -200,6 +209,140 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
                             return ids.try_emplace(layer, edits.ids_of(layer)).first->second;
                         }});
 }
+
+std::uint64_t memory_of(const SilhouetteCommand& command)
+{
+    constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
+    if (command.memory_mb > 0) return static_cast<std::uint64_t>(command.memory_mb) * megabyte;
+    const std::int64_t pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages / 2 * page) : 1024 * megabyte;
+}
+
+// What is drawn, with the values of its levels.
+struct Drawn {
+    LevelDrawing drawing;
+    glm::dmat4 to_metres;
+    std::vector<double> values;
+};
+
+// Reads volume data and draws them: as a whole, a box of them, or slab by slab.
+class Drawer {
+public:
+    Drawer(const SilhouetteCommand& command, const Streams& streams, const HandEdits& edits)
+        : command_(command),
+          streams_(streams),
+          edits_(edits)
+    {
+        field_.spline = spline_of(command);
+        field_.blur = command.blur;
+        constexpr std::size_t widest_sample = sizeof(float);
+        reading_.memory_bytes = memory_of(command);
+        reading_.bytes_beside = field_bytes(widest_sample, field_) - widest_sample;
+        reading_.coarsen = command.coarsen;
+        reading_.if_too_large = TooLarge::head;
+    }
+
+    Drawn operator()()
+    {
+        const auto crop = crop_of(command_);
+        ReadVolume read = read_volume(command_.volume, reading_);
+        const bool fits = read.grid.bytes() > 0;
+        std::optional<SampleBox> box;
+        if (crop) box = sample_box(read.grid.size, crop->first, crop->second);
+        if (!fits && !box) return by_slabs(read);
+        if (!fits) read = box_read(read.part, *box);
+        say_notices(read.grid);
+        const std::vector<double> values = values_of(read.grid);
+        const VoxelField all(make_ref(std::move(read.grid)), field_);
+        std::optional<VoxelField> part;
+        if (box) part.emplace(all, *box);
+        const VoxelField& volume = part ? *part : all;
+        return {drawing_of(command_, volume, all, box, values, edits_), volume.grid().to_metres,
+                values};
+    }
+
+private:
+    void say_notices(const VoxelGrid& grid)
+    {
+        for (const std::string& notice : grid.notices)
+            streams_.talk << "trivar: " << command_.volume << ": " << notice << "\n";
+    }
+
+    // The levels that are asked for, else the usual one of samples.
+    std::vector<double> values_of(const VoxelGrid& grid) const
+    {
+        if (!command_.levels.empty()) return command_.levels;
+        return {usual_level(summary_of(grid), grid)};
+    }
+
+    // Reads a box of samples of the grid, with as many round it as its function depends on; `box`
+    // is that of what is read then.
+    ReadVolume box_read(const GridPart& whole, SampleBox& box) const
+    {
+        const int halo = slab_halo(field_);
+        const glm::ivec3 first = glm::max(box.first - halo, glm::ivec3(0)),
+                         last = glm::min(box.last + halo, whole.size() - 1), step = whole.step();
+        ReadVolumeOptions reading = reading_;
+        reading.box = SampleBox{first * step, last * step + step - 1};
+        reading.if_too_large = TooLarge::refuse;
+        box = {box.first - first, box.last - first};
+        return read_volume(command_.volume, reading);
+    }
+
+    Drawn by_slabs(const ReadVolume& head)
+    {
+        const VoxelGrid& grid = head.grid;
+        say_notices(grid);
+        if (more_lines_of(command_).any() || command_.certified >= 0 || command_.dashes > 0)
+            throw Rejected("data that are larger than the memory that may be used (--memory) are "
+                           "drawn slab by slab, without further lines, proof or dashes; coarser "
+                           "data or a box of them (--coarsen, --crop) may fit");
+        const SlabPlan plan =
+            slab_plan(grid.size, head.part.bytes_per_sample, field_, reading_.memory_bytes);
+        streams_.talk << fmt::format("trivar: {}: drawn in slabs of {} of {} slices, {} MB\n",
+                                     command_.volume, plan.slices, grid.size.z, plan.bytes >> 20);
+        std::vector<double> values = command_.levels;
+        if (values.empty()) {
+            ReadVolumeOptions coarse = reading_;
+            coarse.if_too_large = TooLarge::coarsen;
+            values = values_of(read_volume(command_.volume, coarse).grid);
+        }
+        const bool above = command_.below != (grid.slope > 0);
+        std::vector<SlabLevel> levels;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            levels.push_back({.name = layer_name(command_, i),
+                              .level = static_cast<float>(grid.sample(values[i])),
+                              .side = above ? LevelSide::above : LevelSide::below,
+                              .style = style_of(command_, i),
+                              .amount = static_cast<float>(command_.amount)});
+            if (levels.back().style.fan_step > 0)
+                throw Rejected("data that are larger than the memory that may be used (--memory) "
+                               "are drawn without fans");
+        }
+        const SliceReader slices = [&](const auto& each) {
+            ReadVolumeOptions reading = reading_;
+            reading.each_slice = each;
+            reading.if_too_large = TooLarge::refuse;
+            reading.bytes_beside = 0;
+            read_volume(command_.volume, reading);
+        };
+        std::map<std::string, LineIds> ids;
+        return {draw_levels_by_slabs(
+                    plan, field_, slices, levels,
+                    drawing_view(camera_of(command_, grid), grid.to_metres, grid.size),
+                    {.hide_each_other = command_.hide_each_other,
+                     .ids = [&](const std::string& layer) -> LineIds& {
+                         return ids.try_emplace(layer, edits_.ids_of(layer)).first->second;
+                     }}),
+                grid.to_metres, values};
+    }
+
+    const SilhouetteCommand& command_;
+    const Streams& streams_;
+    const HandEdits& edits_;
+    VoxelFieldOptions field_;
+    ReadVolumeOptions reading_;
+};
 
 constexpr std::uintmax_t most_edited_bytes = 256 << 20;
 
@@ -221,28 +364,15 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     direction_of(command.view, "view");
     direction_of(command.light, "light");
     const std::optional<glm::vec3> paper = paper_of(command);
-    const auto crop = crop_of(command);
+    crop_of(command);
     const DrawingFormat format = drawing_format(command.out);
     HandEdits edits;
     if (!command.edited.empty()) edits = edits_in(command.edited);
     make_sample_model(command.volume);
-    const Ref<VoxelGrid> grid = make_ref(read_volume(command.volume).grid);
-    for (const std::string& notice : grid->notices)
-        streams.talk << "trivar: " << command.volume << ": " << notice << "\n";
-    std::vector<double> values = command.levels;
-    if (values.empty()) values.push_back(usual_level(summary_of(*grid), *grid));
     const auto start = std::chrono::steady_clock::now();
-    const FieldSpline spline = command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
-    const VoxelField all(grid,
-                         {.spline = spline, .blur = command.blur, .coarsen = command.coarsen});
-    std::optional<SampleBox> box;
-    if (crop) box = sample_box(all.grid().size, crop->first, crop->second);
-    std::optional<VoxelField> part;
-    if (box) part.emplace(all, *box);
-    const VoxelField& volume = part ? *part : all;
-    LevelDrawing levels = drawing_of(command, volume, all, box, values, edits);
-    DrawingSheet drawing{std::move(levels.layers), picture_size(command.size), paper,
-                         volume.grid().to_metres};
+    Drawn drawn = Drawer(command, streams, edits)();
+    DrawingSheet drawing{std::move(drawn.drawing.layers), picture_size(command.size), paper,
+                         drawn.to_metres};
     apply(edits, drawing);
     const std::string text = drawing_bytes(drawing, format);
     write_bytes(command.out, text);
@@ -250,15 +380,15 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     std::size_t lines = 0;
     for (const DrawingLayer& layer : drawing.layers) lines += layer.lines.size();
     streams.talk << fmt::format("trivar: {}: {} line{} of {} level{}, {} bytes, {:.2f} s\n",
-                                command.out, lines, lines == 1 ? "" : "s", values.size(),
-                                values.size() == 1 ? "" : "s", text.size(), took.count());
+                                command.out, lines, lines == 1 ? "" : "s", drawn.values.size(),
+                                drawn.values.size() == 1 ? "" : "s", text.size(), took.count());
     if (lines == 0)
         streams.talk << "trivar: no line is seen; the level may be beyond the volume's values\n";
     if (command.certified >= 0)
         streams.talk << fmt::format(
             "trivar: nothing larger than 1/{} voxel is missing but for what {} boxes of that size "
             "may hide\n",
-            1 << command.certified, levels.open);
+            1 << command.certified, drawn.drawing.open);
     return Status::done;
 }
 

@@ -22,6 +22,7 @@ struct SilhouetteCommand {
     std::vector<double> crop;     // shares of the grid: its first corner, then its last; none: all
     int coarsen = 1;              // see coarsened()
     int blur = 0;                 // see blurred()
+    int memory_mb = 0;            // that may be used; 0: half of the machine's
     bool hide_each_other = false; // bodies of levels hide what is behind them of others
     std::string style = "plain";  // what the following ones change
     std::optional<double> width, wobble, pencil, fans;

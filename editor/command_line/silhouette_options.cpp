@@ -75,6 +75,13 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->delimiter(',')
         ->type_name("X,Y,Z,X,Y,Z")
         ->allow_extra_args(false);
+    silhouette
+        ->add_option(
+            "--memory", o.memory_mb,
+            "MB that the data may take, by default half of the machine's: larger ones are\n"
+            "drawn slab by slab, with the same lines")
+        ->type_name("MB")
+        ->check(CLI::Range(1, 1 << 30));
     silhouette->add_option("--width", o.width, "of lines in pixels; 1.8 by default")
         ->type_name("W")
         ->check(CLI::Range(0.05, 100.0));

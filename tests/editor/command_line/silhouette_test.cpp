@@ -69,6 +69,38 @@ TEST_F(SilhouetteCommandLine, DrawsWhatIsInABox)
     EXPECT_EQ(draw({"--crop", "0,0,0,1,1,1.5"}).status, Status::usage);
 }
 
+// A volume of 48 x 48 x 120 samples with what belongs to them is larger than 1 MB.
+TEST_F(SilhouetteCommandLine, DrawsTheSameLinesOfDataThatAreLargerThanMemory)
+{
+    VoxelGrid grid;
+    grid.size = {48, 48, 120};
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < grid.size.z; ++k)
+        for (int j = 0; j < grid.size.y; ++j)
+            for (int i = 0; i < grid.size.x; ++i)
+                samples.push_back(static_cast<std::uint8_t>(std::max(
+                    0.0, 200 - 8 * glm::length(glm::dvec3(i - 23.5, j - 23.5, 0.4 * k - 23.7)))));
+    grid.samples = std::move(samples);
+    testing::write_file(volume_, write_nrrd(grid));
+    const std::vector<std::string> level{"--level", "60.5", "--hidden", "dashed"};
+    const Drawn whole = draw(level);
+    EXPECT_THAT(whole.talk, Not(HasSubstr("slabs")));
+    const std::string at_once = drawing();
+    std::vector<std::string> small = level;
+    small.insert(small.end(), {"--memory", "1"});
+    const Drawn by_slabs = draw(small);
+    EXPECT_EQ(by_slabs.status, Status::done) << by_slabs.talk;
+    EXPECT_THAT(by_slabs.talk, HasSubstr("drawn in slabs of "));
+    EXPECT_TRUE(drawing() == at_once);
+    small.insert(small.end(), {"--crop", "0.25,0.25,0.48,0.75,0.75,0.52"});
+    const Drawn box = draw(small);
+    EXPECT_EQ(box.status, Status::done) << box.talk;
+    EXPECT_THAT(box.talk, Not(HasSubstr("slabs")));
+    small.emplace_back("--suggestive");
+    small.erase(small.end() - 3, small.end() - 1);
+    EXPECT_EQ(draw(small).status, Status::rejected);
+}
+
 TEST_F(SilhouetteCommandLine, FindsALevelItself)
 {
     const Drawn drawn = draw({"--view", "0,0,1", "--fov", "40", "--hidden", "dashed"});

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/key_numbers.h"
+#include "core/silhouette/border_lines.h"
+#include "core/silhouette/silhouette_finder.h"
+
+namespace trivar {
+
+// SlabCurves finds the silhouettes and the border of a level slab by slab, of data that are larger
+// than memory. Vertices have the numbers that they have in the mesh of the whole, so that what
+// crosses from slab to slab goes on: the curves are those of the whole. It keeps about 100 bytes
+// for each edge that a curve crosses.
+class SlabCurves {
+public:
+    // Throws Rejected if the view has no direction.
+    SlabCurves(const ViewPoint& view, const SilhouetteOptions& options = {});
+
+    // Adds the slab of the slices up to `end`, from where the last one ended. Its mesh is that of
+    // the samples from there up to end + 8, or to the last slice; both ends of a slab but the last
+    // are multiples of 8. The field holds some more slices. Throws Rejected for more than 2^32
+    // vertices.
+    void add(const ScalarField<float>& field, const LevelMesh& level, int end);
+
+    // What was found, once. The spacing is that of points along a line.
+    Silhouettes curves();
+    Silhouettes border(float spacing = 0.4f) { return border_.lines(spacing); }
+
+private:
+    void add_crossings(const ScalarField<float>& field, const LevelMesh& level,
+                       std::span<const CrossedTriangle> triangles);
+
+    ViewPoint view_;
+    SilhouetteOptions options_;
+    SilhouetteFinder finder_;
+    std::uint32_t first_vertex_ = 0;                      // of the slab that comes next
+    std::vector<std::vector<CrossedTriangle>> triangles_; // by slab
+    // By crossed edge: its place as the mesh has it, and the finished point.
+    std::vector<glm::vec3> places_;
+    std::vector<SilhouettePoint> points_;
+    KeyNumbers number_; // of crossed edges
+    BorderEdges border_;
+};
+
+} // namespace trivar
