@@ -7,11 +7,13 @@
 
 namespace trivar {
 
+// A value at a place of the domain's space.
 struct FieldSample {
     glm::dvec3 at;
     double value;
 };
 
+// A field with how well it fits.
 struct FieldFit {
     SimplexField field;
     std::size_t coefficients = 0; // unknowns: control points that are shared count once

@@ -78,8 +78,8 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
     silhouette
         ->add_option(
             "--memory", o.memory_mb,
-            "MB that the data may take, by default half of the machine's: larger ones are\n"
-            "drawn slab by slab, with the same lines")
+            "MB that samples and coefficients may take, by default half of the machine's:\n"
+            "larger data are drawn slab by slab, with the same lines")
         ->type_name("MB")
         ->check(CLI::Range(1, 1 << 30));
     silhouette->add_option("--width", o.width, "of lines in pixels; 1.8 by default")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/gesture_keys.h"
 
+#include "editor/session/topics.h"
 #include "ui/keys.h"
 
 #include <imgui.h>
@@ -16,7 +17,7 @@ bool struck_anyhow(int key)
 
 } // namespace
 
-bool take_gesture_keys(TransformGesture& gesture)
+bool take_gesture_keys(TransformGesture& gesture, bool begun_by_key, bool outside)
 {
     TypedAmounts& typed = gesture.typed();
     const bool writes = typed.text(typed.at()).starts_with('=');
@@ -24,7 +25,16 @@ bool take_gesture_keys(TransformGesture& gesture)
         if (struck_anyhow('X' + axis)) gesture.choose_axis(axis, ImGui::GetIO().KeyShift);
     typed.take_letters();
     if (struck_anyhow(ui::key_tab)) typed.next(gesture.numbers());
-    return struck_anyhow(ui::key_enter) || struck_anyhow(ui::key_keypad_enter);
+    const bool elsewhere = begun_by_key && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    return elsewhere || struck_anyhow(ui::key_enter) || struck_anyhow(ui::key_keypad_enter);
+}
+
+void say_no_point_is_selected(Session& session)
+{
+    session.notices.say(ui::NoticeKind::warning, "No control point is selected",
+                        "Click one, or drag a box over some. With the Select tool the keys move, "
+                        "turn and scale the whole object.",
+                        of_a_step);
 }
 
 } // namespace trivar

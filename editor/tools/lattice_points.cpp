@@ -164,10 +164,7 @@ bool LatticePointsTool::grab(Session& session, MotionKind kind)
     grabbing_.reset();
     if (object_ == 0) return false;
     if (chosen_.empty())
-        session.notices.say(ui::NoticeKind::warning, "No control point is selected",
-                            "Click one, or drag a box over some. With the Select tool the keys "
-                            "move, turn and scale the whole object.",
-                            of_a_step);
+        say_no_point_is_selected(session);
     else if (!session.committing())
         grabbing_ = kind;
     return true;
@@ -435,14 +432,12 @@ void LatticePointsTool::cancel(Session& session)
 void LatticePointsTool::take_keys(Session& session)
 {
     if (!gesture_) return;
-    const bool ended = take_gesture_keys(*gesture_);
+    const bool ended = take_gesture_keys(*gesture_, by_key_, outside_);
     const bool typing_formula = gesture_->typed().text(gesture_->typed().at()).starts_with('=');
     if (!typing_formula && ui::struck({'O'})) proportional_.on = !proportional_.on;
     for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
         if (ui::struck({key}, true)) resize(session, std::pow(radius_step, steps));
-    // A click elsewhere in the window ends it too, before the panel there sees the click.
-    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (ended || elsewhere) finish(session);
+    if (ended) finish(session);
 }
 
 } // namespace trivar

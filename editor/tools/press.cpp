@@ -6,6 +6,7 @@
 #include "core/ffd/resolution.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/topics.h"
+#include "editor/tools/falloff_option.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
@@ -359,14 +360,8 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
     const EvaluatedObject* laid = selected_volume(session);
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     std::vector<ui::Option> options;
-    options.push_back(
-        {"Falloff", 104,
-         [&](float field) {
-             int kind = static_cast<int>(decay_);
-             ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
-             decay_ = static_cast<Decay>(kind);
-         },
-         "How the press falls off from the ball's middle to its rim."});
+    options.push_back(falloff_option(theme, decay_,
+                                     "How the press falls off from the ball's middle to its rim."));
     double shown_radius = laid ? radius(*laid->placement) : radius_;
     options.push_back({"Radius", 88,
                        [&](float field) {

@@ -210,9 +210,7 @@ void TetrahedraClouds::cancel(Session& session)
 void TetrahedraClouds::take_keys(Session& session)
 {
     if (!gesture_) return;
-    const bool ended = take_gesture_keys(*gesture_);
-    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (ended || elsewhere) finish(session);
+    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
 }
 
 } // namespace trivar

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/falloff_option.h"
 #include "editor/tools/shown_tetrahedra.h"
 #include "editor/tools/tetrahedra.h"
 #include "ui/option_bar.h"
@@ -86,13 +87,7 @@ void TetrahedraTool::add_ball_options(std::vector<ui::Option>& options, const ui
                        "you pull."});
     if (by_ != By::pull && by_ != By::points) return;
     options.push_back(
-        {"Falloff", 104,
-         [&](float field) {
-             int kind = static_cast<int>(decay_);
-             ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
-             decay_ = static_cast<Decay>(kind);
-         },
-         "How the pull falls off from the ball's middle to its rim."});
+        falloff_option(theme, decay_, "How the pull falls off from the ball's middle to its rim."));
 }
 
 void TetrahedraTool::options(Session& session, const ui::Theme& theme, float width)

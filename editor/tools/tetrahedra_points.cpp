@@ -242,10 +242,7 @@ bool TetrahedraPoints::grab(Session& session, MotionKind kind)
     grabbing_.reset();
     if (object_ == 0) return false;
     if (chosen_.empty())
-        session.notices.say(ui::NoticeKind::warning, "No control point is selected",
-                            "Click one, or drag a box over some. With the Select tool the keys "
-                            "move, turn and scale the whole object.",
-                            of_a_step);
+        say_no_point_is_selected(session);
     else if (!session.committing())
         grabbing_ = kind;
     return true;
@@ -355,10 +352,7 @@ void TetrahedraPoints::cancel(Session& session)
 void TetrahedraPoints::take_keys(Session& session)
 {
     if (!gesture_) return;
-    const bool ended = take_gesture_keys(*gesture_);
-    // A click elsewhere in the window ends it too, before the panel there sees the click.
-    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (ended || elsewhere) finish(session);
+    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
 }
 
 std::string TetrahedraPoints::words() const

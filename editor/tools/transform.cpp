@@ -203,10 +203,7 @@ void TransformTool::cancel(Session& session)
 void TransformTool::take_keys(Session& session)
 {
     if (!gesture_) return;
-    const bool ended = take_gesture_keys(*gesture_);
-    // A click elsewhere in the window ends it too, before the panel there sees the click.
-    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (ended || elsewhere) finish(session);
+    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
 }
 
 } // namespace trivar

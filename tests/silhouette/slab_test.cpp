@@ -149,15 +149,24 @@ TEST(SlabPlan, FitsIntoTheMemoryOrIsRefused)
     EXPECT_THROW(slab_plan(size, 2, {}, std::uint64_t{1} << 30), Rejected);
 }
 
+// Data that are looked at as a whole and by slabs.
+struct Waves {
+    SampledField from = sampled("waves", 96);
+    VoxelGrid grid = [this] {
+        VoxelGrid out;
+        out.size = from.size;
+        out.samples = in_single_precision(from.samples);
+        return out;
+    }();
+    VoxelField whole{make_ref(grid), {}};
+    float level = static_cast<float>(from.level);
+    LevelMesh mesh = whole.level(level);
+};
+
 TEST(SlabDrawing, HidesWhatTheWholeHides)
 {
-    const SampledField from = sampled("waves", 96);
-    VoxelGrid grid;
-    grid.size = from.size;
-    grid.samples = in_single_precision(from.samples);
-    const VoxelField whole(make_ref(grid), {});
-    const auto level = static_cast<float>(from.level);
-    const LevelMesh mesh = whole.level(level);
+    const Waves waves;
+    const auto& [from, grid, whole, level, mesh] = waves;
     const DrawingView view{image_of({1, 0.4, -0.7}), {glm::dvec4(1, 0.4, -0.7, 0)}};
     const Silhouettes curves = SilhouetteFinder()(whole.field(), mesh, view.from);
     const std::vector<char> hidden =
@@ -176,13 +185,8 @@ TEST(SlabDrawing, HidesWhatTheWholeHides)
 
 TEST(SlabDrawing, DrawsWhatTheWholeGives)
 {
-    const SampledField from = sampled("waves", 96);
-    VoxelGrid grid;
-    grid.size = from.size;
-    grid.samples = in_single_precision(from.samples);
-    const VoxelField whole(make_ref(grid), {});
-    const auto level = static_cast<float>(from.level);
-    const LevelMesh mesh = whole.level(level);
+    const Waves waves;
+    const auto& [from, grid, whole, level, mesh] = waves;
     const DrawingView view{image_of({0.3, 1, -0.5}), {glm::dvec4(0.3, 1, -0.5, 0)}};
     const DrawnLevel drawn{.name = "a", .mesh = mesh};
     const LevelDrawing at_once = draw_levels(whole.field(), whole.hulls(), {&drawn, 1}, view);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/shaping.h"
+#include "ui/option_bar.h"
+#include "ui/theme.h"
+
+namespace trivar {
+
+// The choice of a falloff in a tool's bar. The theme and the falloff outlive it.
+ui::Option falloff_option(const ui::Theme& theme, Decay& falloff, const char* help);
+
+} // namespace trivar
