@@ -75,8 +75,8 @@ bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, f
     const auto depth_of = [&](float value) { return sign * (value - body.level); };
     Depth before{};
     bool has_before = false;
-    for (float way = std::max(first_step, way_into(p.z, to_eye.z, least.z, greatest.z));
-         way < end;) {
+    float way = std::max(first_step, way_into(p.z, to_eye.z, least.z, greatest.z));
+    while (way <= end) {
         const glm::vec3 at = p + way * to_eye;
         const glm::ivec3 brick = body.hulls.brick_of(at);
         const FieldHulls::Range& range = body.hulls.of(brick);
@@ -101,7 +101,8 @@ bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, f
                 }
         before = here;
         has_before = true;
-        way += step_after(way);
+        if (way == end) break;
+        way = std::min(way + step_after(way), end); // a body may begin just before the end
     }
     return false;
 }
