@@ -12,31 +12,25 @@ namespace {
 
 constexpr std::int32_t none = -1;
 
-// EdgeSlots keeps a number for each edge.
+// EdgeSlots finds the number of an edge, among edges that know theirs.
 class EdgeSlots {
 public:
     explicit EdgeSlots(std::size_t most)
-        : slots_(std::bit_ceil(2 * most + 16), {free_slot, 0}),
+        : slots_(std::bit_ceil(2 * most + 16), none),
           shift_(64 - std::countr_zero(slots_.size()))
     {
     }
-    // The number of an edge: this one if it has none yet.
-    std::int32_t number_of(std::uint64_t edge, std::int32_t number)
+    // The number of an edge: this one if it has none yet. `edge_of` tells the edge of a number.
+    std::int32_t number_of(std::uint64_t edge, std::int32_t number, auto&& edge_of)
     {
         std::size_t i = edge * 0x9E3779B97F4A7C15 >> shift_; // Fibonacci hashing [Knuth 1973]
-        while (slots_[i].edge != free_slot && slots_[i].edge != edge)
-            i = (i + 1) & (slots_.size() - 1);
-        if (slots_[i].edge == free_slot) slots_[i] = {edge, number};
-        return slots_[i].number;
+        while (slots_[i] != none && edge_of(slots_[i]) != edge) i = (i + 1) & (slots_.size() - 1);
+        if (slots_[i] == none) slots_[i] = number;
+        return slots_[i];
     }
 
 private:
-    static constexpr std::uint64_t free_slot = ~std::uint64_t{0};
-    struct Slot {
-        std::uint64_t edge;
-        std::int32_t number;
-    };
-    std::vector<Slot> slots_;
+    std::vector<std::int32_t> slots_;
     int shift_;
 };
 
@@ -97,7 +91,8 @@ EdgeChains chains_of_part(std::span<const CrossedTriangle> triangles)
     nodes.reserve(edges.capacity());
     const auto node_of = [&](std::uint64_t edge) {
         const auto next = static_cast<std::int32_t>(nodes.size());
-        const std::int32_t number = slots.number_of(edge, next);
+        const std::int32_t number = slots.number_of(
+            edge, next, [&](std::int32_t i) { return edges[static_cast<std::size_t>(i)]; });
         if (number == next) {
             edges.push_back(edge);
             nodes.emplace_back();
@@ -140,10 +135,13 @@ EdgeChains joined(std::span<const EdgeChains> parts)
     std::vector<ChainNode> ends(2 * open.size());
     EdgeSlots slots(ends.size());
     for (std::size_t n = 0; n < ends.size(); ++n) ends[n].join(static_cast<std::int32_t>(n ^ 1));
+    const auto edge_of = [&](auto n) {
+        const std::span<const std::uint64_t>& edges = open[static_cast<std::size_t>(n) / 2];
+        return n % 2 == 0 ? edges.front() : edges.back();
+    };
     for (std::size_t n = 0; n < ends.size(); ++n) {
         const auto here = static_cast<std::int32_t>(n);
-        const std::int32_t there =
-            slots.number_of(n % 2 == 0 ? open[n / 2].front() : open[n / 2].back(), here);
+        const std::int32_t there = slots.number_of(edge_of(n), here, edge_of);
         if (there == here) continue;
         ends[n].join(there);
         ends[static_cast<std::size_t>(there)].join(here);

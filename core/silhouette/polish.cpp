@@ -13,16 +13,13 @@ constexpr double is_quadratic = 0.02; // a step from which the next one is its s
 
 // A place on its way, with what is known of the field at its last step but one.
 template <class Real> struct Polishing {
-    explicit Polishing(const glm::vec<3, Real>& from = glm::vec<3, Real>(0)) : p(from), begin(from)
-    {
-    }
     glm::vec<3, Real> p, begin;
     ScalarJet<Real> jet;
-    bool is_moving = true, has_come = false;
+    bool has_come;
 };
 
 // Newton's method at some places at once: each waits for the field on its own, and they do their
-// sums together.
+// sums together. Where one is done, another one takes its lane.
 template <class Real, std::size_t lanes> class Polisher {
 public:
     using Places = std::span<Polishing<Real>>;
@@ -35,17 +32,32 @@ public:
           least2_(std::min(square(is_quadratic), tolerance))
     {
     }
-    void operator()(Places places) // at most `lanes`
+    void operator()(Places places)
     {
-        bool moving = true;
-        for (int step = 0; moving && step < most_polishing_steps; ++step) {
-            for (std::size_t i = 0; i < places.size(); ++i)
-                if (places[i].is_moving) look(places[i], i);
+        std::array<Polishing<Real>*, lanes> in{};
+        std::array<int, lanes> steps{};
+        auto next = places.begin();
+        std::size_t moving = 0;
+        const auto begin = [&](std::size_t i) {
+            in[i] = nullptr;
+            if (next == places.end()) return;
+            in[i] = &*next++;
+            in[i]->begin = in[i]->p;
+            in[i]->has_come = false;
+            steps[i] = 0;
+            ++moving;
+        };
+        for (std::size_t i = 0; i < lanes; ++i) begin(i);
+        while (moving > 0) {
+            for (std::size_t i = 0; i < lanes; ++i)
+                if (in[i]) look(*in[i], i);
             find_moves();
-            moving = false;
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                if (places[i].is_moving) move(places[i], i, step);
-                moving |= places[i].is_moving;
+            for (std::size_t i = 0; i < lanes; ++i) {
+                if (!in[i]) continue;
+                const bool is_to_move = move(*in[i], i, steps[i]);
+                if (is_to_move && ++steps[i] < most_polishing_steps) continue;
+                --moving;
+                begin(i);
             }
         }
     }
@@ -102,22 +114,22 @@ private:
         keep(x * x + y * y + z * z, length2_);
         keep(det - static_cast<Real>(touching) * aa * bb, apart_);
     }
-    void move(Polishing<Real>& place, std::size_t i, int step)
+    // Whether the place is to move once more.
+    bool move(Polishing<Real>& place, std::size_t i, int step)
     {
         using Vec = glm::vec<3, Real>;
-        place.is_moving = false;
-        if (!(apart_[i] > 0)) return;
+        if (!(apart_[i] > 0)) return false;
         const Vec by(moves_[0][i], moves_[1][i], moves_[2][i]);
         place.p += length2_[i] > square(longest_step)
                        ? by * (static_cast<Real>(longest_step) / std::sqrt(length2_[i]))
                        : by;
         const Vec& end = end_;
         for (int k = 0; k < 3; ++k)
-            if (!(place.p[k] >= 0 && place.p[k] <= end[k])) return;
+            if (!(place.p[k] >= 0 && place.p[k] <= end[k])) return false;
         const Vec way = place.p - place.begin;
-        if (glm::dot(way, way) > square(longest_way)) return;
+        if (glm::dot(way, way) > square(longest_way)) return false;
         place.has_come = length2_[i] < tolerance2_ || (step > 0 && length2_[i] < least2_);
-        place.is_moving = !place.has_come;
+        return !place.has_come;
     }
 
     const ScalarField<Real>& field_;
@@ -125,7 +137,7 @@ private:
     const ViewPoint& view_;
     Real tolerance2_, least2_; // squared lengths: of a last step, and of a last one but the first
     glm::vec<3, Real> end_{field_.size() - 1};
-    // By place; of those that do not move any more, nothing is read.
+    // By lane; of one that has no place any more, nothing is read.
     Numbers value_{}, length2_{}, apart_{};
     std::array<Numbers, 3> gradient_{}, sight_{}, moves_{};
     std::array<Numbers, 6> hessian_{};
@@ -145,7 +157,8 @@ template <class Real>
 bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, glm::vec<3, Real>& p,
             ScalarJet<Real>& jet, Real tolerance)
 {
-    Polishing<Real> place(p);
+    Polishing<Real> place;
+    place.p = p;
     Polisher<Real, 2>(field, level, view, tolerance)(std::span(&place, 1));
     p = place.p;
     jet = place.jet;
@@ -162,18 +175,13 @@ void finish(const ScalarField<float>& field, float level, const ViewPoint& view,
 {
     constexpr std::size_t lanes = 8;
     constexpr float tolerance = 1e-4f;
-    Polisher<float, lanes> polish_places(field, level, view, tolerance);
-    std::array<Polishing<float>, lanes> places;
-    for (std::size_t first = 0; first < points.size(); first += lanes) {
-        const std::span<SilhouettePoint> some =
-            points.subspan(first, std::min(lanes, points.size() - first));
-        for (std::size_t i = 0; i < some.size(); ++i) places[i] = Polishing<float>(some[i].p);
-        if (polished) polish_places(std::span(places).first(some.size()));
-        for (std::size_t i = 0; i < some.size(); ++i) {
-            some[i].polished = places[i].has_come;
-            if (places[i].has_come) some[i].p = places[i].p;
-            set_shape(view, places[i].has_come ? places[i].jet : field.at<2>(some[i].p), some[i]);
-        }
+    std::vector<Polishing<float>> places(polished ? points.size() : 0);
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].p = points[i].p;
+    Polisher<float, lanes>(field, level, view, tolerance)(places);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].polished = polished && places[i].has_come;
+        if (points[i].polished) points[i].p = places[i].p;
+        set_shape(view, points[i].polished ? places[i].jet : field.at<2>(points[i].p), points[i]);
     }
 }
 

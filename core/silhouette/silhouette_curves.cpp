@@ -6,32 +6,20 @@
 #include "core/silhouette/polish.h"
 
 #include <cmath>
+#include <memory>
 
 namespace trivar {
 
-glm::vec3 place_on_edge(const glm::vec3& a, const glm::vec3& b, float product_a, float product_b)
+namespace {
+
+constexpr std::size_t edges_ahead = 16; // whose vertices are on their way from memory
+
+inline glm::vec3 zero_between(const glm::vec3& a, const glm::vec3& b, float product_a,
+                              float product_b)
 {
     float t = product_a / (product_a - product_b);
     if (!(t >= 0 && t <= 1)) t = 0.5f;
     return a + t * (b - a);
-}
-
-namespace {
-
-// Where the product is 0 on each edge.
-std::vector<glm::vec3> places_on(std::span<const std::uint64_t> edges,
-                                 std::span<const glm::vec3> positions,
-                                 std::span<const float> product)
-{
-    std::vector<glm::vec3> out(edges.size());
-    parallel_blocks(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const auto a = static_cast<std::size_t>(edges[k] >> 32),
-                       b = static_cast<std::size_t>(edges[k] & 0xFFFFFFFF);
-            out[k] = place_on_edge(positions[a], positions[b], product[a], product[b]);
-        }
-    });
-    return out;
 }
 
 float squared_distance(const glm::vec3& a, const glm::vec3& b)
@@ -42,30 +30,60 @@ float squared_distance(const glm::vec3& a, const glm::vec3& b)
 
 } // namespace
 
+glm::vec3 place_on_edge(const glm::vec3& a, const glm::vec3& b, float product_a, float product_b)
+{
+    return zero_between(a, b, product_a, product_b);
+}
+
 Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> positions,
                       std::span<const float> product, float spacing)
 {
-    return curves_of(chains, places_on(chains.edges, positions, product), spacing);
+    const std::vector<std::uint64_t>& edges = chains.edges;
+    const auto places = std::make_unique_for_overwrite<glm::vec3[]>(edges.size());
+    const auto ask_for = [&](std::uint64_t vertex) {
+        __builtin_prefetch(positions.data() + vertex);
+        __builtin_prefetch(product.data() + vertex);
+    };
+    parallel_blocks(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::uint64_t later = edges[std::min(k + edges_ahead, end - 1)];
+            ask_for(later >> 32);
+            ask_for(later & 0xFFFFFFFF);
+            const auto a = static_cast<std::size_t>(edges[k] >> 32),
+                       b = static_cast<std::size_t>(edges[k] & 0xFFFFFFFF);
+            places[k] = zero_between(positions[a], positions[b], product[a], product[b]);
+        }
+    });
+    return curves_of(chains, std::span(places.get(), edges.size()), spacing);
 }
 
 Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> places, float spacing)
 {
     Silhouettes out;
-    std::vector<std::uint32_t> kept; // of a chain
+    std::vector<std::uint32_t> kept;
     for (std::size_t c = 0; c < chains.count(); ++c) {
         const std::uint32_t begin = chains.first[c], end = chains.first[c + 1],
                             length = end - begin;
-        kept.assign(1, begin);
+        const std::size_t before = kept.size();
+        kept.push_back(begin);
+        glm::vec3 last = places[begin];
         for (std::uint32_t k = begin + 1; k < end; ++k)
-            if (squared_distance(places[kept.back()], places[k]) >= spacing * spacing)
+            if (squared_distance(last, places[k]) >= spacing * spacing) {
                 kept.push_back(k);
+                last = places[k];
+            }
         if (!chains.closed[c] && kept.back() + 1 != end) kept.push_back(end - 1);
-        if (chains.closed[c] && kept.size() < 3 && length >= 3)
-            kept = {begin, begin + length / 3, begin + 2 * length / 3};
-        for (const std::uint32_t k : kept)
-            out.points.push_back({.p = places[k], .edge = chains.edges[k]});
-        out.first.push_back(static_cast<std::uint32_t>(out.points.size()));
-        out.closed.push_back(chains.closed[c]);
+        if (chains.closed[c] && kept.size() - before < 3 && length >= 3) {
+            kept.resize(before);
+            kept.insert(kept.end(), {begin, begin + length / 3, begin + 2 * length / 3});
+        }
+        out.first.push_back(static_cast<std::uint32_t>(kept.size()));
+    }
+    out.closed = chains.closed;
+    out.points.resize(kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        out.points[i].p = places[kept[i]];
+        out.points[i].edge = chains.edges[kept[i]];
     }
     return out;
 }

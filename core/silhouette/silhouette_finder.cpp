@@ -21,6 +21,27 @@ template <bool from_an_eye>
         level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z;
     return from_an_eye ? of_normal + level.offset(v) * h.w : of_normal;
 }
+// Of the vertices from `begin` to before `end`, and whether they are at least 0; four at once.
+void find_products(const LevelMesh& level, const glm::vec4& h, std::size_t begin, std::size_t end,
+                   float* products, std::uint8_t* above)
+{
+    using FourBytes __attribute__((vector_size(4))) = std::uint8_t;
+    const float x = h.x, y = h.y, z = h.z;
+    const float *const nx = level.normal_x.data(), *const ny = level.normal_y.data(),
+                       *const nz = level.normal_z.data();
+    std::size_t v = begin;
+    for (; v + 4 <= end; v += 4) {
+        const Row4<float> row = row4(nx + v) * x + row4(ny + v) * y + row4(nz + v) * z;
+        const FourBytes is_above = __builtin_convertvector((row >= 0) & 1, FourBytes);
+        std::memcpy(products + v, &row, sizeof row);
+        std::memcpy(above + v, &is_above, sizeof is_above);
+    }
+    for (; v < end; ++v) {
+        products[v] = product<false>(level, v, h);
+        above[v] = products[v] >= 0;
+    }
+}
+
 float product(const LevelMesh& level, std::size_t v, const glm::vec4& h)
 {
     return h.w == 0 ? product<false>(level, v, h) : product<true>(level, v, h);
@@ -94,19 +115,16 @@ void SilhouetteFinder::find_runs(const LevelMesh& level, const glm::vec4& h, std
         for (std::size_t b = begin; b < end; ++b) {
             const LevelMesh::Brick& brick = level.bricks[b];
             const glm::vec3 u = glm::vec3(h) - h.w * brick.middle;
-            const std::array<float, 4> v{u.x, u.y, u.z, h.w};
+            const Row4<float> v{u.x, u.y, u.z, h.w};
             const std::uint32_t runs =
                 (brick.triangle_end - brick.first_triangle + LevelMesh::run_length - 1) /
                 LevelMesh::run_length;
             for (std::uint32_t r = brick.first_run; r < brick.first_run + runs; ++r) {
                 const LevelMesh::Run& run = level.runs[r];
-                float least = 0, greatest = 0;
-                for (std::size_t k = 0; k < 4; ++k) {
-                    const float p = v[k] * run.least[k], q = v[k] * run.greatest[k];
-                    least += std::min(p, q);
-                    greatest += std::max(p, q);
-                }
-                run_changes_[r] = least <= 0 && greatest >= 0;
+                const Row4<float> p = v * row4(run.least.data()), q = v * row4(run.greatest.data()),
+                                  least = q < p ? q : p, greatest = p < q ? q : p;
+                run_changes_[r] = ((least[0] + least[1]) + least[2]) + least[3] <= 0 &&
+                                  ((greatest[0] + greatest[1]) + greatest[2]) + greatest[3] >= 0;
                 is_needed_[b] |= run_changes_[r];
             }
         }
@@ -129,14 +147,14 @@ void SilhouetteFinder::find_signs(const LevelMesh& level, const glm::vec4& h)
             const LevelMesh::Brick& brick = level.bricks[b];
             float* const products = product_.data();
             std::uint8_t* const above = is_above_.data();
-            if (h.w == 0)
-                for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
-                    products[v] = product<false>(level, v, h);
-            else
-                for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
-                    products[v] = product<true>(level, v, h);
-            for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v)
+            if (h.w == 0) {
+                find_products(level, h, brick.first_vertex, brick.vertex_end, products, above);
+                continue;
+            }
+            for (std::size_t v = brick.first_vertex; v < brick.vertex_end; ++v) {
+                products[v] = product<true>(level, v, h);
                 above[v] = products[v] >= 0;
+            }
         }
     });
 }
@@ -158,10 +176,9 @@ void SilhouetteFinder::add_changing(const LevelMesh& level, const LevelMesh::Bri
         tested += end - first;
         for (std::uint32_t t = first; t < end; ++t) {
             const LevelMesh::Corner* const c = level.corners.data() + 3 * std::size_t{t};
-            const unsigned signs =
-                unsigned{above[c[0]]} | unsigned{above[c[1]]} << 1 | unsigned{above[c[2]]} << 2;
-            if (signs != 0 && signs != 7)
-                add_crossed(level.vertices(brick, t).data(), signs, crossed);
+            const unsigned a0 = above[c[0]], a1 = above[c[1]], a2 = above[c[2]];
+            if ((a0 + a1 + a2) % 3 != 0)
+                add_crossed(level.vertices(brick, t).data(), a0 | a1 << 1 | a2 << 2, crossed);
         }
     }
 }
