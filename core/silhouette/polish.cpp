@@ -41,6 +41,7 @@ public:
         const auto begin = [&](std::size_t i) {
             in[i] = nullptr;
             if (next == places.end()) return;
+            if (places.end() - next > std::ptrdiff_t{lanes}) ask_for(next[lanes].p);
             in[i] = &*next++;
             in[i]->begin = in[i]->p;
             in[i]->has_come = false;
@@ -76,6 +77,15 @@ private:
     static void keep(const Lanes& from, Numbers& numbers)
     {
         std::memcpy(&numbers, &from, sizeof numbers);
+    }
+    // Has the coefficients near a place brought from memory.
+    void ask_for(const glm::vec<3, Real>& p) const
+    {
+        const glm::ivec3 cell = glm::min(glm::ivec3(p), field_.size() - 2);
+        const Real* const first = &field_.coefficient(cell.x - 1, cell.y - 1, cell.z - 1);
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t j = 0; j < 4; ++j)
+                __builtin_prefetch(first + k * field_.plane() + j * field_.row());
     }
     void look(Polishing<Real>& place, std::size_t i)
     {
