@@ -15,6 +15,13 @@ std::size_t resident_bytes()
     return file ? resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+std::uint64_t physical_bytes()
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || page <= 0) return 0;
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+}
+
 void keep_freed_memory()
 {
     mallopt(M_TRIM_THRESHOLD, 256 << 20);

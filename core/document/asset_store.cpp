@@ -64,6 +64,7 @@ ReadVolumeOptions options_of(const VolumeReading& reading)
 {
     ReadVolumeOptions options;
     options.spacing = reading.spacing_mm;
+    options.coarsen = reading.coarsen;
     if (reading.size.x > 0)
         options.raw = RawLayout{{{reading.size.x, reading.size.y, reading.size.z}, reading.type},
                                 reading.order,
@@ -73,9 +74,9 @@ ReadVolumeOptions options_of(const VolumeReading& reading)
 
 std::string key_of(const VolumeReading& r)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {}", r.size.x, r.size.y, r.size.z,
+    return fmt::format("{} {} {} {} {} {} {} {} {} {}", r.size.x, r.size.y, r.size.z,
                        static_cast<int>(r.type), static_cast<int>(r.order), r.header_bytes,
-                       r.spacing_mm.x, r.spacing_mm.y, r.spacing_mm.z);
+                       r.spacing_mm.x, r.spacing_mm.y, r.spacing_mm.z, r.coarsen);
 }
 
 } // namespace
@@ -203,6 +204,17 @@ AssetStore::LoadedVolume AssetStore::load_volume(const std::string& name, const 
             fmt::format("{}: the file has changed since this scene was made", name));
     if (result.hash.empty()) state_->volumes.erase(entry); // it may come back
     return result;
+}
+
+GridPart AssetStore::part_of_volume(const std::string& name, const VolumeReading& reading,
+                                    const Progress& progress) const
+{
+    const std::string path = resolve(name);
+    const std::lock_guard guard(state_->mutex);
+    make_sample_model(path, progress);
+    ReadVolumeOptions options = options_of(reading);
+    options.head_only = true;
+    return read_volume(path, options, progress).part;
 }
 
 void AssetStore::forget(const std::string& path) const

@@ -5,6 +5,7 @@
 #include "core/document/document.h"
 #include "core/mesh/grey_image.h"
 #include "core/mesh/model.h"
+#include "core/voxels/volume_options.h"
 #include "core/voxels/volume_summary.h"
 
 #include <array>
@@ -53,6 +54,10 @@ public:
     LoadedVolume load_volume(const std::string& path, const std::string& hash,
                              const Progress& progress = {},
                              const VolumeReading& reading = {}) const;
+    // The part of volume data that load_volume() reads so, by their heads alone. Throws Rejected
+    // and Cancelled.
+    GridPart part_of_volume(const std::string& path, const VolumeReading& reading,
+                            const Progress& progress = {}) const;
     void forget(const std::string& path) const; // reads the file again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
     // The names by which --set may call the file of that path: the path itself, or its last part.

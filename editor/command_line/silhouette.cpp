@@ -2,6 +2,7 @@
 #include "editor/command_line/silhouette.h"
 
 #include "core/base/box.h"
+#include "core/base/memory.h"
 #include "core/base/rejected.h"
 #include "core/document/fields/voxel_fields.h"
 #include "core/drawing/drawing_file.h"
@@ -17,7 +18,6 @@
 #include <charconv>
 #include <chrono>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace trivar {
 namespace {
@@ -214,8 +214,8 @@ std::uint64_t memory_of(const SilhouetteCommand& command)
 {
     constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
     if (command.memory_mb > 0) return static_cast<std::uint64_t>(command.memory_mb) * megabyte;
-    const std::int64_t pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages / 2 * page) : 1024 * megabyte;
+    const std::uint64_t all = physical_bytes();
+    return all > 0 ? all / 2 : 1024 * megabyte;
 }
 
 // What is drawn, with the values of its levels.

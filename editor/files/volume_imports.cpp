@@ -24,17 +24,18 @@ std::string absolute_path(const std::string& path)
 void VolumeImports::read(const std::string& path, std::function<void(const std::string& why)> done)
 {
     const std::string file = absolute_path(path);
-    session_->jobs().start(
-        {"Reading " + file_name(file),
-         [this, file, done, store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             auto offer = std::make_shared<VolumeOffer>(offer_of(file, {}, store, progress));
-             return [this, offer, done] {
-                 offers_.push_back(std::move(*offer));
-                 ++number_;
-                 done({});
-             };
-         },
-         [file, done](const std::string& why) { done(reason(why, file)); }});
+    session_->jobs().start({"Reading " + file_name(file),
+                            [this, file, done, store = session_->assets(),
+                             memory = memory_bytes](const Progress& progress) -> Jobs::Finish {
+                                auto offer = std::make_shared<VolumeOffer>(
+                                    offer_of(file, {}, store, memory, progress));
+                                return [this, offer, done] {
+                                    offers_.push_back(std::move(*offer));
+                                    ++number_;
+                                    done({});
+                                };
+                            },
+                            [file, done](const std::string& why) { done(reason(why, file)); }});
 }
 
 void VolumeImports::read_again()
@@ -43,33 +44,32 @@ void VolumeImports::read_again()
     const VolumeOffer& now = offers_.front();
     now.assets->forget(now.path);
     again_ = true;
-    session_->jobs().start({"Reading " + file_name(now.path),
-                            [this, file = now.path, reading = now.command.shape.reading,
-                             store = now.assets](const Progress& progress) -> Jobs::Finish {
-                                auto offer = std::make_shared<VolumeOffer>(
-                                    offer_of(file, reading, store, progress));
-                                return [this, offer] {
-                                    again_ = false;
-                                    if (offers_.empty() || offers_.front().path != offer->path)
-                                        return;
-                                    const VolumeOffer& was = offers_.front();
-                                    // The person went on typing meanwhile.
-                                    if (was.command.shape.reading != offer->command.shape.reading)
-                                        return read_again();
-                                    offer->up = was.up;
-                                    offer->scale = was.scale;
-                                    offer->centered = was.centered;
-                                    offers_.front() = std::move(*offer);
-                                    ++number_;
-                                };
-                            },
-                            [this](const std::string& why) {
-                                again_ = false;
-                                if (offers_.empty()) return;
-                                offers_.front().grid = nullptr;
-                                offers_.front().trouble = why;
-                                ++number_;
-                            }});
+    session_->jobs().start(
+        {"Reading " + file_name(now.path),
+         [this, file = now.path, reading = now.command.shape.reading, store = now.assets,
+          memory = memory_bytes](const Progress& progress) -> Jobs::Finish {
+             auto offer =
+                 std::make_shared<VolumeOffer>(offer_of(file, reading, store, memory, progress));
+             return [this, offer, reading] {
+                 again_ = false;
+                 if (offers_.empty() || offers_.front().path != offer->path) return;
+                 const VolumeOffer& was = offers_.front();
+                 // The person went on typing meanwhile.
+                 if (was.command.shape.reading != reading) return read_again();
+                 offer->up = was.up;
+                 offer->scale = was.scale;
+                 offer->centered = was.centered;
+                 offers_.front() = std::move(*offer);
+                 ++number_;
+             };
+         },
+         [this](const std::string& why) {
+             again_ = false;
+             if (offers_.empty()) return;
+             offers_.front().grid = nullptr;
+             offers_.front().trouble = why;
+             ++number_;
+         }});
 }
 
 void VolumeImports::add()

@@ -16,6 +16,9 @@ class VolumeImports {
 public:
     explicit VolumeImports(Session& session) : session_(&session) {}
 
+    // Data that take more are offered coarsened.
+    std::uint64_t memory_bytes = volume_memory();
+
     // Starts the job. `done` is called when it is over: with why the data could not be read, or
     // with nothing where they are offered now.
     void read(const std::string& path, std::function<void(const std::string& why)> done);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/volume_offer.h"
 
+#include "core/base/memory.h"
 #include "core/base/rejected.h"
+#include "core/silhouette/field_slabs.h"
 #include "editor/files/volume_names.h"
 #include "editor/session/volume_levels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -53,14 +57,77 @@ VolumeReading reading_of(const RawLayout& layout)
             .header_bytes = static_cast<int>(layout.header_bytes)};
 }
 
+Keeping keeping_of(GridPart part, int coarsen)
+{
+    part.coarsen = coarsen;
+    return {coarsen, part.count() * part.bytes_per_sample,
+            part.count() * field_bytes(part.bytes_per_sample, {})};
+}
+
+// Chooses the reading's coarsening if it fits, else the finest that does.
+void choose_keeping(VolumeOffer& offer, VolumeReading& reading, const Progress& progress)
+{
+    offer.part = offer.assets->part_of_volume(offer.path, reading, progress);
+    offer.keepings = keepings(offer.part, offer.memory_bytes);
+    if (offer.keepings.empty())
+        throw Rejected(fmt::format("{}: its {} x {} x {} samples do not fit into the memory, "
+                                   "however coarse",
+                                   std::filesystem::path(offer.path).filename().string(),
+                                   offer.part.whole.x, offer.part.whole.y, offer.part.whole.z));
+    reading.coarsen = std::max(reading.coarsen, offer.keepings.front().coarsen);
+}
+
 } // namespace
 
+std::vector<Keeping> keepings(GridPart part, std::uint64_t memory_bytes)
+{
+    constexpr int most_coarsening = 64;
+    std::vector<Keeping> out;
+    for (int n = 1; n <= most_coarsening; ++n) {
+        const Keeping each = keeping_of(part, n);
+        const bool same = !out.empty() && out.back().bytes == each.bytes; // it has no more to merge
+        if (each.working_bytes <= memory_bytes && !same) out.push_back(each);
+    }
+    return out;
+}
+
+std::uint64_t volume_memory()
+{
+    constexpr std::uint64_t least = std::uint64_t{1} << 30;
+    // The reader's own bound is on samples alone, and no lower.
+    const std::uint64_t most = ReadVolumeOptions{}.memory_bytes, all = physical_bytes();
+    return all == 0 ? least : std::min<std::uint64_t>(all / 2, most);
+}
+
+bool asks_what_is_kept(const VolumeOffer& offer)
+{
+    constexpr std::uint64_t large = std::uint64_t{256} << 20; // bytes
+    return !offer.keepings.empty() && (offer.command.shape.reading.coarsen > 1 ||
+                                       offer.keepings.front().working_bytes > large);
+}
+
+std::string bytes_words(std::uint64_t bytes)
+{
+    const auto b = static_cast<double>(bytes);
+    if (b < 1e6) return fmt::format("{:.0f} KB", std::max(1.0, b / 1e3));
+    return b < 1e9 ? fmt::format("{:.1f} MB", b / 1e6) : fmt::format("{:.2f} GB", b / 1e9);
+}
+
+std::string words_of(const Keeping& keeping)
+{
+    const std::string bytes = bytes_words(keeping.bytes);
+    if (keeping.coarsen == 1) return bytes + ", every voxel";
+    return fmt::format("{}, one voxel for {} along each axis", bytes, keeping.coarsen);
+}
+
 VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
-                     const Ref<AssetStore>& assets, const Progress& progress)
+                     const Ref<AssetStore>& assets, std::uint64_t memory_bytes,
+                     const Progress& progress)
 {
     VolumeOffer out;
     out.path = path;
     out.assets = assets;
+    out.memory_bytes = memory_bytes;
     out.raw = is_raw_volume(path);
     AddVoxels asked;
     asked.shape.path = path;
@@ -79,6 +146,7 @@ VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
     out.says_no_spacing = out.raw || is_folder_of_pictures(path);
     out.command = asked;
     try {
+        choose_keeping(out, asked.shape.reading, progress);
         out.command = std::get<AddVoxels>(prepare(asked, *assets, progress));
         const AssetStore::LoadedVolume loaded = assets->load_volume(
             out.command.shape.path, out.command.shape.hash, progress, out.command.shape.reading);
@@ -87,6 +155,14 @@ VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
         out.grid = loaded.grid;
         out.summary = loaded.summary;
         out.notices = loaded.notices;
+        if (const Keeping all = keeping_of(out.part, 1); all.working_bytes > memory_bytes)
+            out.notices.insert(
+                out.notices.begin(),
+                fmt::format("every voxel would take {}, {} with what the window makes of them, "
+                            "more than the {} that volume data may take; one voxel for {} along "
+                            "each axis is kept, their mean",
+                            bytes_words(all.bytes), bytes_words(all.working_bytes),
+                            bytes_words(memory_bytes), out.command.shape.reading.coarsen));
     } catch (const Rejected& why) {
         if (!out.raw) throw;
         out.trouble = why.what();

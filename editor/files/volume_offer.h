@@ -4,6 +4,7 @@
 #include "core/commands/command.h"
 #include "core/mesh/model.h"
 #include "core/voxels/raw_layout.h"
+#include "core/voxels/volume_options.h"
 
 #include <array>
 #include <string>
@@ -24,6 +25,19 @@ std::array<VolumeSlice, 3> middle_slices(const VoxelGrid& grid, const VolumeSumm
 // Which direction of the data points up in the scene.
 enum class DataUp { z, minus_z, y, minus_y, x, minus_x };
 
+// A Keeping is a way to keep volume data: one sample for `coarsen` along each axis.
+struct Keeping {
+    int coarsen = 1;
+    std::uint64_t bytes = 0;         // of the samples
+    std::uint64_t working_bytes = 0; // with the function through them, as the window holds both
+    bool operator==(const Keeping&) const = default;
+};
+// The ways to keep a box of samples that fit into so much memory, the finest first, at most 64;
+// none where none does.
+std::vector<Keeping> keepings(GridPart part, std::uint64_t memory_bytes);
+// What volume data may take in the window: half of the memory that this computer has.
+std::uint64_t volume_memory();
+
 // A VolumeOffer is volume data as they are shown before they come into the scene, and how they are
 // to stand there.
 struct VolumeOffer {
@@ -32,6 +46,9 @@ struct VolumeOffer {
     Ref<AssetStore> assets; // by which it was read
     Ref<VoxelGrid> grid;    // null: it cannot be read so
     Ref<VolumeSummary> summary;
+    GridPart part;                  // that was read
+    std::vector<Keeping> keepings;  // among which a person chooses
+    std::uint64_t memory_bytes = 0; // into which they fit
     std::array<VolumeSlice, 3> slices;
     std::vector<std::string> notices;
     std::vector<RawGuess> guesses; // of a file without a head
@@ -43,11 +60,20 @@ struct VolumeOffer {
     bool centered = true; // it stands on the ground in the middle of the scene
 };
 
-// Reads them. Without a head and without sizes in its name a file is read by the likeliest layout.
+// Whether a person is asked how much is kept: of data of which not all fits, or that are large to
+// work on.
+bool asks_what_is_kept(const VolumeOffer& offer);
+// "64.0 MB, one voxel for 2 along each axis".
+std::string words_of(const Keeping& keeping);
+std::string bytes_words(std::uint64_t bytes); // "64.0 MB"
+
+// Reads them, coarsened as `reading` says or further, so far that they fit into the memory. Without
+// a head and without sizes in its name a file is read by the likeliest layout.
 // Throws Rejected, but for a file without a head, whose offer says what is wrong. Beside the
 // window.
 VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
-                     const Ref<AssetStore>& assets, const Progress& progress);
+                     const Ref<AssetStore>& assets, std::uint64_t memory_bytes,
+                     const Progress& progress);
 
 // The command that brings them into the scene as the offer says.
 AddVoxels command_of(const VolumeOffer& offer);

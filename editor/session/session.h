@@ -6,6 +6,7 @@
 #include "editor/jobs/job.h"
 #include "editor/session/chosen_incision.h"
 #include "editor/session/chosen_level.h"
+#include "editor/session/level_scouts.h"
 #include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
 #include "ui/notices.h"
@@ -98,6 +99,7 @@ public:
     Selection selected;
     ChosenIncision incision; // of the active object
     ChosenLevel level;       // likewise
+    LevelScouts level_scouts;
     // ascending: left out of the picture while the person works on others
     std::vector<Id> hidden_here;
     // selects all objects from that id up, without those in groups among them

@@ -7,6 +7,7 @@
 #include "editor/tools/select.h"
 #include "ui/icons.h"
 #include "ui/input.h"
+#include "ui/level_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,21 @@ namespace trivar {
 namespace {
 
 constexpr double drag_range_px = 600; // over which a drag goes through all values
+constexpr double halt_reach_px = 6;   // of the hand
 constexpr double wheel_steps = 200;   // of the wheel through all values
 
 const VolumeSummary* summary_at(const Session& session, Id id)
 {
     const ShownVolume* shown = shown_volume_of(session, id);
     return shown ? shown->summary.get() : nullptr;
+}
+
+// Values at which a dragged level halts; none until they are known.
+std::span<const double> plateaus_at(Session& session, Id id)
+{
+    const ShownVolume* shown = shown_volume_of(session, id);
+    const ScoutedVolume* scouted = shown ? session.level_scouts.of(session, *shown) : nullptr;
+    return scouted ? std::span(scouted->plateaus) : std::span<const double>();
 }
 
 } // namespace
@@ -55,8 +65,9 @@ void SilhouettesTool::use(Session& session, const ViewportInput& input)
     const Id id = volume_at_work(session.document(), session.selected);
     const VoxelShape* shape = volume_of(session.document(), id);
     levels_ = shape ? static_cast<int>(shape->levels.size()) : 0;
+    const std::span<const double> plateaus = plateaus_at(session, id); // looked for from now on
     if (session.committing()) return;
-    if (drag_) return drag(session, input);
+    if (drag_) return drag(session, input, plateaus);
     turn_wheel(session, input);
     if (wheel_) return;
     if (!ImGui::GetIO().WantTextInput && input.hovered) take_digits(session);
@@ -103,7 +114,8 @@ bool SilhouettesTool::propose_value(Session& session, Id object, int level, doub
     return session.propose(set);
 }
 
-void SilhouettesTool::drag(Session& session, const ViewportInput& input)
+void SilhouettesTool::drag(Session& session, const ViewportInput& input,
+                           std::span<const double> plateaus)
 {
     Drag& d = *drag_;
     const VolumeSummary* summary = summary_at(session, d.object);
@@ -114,9 +126,13 @@ void SilhouettesTool::drag(Session& session, const ViewportInput& input)
     d.moved = d.moved || std::abs(d.shift_px) > click_slip_px * input.scale;
     if (d.moved && summary && step != 0) {
         const double range = summary->greatest - summary->least;
-        const double value = readable_value(
-            d.from_value + d.shift_px / (drag_range_px * input.scale) * range, *summary);
-        propose_value(session, d.object, d.level, value);
+        const double per_px = range / (drag_range_px * input.scale);
+        const double by_hand = d.from_value + d.shift_px * per_px;
+        const double reach =
+            ImGui::GetIO().KeyCtrl ? 0 : halt_reach_px * input.scale * fine * per_px;
+        const double value = ui::snapped(plateaus, by_hand, reach);
+        d.halted = std::ranges::find(plateaus, value) != plateaus.end();
+        propose_value(session, d.object, d.level, readable_value(value, *summary));
     }
     if (input.released || !input.down) finish(session);
 }
@@ -169,7 +185,10 @@ void SilhouettesTool::cancel(Session& session)
 std::vector<Hint> SilhouettesTool::hints(const Session& session) const
 {
     if (drag_)
-        return {{{"left"}, "Up and down: the level"}, {{"Shift"}, "Finer"}, {{"Esc"}, "Cancel"}};
+        return {{{"left"}, "Up and down: the level"},
+                {{"Shift"}, "Finer"},
+                {{"Ctrl"}, "Halts nowhere"},
+                {{"Esc"}, "Cancel"}};
     if (wheel_) return {{{"Ctrl"}, "Let go when done"}, {{"Esc"}, "Cancel"}};
     const Id id = volume_at_work(session.document(), session.selected);
     const VoxelShape* shape = volume_of(session.document(), id);

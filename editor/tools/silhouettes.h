@@ -5,11 +5,13 @@
 #include "editor/tools/tool.h"
 
 #include <optional>
+#include <span>
 
 namespace trivar {
 
 // Works on the levels of volume data: a click on a line chooses its level, a drag up and down
-// changes the value, live, and so does the wheel with Ctrl.
+// changes the value, live, and so does the wheel with Ctrl. A dragged value halts where the length
+// of the lines hardly changes, as on the histogram, unless Ctrl is held.
 class SilhouettesTool : public Tool {
 public:
     std::string name() const override { return "Silhouettes"; }
@@ -39,9 +41,10 @@ private:
         double from_value = 0, shift_px = 0;
         glm::dvec2 last{0};
         bool moved = false;
+        bool halted = false; // the value is at such a place
     };
     void press(Session& session, const ViewportInput& input);
-    void drag(Session& session, const ViewportInput& input);
+    void drag(Session& session, const ViewportInput& input, std::span<const double> plateaus);
     void turn_wheel(Session& session, const ViewportInput& input);
     void take_digits(Session& session) const;
     bool propose_value(Session& session, Id object, int level, double value) const;

@@ -39,6 +39,10 @@ template <> struct FieldsOf<VolumeReading> {
         field("spacing_mm", r.spacing_mm,
               "between samples of files that do not say it, millimetres",
               in_range(1e-9, 1e9).called("Spacing").without_keys());
+        field("coarsen", r.coarsen,
+              "how many samples along each axis become one, their mean, while the files are read: "
+              "for data larger than memory",
+              later_in_range(1, 64).called("Kept").resting_at(1).without_keys());
     }
 };
 template <> struct FieldsOf<VoxelLevel> {
@@ -96,7 +100,8 @@ template <> struct FieldsOf<VoxelShape> {
             in_range(0, 1).called("Crop to").in(Unit::share).resting_at(1).counts(Counting::named));
         field("levels", s.levels, "that are shown; none: one that parts the values best");
         field("casting", s.casting, "how the data are seen as a whole", later);
-        field("reading", s.reading, "what its files do not say", later.without_keys());
+        field("reading", s.reading, "what its files do not say, and how much is kept",
+              later.without_keys());
     }
 };
 

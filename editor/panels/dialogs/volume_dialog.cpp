@@ -19,13 +19,6 @@ namespace {
 constexpr std::array<const char*, 3> slice_captions{"From above", "From the front",
                                                     "From the side"};
 
-std::string bytes_words(std::size_t bytes)
-{
-    const auto b = static_cast<double>(bytes);
-    if (b < 1e6) return fmt::format("{:.0f} KB", std::max(1.0, b / 1e3));
-    return b < 1e9 ? fmt::format("{:.1f} MB", b / 1e6) : fmt::format("{:.2f} GB", b / 1e9);
-}
-
 std::string triple_words(const glm::dvec3& v, const char* unit)
 {
     return fmt::format("{} × {} × {} {}", ui::short_number(v.x), ui::short_number(v.y),
@@ -109,6 +102,26 @@ void draw_stand(const ui::Theme& theme, VolumeOffer& offer)
     ui::check_box(theme, "centered", offer.centered, "on the ground, in the middle");
 }
 
+// How much of the data is kept, in words for each way. Returns whether they are to be read again.
+bool kept_row(const ui::Theme& theme, VolumeOffer& offer)
+{
+    int& coarsen = offer.command.shape.reading.coarsen;
+    std::vector<std::string> names;
+    int at = 0;
+    for (const Keeping& each : offer.keepings) {
+        if (each.coarsen <= coarsen) at = static_cast<int>(names.size());
+        names.push_back(words_of(each));
+    }
+    const ui::Row row =
+        ui::label_row(theme, "Kept", false,
+                      fmt::format("How many voxels become one, their mean, while the data are "
+                                  "read. With what the window makes of them they may take {}.",
+                                  bytes_words(offer.memory_bytes)));
+    if (ui::choice(theme, "kept", at, names, row.width) != ui::Edit::changed) return false;
+    coarsen = offer.keepings[static_cast<std::size_t>(at)].coarsen;
+    return true;
+}
+
 // Notices of the reader, or why it cannot be read.
 void draw_notes(const ui::Theme& theme, const VolumeOffer& offer, const ui::Rect& in)
 {
@@ -147,7 +160,8 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
     const float pad = theme.px(24), foot = theme.px(60), rowed = theme.px(188.0f / 6);
     const int raw_rows = offer->raw ? raw_row_count : offer->says_no_spacing ? 1 : 0;
     const float notes = offer->notices.empty() && offer->trouble.empty() ? 0 : theme.px(44);
-    const float facts = std::round(5 * rowed),
+    const bool keeps = asks_what_is_kept(*offer);
+    const float facts = std::round((keeps ? 6 : 5) * rowed),
                 form = std::round(rowed * static_cast<float>(raw_rows));
     const float stand = std::round(4 * rowed), slices = theme.px(190);
     const std::string title = "Import " + offer->command.name;
@@ -180,6 +194,7 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
     if (raw_rows > 0) edited = draw_raw_rows(theme, *offer);
     if (offer->grid) {
         draw_facts(theme, *offer);
+        if (keeps) edited = kept_row(theme, *offer) || edited;
         draw_stand(theme, *offer);
     }
     ImGui::EndChild();

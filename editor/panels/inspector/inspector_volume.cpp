@@ -6,7 +6,6 @@
 #include "editor/panels/inspector/volume_level_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/session/volume_levels.h"
-#include "editor/tools/level_under.h"
 #include "ui/icons.h"
 
 #include <algorithm>
@@ -25,6 +24,25 @@ void file_row(Editor& editor, const ui::Theme& theme, const VoxelShape& shape, I
                    ui::ButtonKind::plain, {width, theme.size.row}, nullptr, "Replace..."))
         editor.files.ask_relink(id);
     ui::tooltip({shape.path, {}, "Click to take another file, or a folder of slices."});
+}
+
+// What was last shown of the volume data that the inspector is at. It tells of data that are hidden
+// now, which are not evaluated.
+struct LastShown {
+    std::string path, hash;
+    VolumeReading reading;
+    Ref<ShownVolume> volume;
+};
+
+const ShownVolume* last_shown(Editor& editor, const VoxelShape& shape, Id id)
+{
+    auto& last = editor.memory.of<LastShown>();
+    const auto found = editor.session.evaluated().objects.find(id);
+    if (found != editor.session.evaluated().objects.end() && found->second->shape)
+        last = {shape.path, shape.hash, shape.reading, found->second->shape->volume};
+    else if (last.path != shape.path || last.hash != shape.hash || last.reading != shape.reading)
+        last = {};
+    return last.volume.get();
 }
 
 // A button as wide as the panel.
@@ -95,14 +113,14 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
     const VoxelShape* now = volume_of(session.document(), id);
     if (!now) return;
     VoxelShape s = *now;
-    LevelRows of{shown_volume_of(session, id)};
+    LevelRows of{last_shown(editor, s, id)};
     if (of.shown && of.shown->field) of.unit = of.shown->field->grid().value_unit;
     int chosen = chosen_in(s, id, session.level);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     std::optional<VoxelShape> at_once; // by a button
     if (ui::section(theme, "Volume data", true, fmt::format("{}", s.levels.size()))) {
-        if (of.shown) of.scouted = editor.memory.of<LevelScouts>().of(session, *of.shown);
+        if (of.shown) of.scouted = session.level_scouts.of(session, *of.shown);
         draw_level_histogram(rows, of, s, chosen);
         draw_level_list(rows, of, s, chosen);
         ui::gap(theme, 4);

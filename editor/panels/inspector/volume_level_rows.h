@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/evaluation/shown_volume.h"
-#include "editor/panels/inspector/level_scouts.h"
 #include "editor/panels/inspector/value_rows.h"
+#include "editor/session/level_scouts.h"
 
 #include <string>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/shown_volume.h"
 #include "editor/files/volume_names.h"
 #include "editor/session/session_facts.h"
 #include "tests/editor/volume_rig.h"
@@ -118,6 +119,67 @@ TEST(VolumeImports, AskHowAFileWithoutAHeadLies)
     ASSERT_EQ(rig.steps(), 1u);
     EXPECT_EQ(rig.shape().reading.header_bytes, 4);
     EXPECT_FALSE(rig.editor.session.evaluated().objects.at(1)->parts.empty());
+}
+
+// The ball has 24 x 24 x 24 samples of a byte, and takes 6 for each with the
+// spline through them.
+TEST(VolumeImports, AreCoarsenedSoFarThatTheyFitIntoTheMemory)
+{
+    VolumeRig rig;
+    VolumeImports& imports = rig.editor.files.volumes;
+    imports.memory_bytes = 24 * 24 * 24;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    ASSERT_TRUE(imports.offering());
+    EXPECT_EQ(imports.offered()->command.shape.reading.coarsen, 2);
+    EXPECT_EQ(imports.offered()->grid->size, glm::ivec3(12));
+    EXPECT_EQ(imports.offered()->keepings.front(), (Keeping{2, 12 * 12 * 12, 6 * 12 * 12 * 12}));
+    EXPECT_TRUE(asks_what_is_kept(*imports.offered()));
+    ASSERT_FALSE(imports.offered()->notices.empty());
+    EXPECT_THAT(imports.offered()->notices.front(),
+                HasSubstr("every voxel would take 14 KB, 83 KB with what the window makes of them, "
+                          "more than the 14 KB that volume data may take; one voxel for 2 along "
+                          "each axis is kept"));
+    imports.offered()->command.shape.reading.coarsen = 3; // the person's choice stays
+    imports.read_again();
+    rig.wait();
+    EXPECT_EQ(imports.offered()->grid->size, glm::ivec3(8));
+    imports.offered()->command.shape.reading.coarsen = 1; // does not fit
+    imports.read_again();
+    rig.wait();
+    EXPECT_EQ(imports.offered()->grid->size, glm::ivec3(12));
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 1u);
+    EXPECT_EQ(rig.shape().reading.coarsen, 2);
+    EXPECT_EQ(rig.editor.session.evaluated().objects.at(1)->shape->volume->field->grid().size,
+              glm::ivec3(12));
+}
+
+TEST(VolumeImports, SayThatNothingOfThemFitsIntoTheMemory)
+{
+    VolumeRig rig;
+    rig.editor.files.volumes.memory_bytes = 4;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    EXPECT_FALSE(rig.editor.files.volumes.offering());
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+}
+
+TEST(VolumeImports, AskWhatIsKeptOfLargeDataOnly)
+{
+    VolumeRig rig;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    ASSERT_TRUE(rig.editor.files.volumes.offering());
+    EXPECT_FALSE(asks_what_is_kept(*rig.editor.files.volumes.offered()));
+    GridPart part;
+    part.whole = {1024, 1024, 64};
+    part.box = {glm::ivec3(0), part.whole - 1};
+    part.bytes_per_sample = 2;
+    const std::vector<Keeping> ways = keepings(part, std::uint64_t{450} << 20);
+    ASSERT_FALSE(ways.empty());
+    EXPECT_EQ(ways.front(), (Keeping{1, 128 << 20, 448 << 20}));
+    EXPECT_EQ(words_of(ways.front()), "134.2 MB, every voxel");
+    EXPECT_EQ(words_of(ways[1]), "16.8 MB, one voxel for 2 along each axis");
+    for (std::size_t i = 1; i < ways.size(); ++i) EXPECT_LT(ways[i].bytes, ways[i - 1].bytes);
 }
 
 TEST(VolumeImports, KnowTheirFilesByName)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/shown_volume.h"
-#include "editor/panels/inspector/level_scouts.h"
 #include "editor/panels/inspector/transfer_rows.h"
 #include "editor/session/volume_levels.h"
 #include "tests/editor/panels/number_rows.h"
@@ -53,7 +52,7 @@ TEST(VolumeSection, EscapeTakesTheDragBack)
 TEST(VolumeSection, ADraggedLevelHaltsWhereTheLengthOfItsLinesHardlyChanges)
 {
     VolumeSection rig;
-    LevelScouts& scouts = rig.editor.memory.of<LevelScouts>();
+    LevelScouts& scouts = rig.editor.session.level_scouts;
     const ShownVolume& shown = *rig.editor.session.evaluated().objects.at(1)->shape->volume;
     const ScoutedVolume* scouted = scouts.of(rig.editor.session, shown);
     ASSERT_TRUE(scouted) << "it was found beside the window";
@@ -70,6 +69,27 @@ TEST(VolumeSection, ADraggedLevelHaltsWhereTheLengthOfItsLinesHardlyChanges)
     rig.wait();
     EXPECT_GT(rig.shape().levels[0].value, plateau + 0.5);
     EXPECT_EQ(rig.steps(), 3u);
+}
+
+TEST(VolumeSection, KeepsTheHistogramOfHiddenData)
+{
+    VolumeSection rig;
+    rig.frames(2);
+    ASSERT_TRUE(rig.editor.session.run(Hide{{1}}));
+    rig.wait();
+    ASSERT_FALSE(rig.editor.session.evaluated().objects.contains(1));
+    // Where a value of the histogram stands, as in on_histogram().
+    const ui::Rect panel = rig.layout().inspector;
+    const float pad = rig.screen.theme().size.padding + rig.screen.theme().px(8);
+    const auto at = [&](double value) {
+        return glm::vec2(panel.lo.x + pad +
+                             static_cast<float>(value / 100) * (panel.width() - 2 * pad),
+                         panel.lo.y + rig.screen.theme().px(120));
+    };
+    rig.draw({at(60), at(80)});
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 3u);
+    EXPECT_NEAR(rig.shape().levels[1].value, 80, 4);
 }
 
 TEST(VolumeSection, LevelsAndTheirLinesTakeTypedNumbersAndKeys)

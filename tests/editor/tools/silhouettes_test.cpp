@@ -49,6 +49,34 @@ TEST(Silhouettes, EscapeTakesTheDragBack)
     EXPECT_FALSE(rig.editor.session.proposing());
 }
 
+TEST(Silhouettes, ADragHaltsWhereTheLengthOfTheLinesHardlyChanges)
+{
+    Levels rig;
+    rig.wait();
+    Session& session = rig.editor.session;
+    const ShownVolume& shown = *session.evaluated().objects.at(1)->shape->volume;
+    const ScoutedVolume* scouted = session.level_scouts.of(session, shown);
+    ASSERT_TRUE(scouted) << "it was found beside the window";
+    ASSERT_FALSE(scouted->plateaus.empty());
+    const double plateau = scouted->plateaus.back();
+    const double range = shown.summary->greatest - shown.summary->least;
+    session.level = {1, 1};
+    // 3 pixels beyond it.
+    const auto up = static_cast<float>((plateau - 60.5) / range * 600 + 3);
+    const glm::vec2 to = rig.middle() - glm::vec2(0, up);
+    rig.draw({rig.middle(), to});
+    rig.wait();
+    EXPECT_EQ(rig.shape().levels[1].value, readable_value(plateau, *shown.summary));
+    session.undo();
+    rig.wait();
+    rig.hold(ui::key_left_control);
+    rig.draw({rig.middle(), to});
+    rig.hold(ui::key_left_control, false);
+    rig.wait();
+    EXPECT_NEAR(rig.shape().levels[1].value, plateau + 3 * range / 600, 0.3);
+    EXPECT_NE(rig.shape().levels[1].value, readable_value(plateau, *shown.summary));
+}
+
 TEST(Silhouettes, AClickOnALineChoosesItsLevel)
 {
     Levels rig;

@@ -3,14 +3,17 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/shown_volume.h"
-#include "editor/session/session.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace trivar {
 
-// A ScoutedVolume is what scout_levels() tells of volume data, as a histogram shows it.
+class Session;
+
+// A ScoutedVolume is what scout_levels() tells of volume data, as a histogram shows it and a
+// dragged level halts by it.
 struct ScoutedVolume {
     std::vector<glm::dvec2> curve; // (value, length of the lines there), by ascending values
     std::vector<double> plateaus;  // values, ascending

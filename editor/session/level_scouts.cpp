@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/panels/inspector/level_scouts.h"
+#include "editor/session/level_scouts.h"
 
 #include "core/silhouette/level_scout.h"
+#include "editor/session/session.h"
 
 #include <utility>
 
