@@ -9,15 +9,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace trivar {
 namespace {
 
 constexpr std::array scout_sights{glm::dvec3(1, 0.3, 0.2), glm::dvec3(-0.2, 1, 0.3),
                                   glm::dvec3(0.3, -0.2, 1)};
-constexpr double worth_a_look = 0.05;       // of the greatest length: less is no plateau
-constexpr double hardly_changes = 0.15;     // of itself, from the value before to the one after
-constexpr std::size_t beside_a_plateau = 3; // values, among which just one is a plateau
+// Of the middle length of all values with lines: less is no plateau. The greatest length tells
+// nothing, since noise may have a hundred times that of a body.
+constexpr double worth_a_look = 0.1;
+constexpr double hardly_changes = 0.25;     // of itself, among the values beside it
+constexpr std::size_t flat_beside = 2;      // values on each side, so that no peak counts as flat
+constexpr std::size_t beside_a_plateau = 5; // values, among which just one is a plateau
+
+double middle_of(std::vector<double> lengths)
+{
+    std::erase(lengths, 0.0);
+    if (lengths.empty()) return 0;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    return *middle;
+}
 
 double length_of(const Silhouettes& lines)
 {
@@ -35,12 +48,15 @@ double length_of(const Silhouettes& lines)
 std::vector<std::size_t> plateaus_of(const std::vector<double>& lengths)
 {
     const std::size_t n = lengths.size();
-    const double least = worth_a_look * *std::ranges::max_element(lengths);
+    const double least = worth_a_look * middle_of(lengths);
     std::vector<double> change(n, 1e30);
-    for (std::size_t i = 1; i + 1 < n; ++i)
-        if (lengths[i] > least) change[i] = std::abs(lengths[i + 1] - lengths[i - 1]) / lengths[i];
+    for (std::size_t i = flat_beside; i + flat_beside < n; ++i) {
+        const auto [lo, hi] =
+            std::ranges::minmax(std::span(lengths).subspan(i - flat_beside, 2 * flat_beside + 1));
+        if (lengths[i] > least) change[i] = (hi - lo) / lengths[i];
+    }
     std::vector<std::size_t> out;
-    for (std::size_t i = 1; i + 1 < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
         bool is_least = change[i] < hardly_changes;
         const std::size_t from = i - std::min(i, beside_a_plateau),
                           to = std::min(n, i + beside_a_plateau + 1);

@@ -13,8 +13,8 @@ namespace trivar {
 struct LevelScout {
     std::vector<double> values;  // ascending, evenly spread over the data's
     std::vector<double> lengths; // of all silhouettes, voxels of the coarse grid; mean of 3 views
-    // Numbers of the values at which the length changes least, relative to itself, from one to the
-    // next: where to snap to. Ascending.
+    // Numbers of the values about which the length changes least, relative to itself: where to snap
+    // to. A peak is none. Ascending.
     std::vector<std::size_t> plateaus;
 };
 

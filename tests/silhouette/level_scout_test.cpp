@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace trivar::testing {
 namespace {
@@ -48,6 +49,23 @@ TEST(LevelScouts, FindBodiesAsPlateausOfTheLengthOfTheirLines)
     const double unit = 47.0 / 2 * 2 * 3.14159; // voxels, of a great circle of radius 1
     EXPECT_NEAR(length_at(2), 0.8 * unit, 0.03 * unit);
     EXPECT_NEAR(length_at(7), 0.3 * unit, 0.03 * unit);
+}
+
+// Noise of 0 to 0.5 in what is 0 else has far more line than the bodies.
+TEST(LevelScouts, TakeNoPeakOfNoiseForABody)
+{
+    VoxelGrid grid = balls(48);
+    std::mt19937 random(1);
+    for (float& sample : std::get<std::vector<float>>(grid.samples))
+        sample += static_cast<float>(random() % 1000) / 2000;
+    const LevelScout scout = scout_levels(grid);
+    const std::size_t peak =
+        static_cast<std::size_t>(std::ranges::max_element(scout.lengths) - scout.lengths.begin());
+    EXPECT_LT(scout.values[peak], 0.5);
+    ASSERT_FALSE(scout.plateaus.empty());
+    EXPECT_GT(scout.values[scout.plateaus.front()], 0.5);
+    EXPECT_LT(scout.lengths[scout.plateaus.front()], scout.lengths[peak] / 4);
+    EXPECT_GT(scout.values[scout.plateaus.back()], 4.6);
 }
 
 TEST(LevelScouts, AreTheSameForAnyNumberOfThreadsAndAverageLargeGrids)
