@@ -110,14 +110,15 @@ std::string bytes_words(std::uint64_t bytes)
 {
     const auto b = static_cast<double>(bytes);
     if (b < 1e6) return fmt::format("{:.0f} KB", std::max(1.0, b / 1e3));
-    return b < 1e9 ? fmt::format("{:.1f} MB", b / 1e6) : fmt::format("{:.2f} GB", b / 1e9);
+    if (b < 1e9) return fmt::format("{:.{}f} MB", b / 1e6, b < 1e8 ? 1 : 0);
+    return fmt::format("{:.2f} GB", b / 1e9);
 }
 
 std::string words_of(const Keeping& keeping)
 {
     const std::string bytes = bytes_words(keeping.bytes);
-    if (keeping.coarsen == 1) return bytes + ", every voxel";
-    return fmt::format("{}, one voxel for {} along each axis", bytes, keeping.coarsen);
+    if (keeping.coarsen == 1) return "Every voxel, " + bytes;
+    return fmt::format("1 for {} per axis, {}", keeping.coarsen, bytes);
 }
 
 VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,

@@ -63,7 +63,7 @@ struct VolumeOffer {
 // Whether a person is asked how much is kept: of data of which not all fits, or that are large to
 // work on.
 bool asks_what_is_kept(const VolumeOffer& offer);
-// "64.0 MB, one voxel for 2 along each axis".
+// "1 for 2 per axis, 64.0 MB".
 std::string words_of(const Keeping& keeping);
 std::string bytes_words(std::uint64_t bytes); // "64.0 MB"
 

@@ -86,10 +86,22 @@ TEST_F(CoarselyRead, ScenesReplayUndoAndCountTheCoarsening)
     EXPECT_FALSE(shown.objects.at(1)->parts.empty());
 }
 
-TEST_F(CoarselyRead, DocumentsOfWholeVolumesAreWrittenAsBefore)
+TEST_F(CoarselyRead, ScenesFromBeforeAreReadWhole)
 {
-    EXPECT_EQ(command_line(command(1)).find("reading"), std::string::npos);
-    EXPECT_THAT(command_line(command(2)), ::testing::HasSubstr("\"coarsen\":2"));
+    std::string line = command_line(command(1));
+    const std::string field = "\"coarsen\":1,";
+    const std::size_t reading = line.find("\"reading\":{");
+    ASSERT_NE(reading, std::string::npos);
+    const std::size_t at = line.find("\"coarsen\":1", reading);
+    ASSERT_NE(at, std::string::npos);
+    line.erase(line[at - 1] == ',' ? at - 1 : at, field.size());
+    const Document before = replay(read_log(log_header() + line, "a.trivar")).document();
+    EXPECT_EQ(digest(before), digest(after({}, command(1))));
+    EXPECT_NE(digest(before), digest(after({}, command(2))));
+}
+
+TEST_F(CoarselyRead, TakesOneToSixtyFourForOne)
+{
     EXPECT_THROW(after({}, command(0)), Rejected);
     EXPECT_THROW(after({}, command(65)), Rejected);
 }

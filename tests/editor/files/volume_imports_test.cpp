@@ -177,8 +177,8 @@ TEST(VolumeImports, AskWhatIsKeptOfLargeDataOnly)
     const std::vector<Keeping> ways = keepings(part, std::uint64_t{450} << 20);
     ASSERT_FALSE(ways.empty());
     EXPECT_EQ(ways.front(), (Keeping{1, 128 << 20, 448 << 20}));
-    EXPECT_EQ(words_of(ways.front()), "134.2 MB, every voxel");
-    EXPECT_EQ(words_of(ways[1]), "16.8 MB, one voxel for 2 along each axis");
+    EXPECT_EQ(words_of(ways.front()), "Every voxel, 134 MB");
+    EXPECT_EQ(words_of(ways[1]), "1 for 2 per axis, 16.8 MB");
     for (std::size_t i = 1; i < ways.size(); ++i) EXPECT_LT(ways[i].bytes, ways[i - 1].bytes);
 }
 

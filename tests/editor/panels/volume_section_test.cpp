@@ -75,21 +75,16 @@ TEST(VolumeSection, KeepsTheHistogramOfHiddenData)
 {
     VolumeSection rig;
     rig.frames(2);
+    const glm::vec2 from = rig.on_histogram(60), to = rig.on_histogram(80);
     ASSERT_TRUE(rig.editor.session.run(Hide{{1}}));
     rig.wait();
     ASSERT_FALSE(rig.editor.session.evaluated().objects.contains(1));
-    // Where a value of the histogram stands, as in on_histogram().
-    const ui::Rect panel = rig.layout().inspector;
-    const float pad = rig.screen.theme().size.padding + rig.screen.theme().px(8);
-    const auto at = [&](double value) {
-        return glm::vec2(panel.lo.x + pad +
-                             static_cast<float>(value / 100) * (panel.width() - 2 * pad),
-                         panel.lo.y + rig.screen.theme().px(120));
-    };
-    rig.draw({at(60), at(80)});
+    rig.hold(ui::key_left_control); // halts nowhere
+    rig.draw({from, to});
+    rig.hold(ui::key_left_control, false);
     rig.wait();
     ASSERT_EQ(rig.steps(), 3u);
-    EXPECT_NEAR(rig.shape().levels[1].value, 80, 4);
+    EXPECT_NEAR(rig.shape().levels[1].value, 80, 2);
 }
 
 TEST(VolumeSection, LevelsAndTheirLinesTakeTypedNumbersAndKeys)
