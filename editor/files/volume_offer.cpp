@@ -82,8 +82,9 @@ void choose_keeping(VolumeOffer& offer, VolumeReading& reading, const Progress& 
 std::vector<Keeping> keepings(GridPart part, std::uint64_t memory_bytes)
 {
     constexpr int most_coarsening = 64;
+    constexpr std::size_t most_ways = 8; // a list of more is no help
     std::vector<Keeping> out;
-    for (int n = 1; n <= most_coarsening; ++n) {
+    for (int n = 1; n <= most_coarsening && out.size() < most_ways; ++n) {
         const Keeping each = keeping_of(part, n);
         const bool same = !out.empty() && out.back().bytes == each.bytes; // it has no more to merge
         if (each.working_bytes <= memory_bytes && !same) out.push_back(each);

@@ -32,7 +32,7 @@ struct Keeping {
     std::uint64_t working_bytes = 0; // with the function through them, as the window holds both
     bool operator==(const Keeping&) const = default;
 };
-// The ways to keep a box of samples that fit into so much memory, the finest first, at most 64;
+// The ways to keep a box of samples that fit into so much memory, the finest first, at most 8;
 // none where none does.
 std::vector<Keeping> keepings(GridPart part, std::uint64_t memory_bytes);
 // What volume data may take in the window: half of the memory that this computer has.

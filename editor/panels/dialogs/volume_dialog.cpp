@@ -205,7 +205,9 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
         draw_histogram(theme, *offer, r.hi.x - pad - left, high);
         ui::paint_text(theme.font.small,
                        {{left, y + high + theme.px(2)}, {r.hi.x - pad, y + high + theme.px(20)}},
-                       theme.color.text_3, "How often values occur, and the first level");
+                       theme.color.text_3,
+                       imports.reading_again() ? "Reading again..."
+                                               : "How often values occur, and the first level");
     }
     if (notes > 0)
         draw_notes(theme, *offer, {{r.lo.x + pad, y1 - notes}, {r.hi.x - pad, y1 - theme.px(4)}});
