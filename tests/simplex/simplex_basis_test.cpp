@@ -96,7 +96,7 @@ double error_to_recursion(const SimplexBasis<3>& basis, const glm::dvec3& p)
 {
     const std::size_t per_cell = multi_indices<3>(basis.domain().degree).size();
     const glm::dvec3 direction{0.7548776662466927, 0.5698402909980532, 0.3247179572447460};
-    const std::vector<double> exact = exact_values(basis.domain(), p, direction);
+    const std::vector<double> exact = ExactRecursion<3>(basis.domain()).values(p, direction);
     std::vector<double> out = dense(basis, p);
     for (std::size_t i = 0; i < exact.size(); ++i)
         out[static_cast<std::size_t>(basis.point_of(i / per_cell, i % per_cell))] -= exact[i];
