@@ -4,6 +4,7 @@
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/exact_side.h"
 #include "core/simplex/fibre.h"
+#include "core/simplex/precise_volume.h"
 #include "core/simplex/shared_points.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 constexpr double coincident = 1e-9;
 // Barycentric distance from a plane below which its side is told exactly.
 constexpr double near_plane = 1e-10;
+// By how much rounding grows from which a cell counts as steep. A cell of a box has about 100.
+constexpr double steep_growth = 1000;
 constexpr std::array<double, 3> generic_direction{0.7548776662466927, 0.5698402909980532,
                                                   0.3247179572447460};
 
@@ -27,6 +30,28 @@ double tidied(double coordinate)
 {
     if (std::abs(coordinate) < coincident) return 0;
     return std::abs(coordinate - 1) < coincident ? 1 : coordinate;
+}
+
+// Longest edge over the least height.
+template <class Corners> double slimness(const Corners& corners, const Corners& gradients)
+{
+    double longest = 0, steepest = 0;
+    for (const auto& a : corners)
+        for (const auto& b : corners) longest = std::max(longest, glm::distance(a, b));
+    for (const auto& each : gradients) steepest = std::max(steepest, glm::length(each));
+    return longest * steepest;
+}
+
+template <class Corners, class Point>
+auto precise_barycentric(const Corners& corners, const Point& x)
+{
+    std::array<double, std::tuple_size_v<Corners>> out;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        Corners part = corners;
+        part[k] = x;
+        out[k] = volume_ratio(part, corners);
+    }
+    return out;
 }
 
 // The gradients of all barycentric coordinates.
@@ -53,26 +78,28 @@ SimplexBasis<S>::SimplexBasis(SimplexDomain<S> domain)
     std::vector<CellBox<S>> boxes;
     for (std::size_t c = 0; c < domain_.cells.size(); ++c) {
         const auto corner = corners(domain_, c);
-        CellData cell{corner[0], gradients(corner), {}};
+        cells_.push_back({corner[0], gradients(corner), {}});
+        CellData& cell = cells_.back();
         cell.least.fill(0);
+        double nearest = 1; // of all cloud knots to planes of faces through their vertex
         CellBox<S> box{corner[0], corner[0]};
         for (std::size_t k = 0; k < K; ++k)
             for (int j = 0; j <= domain_.degree; ++j) {
                 const Point& knot = domain_.knot(domain_.cells[c][k], j);
                 box = {glm::min(box.lo, knot), glm::max(box.hi, knot)};
                 if (j == 0) continue;
-                Barycentric l = barycentric(cell, knot);
+                Barycentric l = precise_barycentric(corner, knot);
                 for (std::size_t i = 0; i < K; ++i) {
                     l[i] = tidied(l[i]);
                     cell.least[i] = std::min(cell.least[i], l[i]);
+                    if (i != k && l[i] != 0) nearest = std::min(nearest, std::abs(l[i]));
                 }
                 clouds_.push_back(l);
             }
-        const double whole = orientation(corner);
         for (const MultiIndex<S>& b : indices) {
             auto x = corner;
             for (std::size_t k = 0; k < K; ++k) x[k] = domain_.knot(domain_.cells[c][k], b[k]);
-            scales_.push_back(factorial(domain_.degree) * std::abs(orientation(x)) / whole);
+            scales_.push_back(factorial(domain_.degree) * std::abs(volume_ratio(x, corner)));
             std::uint8_t jumps = 0;
             for (std::size_t i = 0; i < K; ++i) {
                 bool in_plane = b[i] == 0;
@@ -85,7 +112,7 @@ SimplexBasis<S>::SimplexBasis(SimplexDomain<S> domain)
             }
             jumps_.push_back(jumps);
         }
-        cells_.push_back(cell);
+        cell.steep = !(slimness(corner, cell.gradient) < steep_growth * nearest);
         // a little more, as rounding may put a knot of one cell outside of its own box
         const Point more = (box.hi - box.lo) * 1e-12;
         boxes.push_back({box.lo - more, box.hi + more});
@@ -113,10 +140,12 @@ template <int S> void SimplexBasis<S>::find_points()
 }
 
 template <int S>
-auto SimplexBasis<S>::barycentric(const CellData& cell, const Point& x) const -> Barycentric
+auto SimplexBasis<S>::barycentric(std::size_t number, const Point& x) const -> Barycentric
 {
-    const Point d = x - cell.origin;
+    const CellData& cell = cells_[number];
+    if (cell.steep) return precise_barycentric(corners(domain_, number), x);
     Barycentric l;
+    const Point d = x - cell.origin;
     l[0] = 1;
     for (std::size_t k = 1; k < K; ++k) {
         l[k] = glm::dot(cell.gradient[k], d);
@@ -143,7 +172,7 @@ template <int S> auto SimplexBasis<S>::inner_direction(const Point& x) const -> 
     for (const std::int32_t number : grid_.boxes_at(x)) {
         const auto c = static_cast<std::size_t>(number);
         if (cells_[c].border == 0) continue;
-        const Barycentric l = barycentric(cells_[c], x);
+        const Barycentric l = barycentric(c, x);
         bool inside = true, on_border = false;
         for (std::size_t k = 0; k < K; ++k) {
             inside = inside && l[k] > -near_plane;
@@ -221,7 +250,7 @@ bool SimplexBasis<S>::add_all(const Place& at, std::vector<BasisValue<S>>& out) 
     bool on_edge = false;
     for (const std::int32_t number : grid_.boxes_at(at.x)) {
         const auto c = static_cast<std::size_t>(number);
-        const Barycentric l = barycentric(cells_[c], at.x);
+        const Barycentric l = barycentric(c, at.x);
         bool near = true;
         for (std::size_t k = 0; k < K; ++k) near = near && l[k] >= cells_[c].least[k] - 1e-12;
         if (!near) continue;

@@ -64,13 +64,14 @@ private:
         std::array<Point, K> gradient;
         Barycentric least;       // of all knots of the cell
         std::uint8_t border = 0; // bits of corners opposite to which the domain ends
+        bool steep = false;      // so that coordinates by gradients would lose three digits
     };
 
     struct Place {
         Point x, direction; // to the side to which x belongs
         bool gradients;
     };
-    Barycentric barycentric(const CellData& cell, const Point& x) const;
+    Barycentric barycentric(std::size_t cell, const Point& x) const;
     Point inner_direction(const Point& x) const;
     // These two return whether a gradient may jump at the place.
     template <int N>
