@@ -204,10 +204,11 @@ private:
 
     void look_at_faces(const std::vector<Crease<S>>& creases)
     {
-        std::map<std::array<int, S>, int> depths;
+        std::map<std::array<int, S>, Crease<S>> creased;
         for (Crease<S> crease : creases) {
             std::sort(crease.face.begin(), crease.face.end());
-            depths[crease.face] = std::clamp(crease.depth, 0, out_.degree);
+            crease.depth = std::clamp(crease.depth, 0, out_.degree);
+            creased[crease.face] = crease;
         }
         std::map<std::array<int, S - 1>, int> around; // creased faces at an edge or vertex
         std::vector<std::array<int, S - 1>> border;   // such edges or vertices, sorted
@@ -219,8 +220,8 @@ private:
             Vec<S> normal = normal_of(at);
             const Vec<S> off = out_.vertex(out_.cells[face.cell][face.opposite]) - at[0];
             if (glm::dot(normal, off) > 0) normal = -normal;
-            const auto found = depths.find(face.vertices);
-            const int depth = inner && found != depths.end() ? found->second : 0;
+            const auto found = creased.find(face.vertices);
+            const int depth = inner && found != creased.end() ? found->second.depth : 0;
             for (const int v : face.vertices) {
                 star(v).faces.push_back(normal);
                 if (!inner) star(v).outward.push_back(normal);
@@ -233,7 +234,8 @@ private:
                 if (depth > 0) ++around[part];
                 if (!inner) border.push_back(part);
             }
-            if (depth == out_.degree) out_.cuts.push_back(face.vertices);
+            if (depth == out_.degree)
+                (found->second.seam ? out_.seams : out_.cuts).push_back(face.vertices);
             if (inner) ++f;
         }
         std::sort(border.begin(), border.end());

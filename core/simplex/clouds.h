@@ -8,8 +8,9 @@ namespace trivar {
 // A Crease lowers the continuity of a spline of degree n across one face of its domain.
 template <int S> struct Crease {
     std::array<int, S> face; // vertex numbers
-    int depth = 0; // greatest number of cloud knots of a function in its plane: n - 1 - depth
-                   // derivatives stay continuous; n: a cut
+    int depth = 0;     // greatest number of cloud knots of a function in its plane: n - 1 - depth
+                       // derivatives stay continuous; n: a cut
+    bool seam = false; // of depth n: no cut, but a seam
     bool operator==(const Crease&) const = default;
 };
 

@@ -35,14 +35,17 @@ std::vector<double> pieces_of(const Knots& knots, int pieces)
     return out;
 }
 
-// By how much the continuity of a spline of a degree must be lowered at each of the places.
-std::vector<int> depths_at(const std::vector<double>& places, const Knots& knots, int degree)
+// By how much the continuity of a spline of a degree must be lowered at each of the places. Where
+// values alone are continuous, a seam lets no function reach beyond.
+std::vector<Crease<3>> creases_at(const std::vector<double>& places, const Knots& knots, int degree)
 {
-    std::vector<int> out(places.size(), 0);
+    std::vector<Crease<3>> out(places.size());
     for (std::size_t i = 1; i + 1 < places.size(); ++i) {
         const int multiplicity = knots.multiplicity(places[i]);
-        if (multiplicity > 0)
-            out[i] = std::clamp(degree - 1 - (knots.degree() - multiplicity), 0, degree);
+        if (multiplicity == 0) continue;
+        const int smooth = knots.degree() - multiplicity; // derivatives
+        out[i].seam = smooth == 0;
+        out[i].depth = out[i].seam ? degree : std::clamp(degree - 1 - smooth, 0, degree);
     }
     return out;
 }
@@ -50,11 +53,11 @@ std::vector<int> depths_at(const std::vector<double>& places, const Knots& knots
 SpanCells span_cells(const std::array<Knots, 3>& axes, const Conversion& how)
 {
     std::array<std::vector<double>, 3> places;
-    std::array<std::vector<int>, 3> depths;
+    std::array<std::vector<Crease<3>>, 3> creases;
     double count = 6;
     for (std::size_t a = 0; a < 3; ++a) {
         places[a] = pieces_of(axes[a], how.pieces);
-        depths[a] = depths_at(places[a], axes[a], how.degree);
+        creases[a] = creases_at(places[a], axes[a], how.degree);
         count *= static_cast<double>(places[a].size() - 1);
     }
     if (count > static_cast<double>(usual_cell_limit))
@@ -80,10 +83,12 @@ SpanCells span_cells(const std::array<Knots, 3>& axes, const Conversion& how)
             const glm::ivec3 a = index(face[0]), b = index(face[1]), c = index(face[2]);
             for (int axis = 0; axis < 3; ++axis) {
                 if (a[axis] != b[axis] || b[axis] != c[axis]) continue;
-                const int depth =
-                    depths[static_cast<std::size_t>(axis)][static_cast<std::size_t>(a[axis])];
-                if (depth > 0) out.creases.push_back({face, depth});
-                out.torn = out.torn || depth == how.degree;
+                Crease<3> crease =
+                    creases[static_cast<std::size_t>(axis)][static_cast<std::size_t>(a[axis])];
+                if (crease.depth == 0) continue;
+                crease.face = face;
+                out.creases.push_back(crease);
+                out.torn = out.torn || (crease.depth == how.degree && !crease.seam);
             }
         }
     return out;

@@ -22,8 +22,9 @@ struct ConvertedLattice {
 
 // A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
 // diagonal, the breaks of its knots kept; where a knot makes it less smooth than the
-// spline, faces are creased, which is met nearly, and where it is torn, so is the spline. Control
-// points are polar forms, at the knots of their functions, of the polynomial through the lattice's
+// spline, faces are creased, which is met nearly; where its slopes jump, they are seams, and where
+// it is torn, cuts, which both are met exactly: a lattice of order 2 by degree 3. Control points
+// are polar forms, at the knots of their functions, of the polynomial through the lattice's
 // displacements in their cell [1]: displacements that are polynomials of at most the degree are met
 // to rounding, others to the order degree + 1 in the size of the spans; a lattice at rest is met
 // exactly. A closed axis counts as one period. Throws Rejected where the lattice is flat at rest or

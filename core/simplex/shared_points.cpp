@@ -44,14 +44,17 @@ std::vector<int> shared_points(const SimplexDomain<S>& domain, PointSharing shar
     const std::vector<CellFace<S>> faces = sorted_faces(domain);
     std::vector<std::array<int, S>> cuts = domain.cuts;
     std::sort(cuts.begin(), cuts.end());
+    std::vector<std::array<int, S>> seams = domain.seams;
+    std::sort(seams.begin(), seams.end());
     for (std::size_t f = 0; f + 1 < faces.size(); ++f) {
         const CellFace<S>&a = faces[f], &b = faces[f + 1];
         if (a.vertices != b.vertices || std::binary_search(cuts.begin(), cuts.end(), a.vertices))
             continue;
+        const bool seam = std::binary_search(seams.begin(), seams.end(), a.vertices);
         const auto &from = domain.cells[a.cell], &to = domain.cells[b.cell];
         for (std::size_t i = 0; i < indices.size(); ++i) {
             bool shared = indices[i][a.opposite] == 0;
-            for (std::size_t k = 0; k <= S; ++k)
+            for (std::size_t k = 0; k <= S && !seam; ++k)
                 shared = shared && indices[i][k] <= depth[static_cast<std::size_t>(from[k])];
             if (!shared) continue;
             const MultiIndex<S> same = same_knots<S>(from, indices[i], to);

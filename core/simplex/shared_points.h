@@ -7,7 +7,8 @@ namespace trivar {
 
 // Which functions of cells that meet in a face which is not cut share a control point, of those
 // that take no knot beyond the first from a corner off the face: those whose knots are stacked on
-// their vertices, so that both jump at the face and their sum does not; or all. The control points
+// their vertices, or in the plane of a seam, so that both jump at the face and their sum does not;
+// or all. The control points
 // of a polynomial, its polar forms, are the same for all these, so it needs no more.
 enum class PointSharing { stacked, all };
 

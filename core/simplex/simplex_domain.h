@@ -21,6 +21,9 @@ template <int S> struct SimplexDomain {
     std::vector<Cell> cells;
     // faces across which no control point is shared, each with its vertices ascending
     std::vector<std::array<int, S>> cuts = {};
+    // faces in whose plane are all knots of their vertices, and across which functions that take no
+    // others share control points: the spline is continuous there, its slopes are not
+    std::vector<std::array<int, S>> seams = {};
 
     int knots_per_vertex() const { return degree + 1; }
     std::size_t vertex_count() const
