@@ -34,6 +34,21 @@ void check_clouds(const TetrahedraShape& shape)
         (void)domain_of(shape);
 }
 
+// Adds an edit as the last one. Knots that are moved again where they were moved last take both
+// ways in one edit, or none where the second way leads back: hands try, and try again.
+void append(std::vector<TetrahedraEdit>& edits, const TetrahedraEdit& edit)
+{
+    const auto moves_the_same = [&](const TetrahedraEdit& last) {
+        return last.cloud && edit.cloud && last.cloud->at == edit.cloud->at &&
+               last.cloud->knot == edit.cloud->knot;
+    };
+    if (edits.empty() || !moves_the_same(edits.back())) return edits.push_back(edit);
+    TetrahedraCloud& both = *edits.back().cloud;
+    both.by = both.by * edit.cloud->factor + edit.cloud->by;
+    both.factor *= edit.cloud->factor;
+    if (both.by == glm::dvec3(0) && both.factor == 1) edits.pop_back();
+}
+
 // "Pull by 0.2 m", "Turn 3 places".
 std::string words_of(const TetrahedraPull& pull)
 {
@@ -138,9 +153,9 @@ Document applied(Document document, const EditTetrahedra& command)
 {
     TetrahedraShape shape = volume_of(document, command.object);
     check(command.edit);
-    if (shape.edits.size() == most_edits)
+    append(shape.edits, command.edit);
+    if (shape.edits.size() > most_edits)
         throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
-    shape.edits.push_back(command.edit);
     if (command.edit.crease || command.edit.cloud) check_clouds(shape);
     return with_shape(std::move(document), command.object, std::move(shape));
 }

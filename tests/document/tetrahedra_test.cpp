@@ -161,6 +161,49 @@ TEST(TetrahedraInDocuments, KeepKnotsThatWereMovedAndTheShapeAtRest)
     EXPECT_EQ(digest(read), digest(document));
 }
 
+TEST(TetrahedraInDocuments, HoldDragsOfOneKnotAsOneEdit)
+{
+    const auto drag = [](int knot, const glm::dvec3& by, double factor = 1) {
+        return EditTetrahedra{
+            2,
+            {.cloud = TetrahedraCloud{.at = {0, 0, 0}, .knot = knot, .by = by, .factor = factor}}};
+    };
+    const auto edits = [](const Document& d) {
+        return std::get_if<TetrahedraShape>(&object(d, 2).source)->edits;
+    };
+    Document document = ball_in_tetrahedra();
+    for (int n = 0; n < 8; ++n) document = after(document, drag(2, {0.0078125, 0, 0}));
+    ASSERT_EQ(edits(document).size(), 1U);
+    EXPECT_EQ(edits(document)[0].cloud->by, glm::dvec3(0.0625, 0, 0));
+    document = after(document, drag(1, {0.01, 0, 0})); // another knot
+    document = after(document, drag(0, {0, 0, 0}, 0.5));
+    document = after(document, drag(0, {0, 0.01, 0}, 0.5));
+    ASSERT_EQ(edits(document).size(), 3U);
+    EXPECT_EQ(edits(document)[2].cloud->factor, 0.25);
+    document = after(document, EditTetrahedra{2, pulled});
+    document = after(document, drag(0, {0, 0, 0.01})); // not right after
+    EXPECT_EQ(edits(document).size(), 5U);
+    document = after(document, drag(0, {0, 0, -0.01})); // and back
+    EXPECT_EQ(edits(document).size(), 4U);
+}
+
+TEST(TetrahedraInDocuments, TakeTheSameKnotsFromOneEditAsFromTwo)
+{
+    const TetrahedraCloud first{.at = {0, 0, 0}, .by = {0.02, 0, 0.01}, .factor = 0.5},
+        second{.at = {0, 0, 0}, .by = {0, -0.02, 0}, .factor = 0.75};
+    const auto knots_of = [](const Document& d) {
+        return all_of(d).objects.at(2)->tetrahedra->volume->layers[0]->domain().knots;
+    };
+    const std::vector<glm::dvec3> together =
+        knots_of(after(after(ball_in_tetrahedra(), EditTetrahedra{2, {.cloud = first}}),
+                       EditTetrahedra{2, {.cloud = second}}));
+    const std::vector<glm::dvec3> apart = knots_of(after(
+        ball_in_tetrahedra(), SetTetrahedra{2, {.edits = {{.cloud = first}, {.cloud = second}}}}));
+    ASSERT_EQ(together.size(), apart.size());
+    for (std::size_t k = 0; k < apart.size(); ++k)
+        EXPECT_LE(glm::distance(together[k], apart[k]), 1e-15) << k;
+}
+
 TEST(TetrahedraInDocuments, SetASheetAsItWasMade)
 {
     const SimplexSheetShape cubic{.degree = 3, .lifts = {{.by = {0, 0, 0.2}}}};
@@ -193,6 +236,20 @@ TEST(TetrahedraInDocuments, RefuseWhatCannotBe)
     refused(AddTetrahedra{.objects = {}}, "no object");
     refused(AddTetrahedra{.objects = {1}, .shape = {.boxes = {100, 100, 100}}}, "at most 200000");
     refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 7}}, "between 1 and 3");
+    refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 0}}, "between 1 and 3");
+    const TetrahedraShape million{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                  .cells = std::vector<glm::ivec4>(1000000, {0, 1, 2, 3})};
+    refused(AddTetrahedra{.objects = {1}, .shape = million},
+            "at most 200000 tetrahedra, not 1000000");
+    refused(SetTetrahedra{2, million}, "at most 200000");
+    const TetrahedraRefinement fine{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 0.0148};
+    refused(EditTetrahedra{2, {.refinement = fine}}, "a refinement has at most 200000 tetrahedra");
+    const TetrahedraRefinement finest{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 1e-4};
+    refused(EditTetrahedra{2, {.refinement = finest}}, "too short");
+    refused(
+        SetTetrahedra{
+            2, {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .cells = {{1, 0, 2, 3}}}},
+        "flat or inverted");
     refused(
         SetTetrahedra{
             2, {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, .cells = {{0, 1, 2, 3}}}},

@@ -222,6 +222,7 @@ TEST(TetrahedraKnots, AreMovedByHandAndStopBeforeCloudsCross)
     const glm::vec2 now = rig.seen_in(rig.volume().layers[0]->domain().knot(vertex, 2));
     rig.draw({now, rig.layout().view.center() + glm::vec2(0, 120)}); // through the domain
     rig.wait();
+    EXPECT_EQ(rig.shape().edits.size(), 1U); // both drags of the knot
     const SimplexDomain<3>& last = rig.volume().layers[0]->domain();
     const double room = cloud_room(last, cells_round(last, vertex));
     EXPECT_GE(room, least_room - 1e-9);
