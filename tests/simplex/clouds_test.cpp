@@ -153,5 +153,24 @@ TEST(Clouds, RefuseWhatIsNoDomain)
     EXPECT_THROW(with_clouds<3>(box.vertices, cells, 2), Rejected);
 }
 
+TEST(Clouds, FindTheOneFaultInAMillionCells)
+{
+    SimplexMesh<3> mesh = box_cells(glm::dvec3(2), glm::ivec3(55));
+    const std::size_t last = mesh.cells.size() - 1;
+    const auto fault = [&] {
+        try {
+            (void)with_clouds<3>(mesh.vertices, mesh.cells, 3);
+        } catch (const Rejected& rejected) {
+            return std::string(rejected.what());
+        }
+        return std::string();
+    };
+    std::swap(mesh.cells[last][0], mesh.cells[last][1]);
+    EXPECT_EQ(fault(), "Cell " + std::to_string(last) + " of the domain is flat or inverted.");
+    std::swap(mesh.cells[last][0], mesh.cells[last][1]);
+    mesh.vertices.push_back(mesh.vertices[0]);
+    EXPECT_EQ(fault(), "Two vertices of the domain are at the same place.");
+}
+
 } // namespace
 } // namespace trivar

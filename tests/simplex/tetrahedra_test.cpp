@@ -4,6 +4,7 @@
 #include "core/simplex/simplex_rows.h"
 #include "core/simplex/tetrahedra_shaper.h"
 
+#include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -159,6 +160,21 @@ TEST(Tetrahedra, FindThePointThatTheyTookAway)
         ASSERT_TRUE(back);
         EXPECT_LE(glm::distance(*back, glm::dvec3(p)), 1e-7);
     }
+}
+
+TEST(Tetrahedra, LeaveAHundredThousandPointsFarOutsideWhereTheyAre)
+{
+    TetrahedraShape shape = box;
+    shape.edits = {pull(to_the_right)};
+    TetrahedraShaper shaper;
+    const Ref<SimplexVolume> volume = shaper(shape).volume;
+    std::vector<glm::vec3> points = inside(100000);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] += i % 2 == 0 ? 3.0f : 1e30f;
+    points[1].x = NAN;
+    const SimplexRows rows(volume->layers, points, false);
+    EXPECT_EQ(rows.outside(), points.size());
+    const std::vector<glm::vec3> out = rows.displaced(volume->displacements).positions;
+    EXPECT_EQ(std::memcmp(out.data(), points.data(), points.size() * sizeof points[0]), 0);
 }
 
 TEST(Tetrahedra, RefuseWhatIsNoVolume)
