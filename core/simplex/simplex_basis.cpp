@@ -82,24 +82,32 @@ SimplexBasis<S>::SimplexBasis(SimplexDomain<S> domain)
         CellData& cell = cells_.back();
         cell.least.fill(0);
         double nearest = 1; // of all cloud knots to planes of faces through their vertex
+        for (std::size_t k = 0; k < K; ++k)
+            for (int j = 1; j <= domain_.degree; ++j) {
+                const Barycentric l = barycentric(c, domain_.knot(domain_.cells[c][k], j));
+                for (std::size_t i = 0; i < K; ++i)
+                    if (i != k && tidied(l[i]) != 0) nearest = std::min(nearest, std::abs(l[i]));
+            }
+        cell.steep = !(slimness(corner, cell.gradient) < steep_growth * nearest);
         CellBox<S> box{corner[0], corner[0]};
         for (std::size_t k = 0; k < K; ++k)
             for (int j = 0; j <= domain_.degree; ++j) {
                 const Point& knot = domain_.knot(domain_.cells[c][k], j);
                 box = {glm::min(box.lo, knot), glm::max(box.hi, knot)};
                 if (j == 0) continue;
-                Barycentric l = precise_barycentric(corner, knot);
+                Barycentric l = barycentric(c, knot);
                 for (std::size_t i = 0; i < K; ++i) {
                     l[i] = tidied(l[i]);
                     cell.least[i] = std::min(cell.least[i], l[i]);
-                    if (i != k && l[i] != 0) nearest = std::min(nearest, std::abs(l[i]));
                 }
                 clouds_.push_back(l);
             }
         for (const MultiIndex<S>& b : indices) {
             auto x = corner;
             for (std::size_t k = 0; k < K; ++k) x[k] = domain_.knot(domain_.cells[c][k], b[k]);
-            scales_.push_back(factorial(domain_.degree) * std::abs(volume_ratio(x, corner)));
+            const double share =
+                cell.steep ? volume_ratio(x, corner) : orientation(x) / orientation(corner);
+            scales_.push_back(factorial(domain_.degree) * std::abs(share));
             std::uint8_t jumps = 0;
             for (std::size_t i = 0; i < K; ++i) {
                 bool in_plane = b[i] == 0;
@@ -112,7 +120,6 @@ SimplexBasis<S>::SimplexBasis(SimplexDomain<S> domain)
             }
             jumps_.push_back(jumps);
         }
-        cell.steep = !(slimness(corner, cell.gradient) < steep_growth * nearest);
         // a little more, as rounding may put a knot of one cell outside of its own box
         const Point more = (box.hi - box.lo) * 1e-12;
         boxes.push_back({box.lo - more, box.hi + more});
