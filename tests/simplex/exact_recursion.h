@@ -20,7 +20,7 @@ public:
     explicit ExactRecursion(const SimplexDomain<S>& domain);
     ~ExactRecursion();
 
-    // By cell and multi-index. About 1 ms per cell near x for S = 3 and degree 2, and 10 for 3.
+    // By cell and multi-index. At most a few ms.
     std::vector<double> values(const Point& x, const Point& direction);
 
     // Whether a cell has x in it or on its faces.
