@@ -194,6 +194,8 @@ std::string commands_markdown()
             field_table(fields_of(VolumeReading{}));
     text += "## level\n\nA level of volume data as it is shown.\n\n" +
             field_table(fields_of(VoxelLevel{}));
+    text += "## fit\n\nA spline over tetrahedra that shows volume data.\n\n" +
+            field_table(fields_of(TetrahedraFit{}));
     text += "## casting\n\nHow volume data are seen as a whole.\n\n" +
             field_table(fields_of(VolumeCasting{}));
     text += "## transfer point\n\nHow a value of volume data looks.\n\n" +

@@ -6,6 +6,7 @@
 #include "core/document/volume_reading.h"
 #include "core/silhouette/ink.h"
 #include "core/silhouette/more_lines.h"
+#include "core/silhouette/tetrahedra_fit.h"
 #include "core/silhouette/visibility.h"
 
 #include <string>
@@ -42,6 +43,7 @@ struct VoxelShape {
     // its axes; the samples nearest to them count.
     glm::vec3 crop_low{0}, crop_high{1};
     std::vector<VoxelLevel> levels = {};
+    TetrahedraFit fit = {}; // levels are those of the fit, and their lines those of its surface
     VolumeCasting casting = {};
     VolumeReading reading = {};
     bool operator==(const VoxelShape&) const = default;

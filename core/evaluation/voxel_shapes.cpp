@@ -32,6 +32,21 @@ Ref<Casting> VoxelShapes::casting(const Ref<VoxelField>& field, const Ref<VoxelG
     });
 }
 
+VoxelShapes::Fit VoxelShapes::fit(const Ref<VoxelField>& field, const TetrahedraFit& wanted,
+                                  Timings& timings)
+{
+    if (wanted.coefficients == 0) return {};
+    return fits_({field, wanted}, [&]() -> Fit {
+        return timed(timings, "fit", [&]() -> Fit {
+            try {
+                return {make_ref(fitted_volume(*field, wanted))};
+            } catch (const Rejected& why) {
+                return {nullptr, why.what()};
+            }
+        });
+    });
+}
+
 // What changes the width, or the view, finds no line anew.
 Ref<LevelLines> VoxelShapes::further_lines(const ShownVolume& shown, const Ref<VoxelField>& all,
                                            const Ref<LevelMesh>& mesh, const MoreLines& wanted)
@@ -84,9 +99,11 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         nearby_.keep(source.levels.size() + 1);
         further_.keep(kept_changes * (source.levels.size() + 1));
         surfaces_.keep(kept_changes * (source.levels.size() + 1));
+        fitted_.keep(kept_changes * (source.levels.size() + 1));
     }
     // Keys may close the box.
     const bool some = all && glm::all(glm::lessThan(source.crop_low, source.crop_high));
+    const Fit fitted = some ? fit(shown.field, source.fit, timings) : Fit{};
     for (std::size_t i = 0; i < source.levels.size() && some; ++i) {
         const VoxelLevel& level = source.levels[i];
         if (level.hidden) continue;
@@ -96,25 +113,37 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
             return timed(timings, "level",
                          [&] { return make_ref(shown.field->level(level.value)); });
         });
-        shown.levels.push_back({i, name_of(level), mesh, level.lines, level.ink,
+        shown.levels.push_back({i, name_of(level), mesh, level.lines && !fitted.volume, level.ink,
                                 level.certified && source.order == FieldOrder::cubic, level.more});
-        if (level.lines && level.more.any())
+        if (level.lines && level.more.any() && !fitted.volume)
             shown.levels.back().further = timed(
                 timings, "lines", [&] { return further_lines(shown, all, mesh, level.more); });
-        if (level.lines && level.more.amount < 1)
+        if (level.lines && level.more.amount < 1 && !fitted.volume)
             shown.levels.back().nearby = nearby_({shown.field, level.value}, [&] {
                 return timed(timings, "lines",
                              [&] { return make_ref(shown.field->nearby_levels(level.value)); });
             });
-        if (!level.surface) continue;
+        if (!level.surface && !(level.lines && fitted.volume)) continue;
         const auto material = static_cast<std::uint32_t>(model.materials.size());
-        const Ref<Mesh>& surface = surfaces_({mesh, source.body, source.scale, material}, [&] {
+        const auto with_material = [&](Mesh made) {
+            made.face_material.assign(made.face_count(), material);
+            return make_ref(std::move(made));
+        };
+        const auto by_fit = [&] {
             return timed(timings, "level", [&] {
-                Mesh made = shown.field->surface(*mesh, source.body, shown.to_model);
-                made.face_material.assign(made.face_count(), material);
-                return make_ref(std::move(made));
+                return with_material(fitted_surface(*fitted.volume, shown.field->grid(),
+                                                    level.value, source.body, shown.to_model));
             });
-        });
+        };
+        const auto by_spline = [&] {
+            return timed(timings, "level", [&] {
+                return with_material(shown.field->surface(*mesh, source.body, shown.to_model));
+            });
+        };
+        const Ref<Mesh>& surface =
+            fitted.volume
+                ? fitted_({fitted.volume, level.value, source.body, source.scale, material}, by_fit)
+                : surfaces_({mesh, source.body, source.scale, material}, by_spline);
         if (surface->face_count() == 0) continue;
         model.nodes.push_back(
             {name_of(level), -1, glm::dmat4(1), static_cast<int>(model.meshes.size())});
@@ -129,6 +158,8 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     if (model.materials.empty()) model.materials.emplace_back();
     Shape out = shape_of(make_ref(std::move(model)));
     out.notices = loaded.notices;
+    if (!fitted.refused.empty())
+        out.notices.push_back("it is not fitted by tetrahedra: " + fitted.refused);
     if (!loaded.grid) out.lacks = loaded.notices;
     if (shown.field) out.volume = make_ref(std::move(shown));
     return out;

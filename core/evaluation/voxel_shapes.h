@@ -6,6 +6,7 @@
 #include "core/document/asset_store.h"
 #include "core/evaluation/shape.h"
 #include "core/evaluation/shown_volume.h"
+#include "core/silhouette/fitted_volume.h"
 
 #include <tuple>
 
@@ -16,11 +17,16 @@ namespace trivar {
 class VoxelShapes {
 public:
     // Throws Rejected for trouble with the data; a file that is missing gives an empty shape that
-    // says so. Throws Cancelled. Stages: import, field, level, lines, casting.
+    // says so. Throws Cancelled. Stages: import, field, fit, level, lines, casting.
     Shape operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                      const Progress& progress);
 
 private:
+    struct Fit {
+        Ref<FittedVolume> volume = nullptr; // null: there is none
+        std::string refused = {};           // why, where it was asked for
+    };
+    Fit fit(const Ref<VoxelField>& field, const TetrahedraFit& wanted, Timings& timings);
     Ref<Casting> casting(const Ref<VoxelField>& field, const Ref<VoxelGrid>& grid,
                          const VolumeCasting& wanted, Timings& timings);
 
@@ -29,6 +35,9 @@ private:
     using LevelKey = std::pair<Ref<VoxelField>, double>;
     // with the scale and the number of its material
     using SurfaceKey = std::tuple<Ref<LevelMesh>, LevelSide, double, std::uint32_t>;
+    using FitKey = std::pair<Ref<VoxelField>, TetrahedraFit>;
+    // with the level
+    using FittedKey = std::tuple<Ref<FittedVolume>, double, LevelSide, double, std::uint32_t>;
 
     using CastingKey = std::pair<Ref<VoxelField>, std::vector<TransferPoint>>;
     using SmoothKey = std::pair<Ref<VoxelField>, float>;
@@ -42,6 +51,8 @@ private:
     Recent<LevelKey, Ref<LevelMesh>> levels_;
     Recent<LevelKey, Ref<std::vector<LevelMesh>>> nearby_;
     Recent<SurfaceKey, Ref<Mesh>> surfaces_;
+    Recent<FitKey, Fit> fits_;
+    Recent<FittedKey, Ref<Mesh>> fitted_;
     Recent<Ref<VoxelGrid>, Ref<VolumeSummary>> summaries_;
     Recent<CastingKey, Ref<Casting>> castings_;
     Recent<SmoothKey, Ref<ScalarField<float>>> smooth_{1};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/line_sheet.h"
 
+#include "core/document/drawn_lines.h"
 #include "core/evaluation/shown_volume.h"
 #include "editor/picture/object_lines.h"
 
@@ -38,8 +39,8 @@ DrawingSheet line_sheet(const Evaluation& evaluated, const Document& document, c
         const auto found = document.objects.find(id);
         if (found == document.objects.end()) continue;
         const Object& own = *found->second;
-        if (own.line_drawing)
-            add_layers(out, own.name, object_lines.layers(*ref, *own.line_drawing, camera));
+        if (const std::optional<LineDrawing> drawing = drawn_lines(own))
+            add_layers(out, own.name, object_lines.layers(*ref, *drawing, camera));
         if (ref->shape && ref->shape->volume && !own.stroke)
             add_layers(out, own.name,
                        volume_layers(*ref->shape->volume, to_world(document, id), camera));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/picture.h"
 
+#include "core/document/drawn_lines.h"
 #include "core/evaluation/shown_volume.h"
 #include "editor/picture/curves_picture.h"
 #include "editor/picture/volume_casts.h"
@@ -38,12 +39,11 @@ Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t par
     return values.error_of(object, part, cause->second->refining.value_or(Refining{}));
 }
 
-// How an object is drawn in lines; null: it is not, or was deleted since it was evaluated.
-const LineDrawing* line_drawing(const Document& document, Id id)
+// How an object is drawn in lines; no value: it is not, or was deleted since it was evaluated.
+std::optional<LineDrawing> line_drawing(const Document& document, Id id)
 {
     const auto own = document.objects.find(id);
-    return own != document.objects.end() && own->second->line_drawing ? &*own->second->line_drawing
-                                                                      : nullptr;
+    return own != document.objects.end() ? drawn_lines(*own->second) : std::nullopt;
 }
 
 } // namespace
@@ -91,7 +91,7 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
                 instance.materials = values.checkered(ref->materials->size());
             instances.push_back(std::move(instance));
         }
-        if (const LineDrawing* drawing = line_drawing(document, id)) {
+        if (const std::optional<LineDrawing> drawing = line_drawing(document, id)) {
             const std::vector<gpu::Curve>& lines =
                 values.object_lines(*ref, *drawing, camera, wider);
             picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());

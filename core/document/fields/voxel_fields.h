@@ -3,6 +3,7 @@
 
 #include "core/document/fields/line_fields.h"
 #include "core/document/fields/surfacing_fields.h"
+#include "core/document/fields/tetrahedra_fit_fields.h"
 #include "core/document/fields/volume_casting_fields.h"
 #include "core/document/voxel_shape.h"
 
@@ -99,6 +100,7 @@ template <> struct FieldsOf<VoxelShape> {
             "crop_high", s.crop_high, "its last corner; each share is above that of the first",
             in_range(0, 1).called("Crop to").in(Unit::share).resting_at(1).counts(Counting::named));
         field("levels", s.levels, "that are shown; none: one that parts the values best");
+        field("fit", s.fit, "by a spline over tetrahedra", later.without_keys());
         field("casting", s.casting, "how the data are seen as a whole", later);
         field("reading", s.reading, "what its files do not say, and how much is kept",
               later.without_keys());

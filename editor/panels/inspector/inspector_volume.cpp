@@ -184,6 +184,17 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         fields(&VoxelShape::scale);
         ui::gap(theme, 8);
     }
+    if (ui::section(theme, "Tetrahedra", s.fit.coefficients > 0)) {
+        ImGui::PushID("fit"); // the section has the name of a row
+        FieldRows<TetrahedraFit> fields(rows, s.fit, "shape.fit");
+        fields(&TetrahedraFit::coefficients);
+        if (s.fit.coefficients > 0) {
+            fields(&TetrahedraFit::degree);
+            fields(&TetrahedraFit::boundary);
+        }
+        ImGui::PopID();
+        ui::gap(theme, 8);
+    }
     if (chosen >= 0) session.level = {id, chosen};
     if (at_once) {
         session.cancel();
