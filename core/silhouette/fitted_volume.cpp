@@ -7,6 +7,7 @@
 #include "core/simplex/cell_search.h"
 #include "core/simplex/clouds.h"
 #include "core/simplex/field_surface.h"
+#include "core/simplex/multi_index.h"
 #include "core/simplex/parted_cells.h"
 
 #include <cmath>
@@ -72,6 +73,18 @@ int stride_for(const glm::ivec3& size, double most)
     return stride;
 }
 
+// 1 inside and -1 outside.
+SimplexField sides(const FittedVolume& volume)
+{
+    SimplexField out = volume.field;
+    const std::size_t per_cell = multi_indices<3>(out.basis->domain().degree).size();
+    for (std::size_t c = 0; c < volume.inside.size(); ++c)
+        for (std::size_t i = 0; i < per_cell; ++i)
+            out.values[static_cast<std::size_t>(out.basis->point_of(c, i))] =
+                volume.inside[c] ? 1 : -1;
+    return out;
+}
+
 } // namespace
 
 FittedVolume fitted_volume(const VoxelField& volume, const TetrahedraFit& fit)
@@ -114,6 +127,7 @@ FittedVolume fitted_volume(const VoxelField& volume, const TetrahedraFit& fit)
     FieldFit fitted = fitted_field(make_ref(SimplexBasis<3>(std::move(made.domain))), samples);
     out.field = std::move(fitted.field);
     out.inside = std::move(made.cells.inside);
+    out.boundary = static_cast<double>(boundary);
     out.coefficients = fitted.coefficients;
     out.rms = fitted.rms;
     return out;
@@ -125,9 +139,13 @@ Mesh fitted_surface(const FittedVolume& volume, const VoxelGrid& grid, double le
     const double at = grid.sample(level);
     const bool above = (side == LevelSide::above) == (grid.slope > 0);
     SimplexField field = volume.field;
+    if (static_cast<float>(at) == static_cast<float>(volume.boundary))
+        field = sides(volume);
+    else
+        for (double& value : field.values) value -= at;
     if (!above)
         for (double& value : field.values) value = -value;
-    return transformed(field_surface(field, volume.inside, above ? at : -at, pieces), to_space);
+    return transformed(field_surface(field, volume.inside, 0, pieces), to_space);
 }
 
 } // namespace trivar

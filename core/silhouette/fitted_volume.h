@@ -12,6 +12,7 @@ namespace trivar {
 struct FittedVolume {
     SimplexField field;
     std::vector<bool> inside;     // by cell: whether the data are above the boundary there
+    double boundary = 0;          // in samples
     std::size_t coefficients = 0; // unknowns of the fit
     std::size_t left_out = 0;     // samples between the boundary and the flat faces along it
     double rms = 0;               // of the differences at the others, in samples
@@ -25,7 +26,9 @@ struct FittedVolume {
 FittedVolume fitted_volume(const VoxelField& field, const TetrahedraFit& fit);
 
 // The closed surface of the body on one side of a level (a value of the grid's data); see
-// field_surface(). `to_space` maps voxels to the mesh's space.
+// field_surface(). That of the boundary's level is the border of the cells inside or outside, where
+// the fit itself may be beyond the level in small spots. `to_space` maps voxels to the mesh's
+// space.
 Mesh fitted_surface(const FittedVolume& volume, const VoxelGrid& grid, double level, LevelSide side,
                     const glm::dmat4& to_space);
 

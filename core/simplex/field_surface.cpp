@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/cell_lattice.h"
+#include "core/simplex/curved_cuts.h"
 #include "core/simplex/side_difference.h"
 
 #include <algorithm>
@@ -46,11 +47,11 @@ public:
     Surface(const SimplexField& field, const std::vector<bool>& inside, double level, int steps)
         : field_(field),
           domain_(field.basis->domain()),
-          inside_(inside),
+          inside_(inside.empty() ? std::vector<bool>(domain_.cells.size()) : inside),
+          cuts_(domain_, inside_),
           level_(level),
           lattice_(steps)
     {
-        inside_.resize(domain_.cells.size(), false);
     }
 
     Mesh operator()()
@@ -63,7 +64,7 @@ public:
         for (std::size_t c = 0; c < domain_.cells.size(); ++c) march(c);
         solve();
         weld_roots();
-        find_normals_of_cuts();
+        bend();
         const std::vector<CellFace<3>> faces = sorted_faces(domain_);
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const bool inner = i + 1 < faces.size() && faces[i].vertices == faces[i + 1].vertices;
@@ -122,7 +123,7 @@ private:
                 }
                 const auto [place, is_new] =
                     places.try_emplace(key, static_cast<std::uint32_t>(places.size()));
-                if (is_new) place_at_.push_back(at);
+                if (is_new) place_at_.push_back(key[6] < 0 ? rounded(key) : at);
                 key[8] = inside_[c] ? 1 : 0;
                 const auto [point, added] =
                     known.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
@@ -133,6 +134,16 @@ private:
         at_place_.resize(places.size(), {none, none});
         for (const auto& [key, point] : known)
             at_place_[points_[point].place][static_cast<std::size_t>(key[8])] = point;
+    }
+
+    // Of vertices and their counts.
+    glm::dvec3 rounded(const std::array<int, 9>& key) const
+    {
+        glm::dvec3 weights(0);
+        for (int k = 0; k < 3; ++k)
+            if (const auto i = static_cast<std::size_t>(2 * k); key[i] >= 0)
+                weights[k] = static_cast<double>(key[i + 1]) / lattice_.steps;
+        return cuts_.rounded({key[0], key[2], key[4]}, weights);
     }
 
     std::uint32_t root(std::uint32_t a, std::uint32_t b)
@@ -289,22 +300,13 @@ private:
         return there == none ? point : there;
     }
 
-    // Of each vertex on cuts, from inside to outside: of the faces there, by their angles.
-    void find_normals_of_cuts()
+    // Roots on the edges of cuts go where these go.
+    void bend()
     {
-        cut_normals_.assign(domain_.vertex_count(), glm::dvec3(0));
-        const std::vector<CellFace<3>> faces = sorted_faces(domain_);
-        for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-            const CellFace<3>&a = faces[i], &b = faces[i + 1];
-            if (a.vertices != b.vertices || inside_[a.cell] == inside_[b.cell]) continue;
-            const glm::dvec3 out = outward(inside_[a.cell] ? a : b);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const glm::dvec3 at = domain_.vertex(a.vertices[k]),
-                                 u = glm::normalize(domain_.vertex(a.vertices[(k + 1) % 3]) - at),
-                                 v = glm::normalize(domain_.vertex(a.vertices[(k + 2) % 3]) - at);
-                cut_normals_[static_cast<std::size_t>(a.vertices[k])] +=
-                    out * std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
-            }
+        for (Root& root : roots_) {
+            const Point &a = points_[root.above], &b = points_[root.below];
+            const double t = glm::distance(root.at, a.at) / glm::distance(b.at, a.at);
+            root.at += glm::mix(place_at_[a.place] - a.at, place_at_[b.place] - b.at, t);
         }
     }
 
@@ -361,7 +363,7 @@ private:
         const Corners order = sorted(cap.face.cell);
         glm::dvec3 sum(0);
         for (std::size_t k = 0; k < 4; ++k)
-            sum += cut_normals_[static_cast<std::size_t>(domain_.cells[cap.face.cell][order[k]])] *
+            sum += cuts_.normal(domain_.cells[cap.face.cell][order[k]]) *
                    static_cast<double>(lattice_.points[corner.a][k] + lattice_.points[corner.b][k]);
         return glm::normalize(inside_[cap.face.cell] == cap.with_face ? sum : -sum);
     }
@@ -420,17 +422,17 @@ private:
     const SimplexField& field_;
     const SimplexDomain<3>& domain_;
     std::vector<bool> inside_;
+    CurvedCuts cuts_;
     double level_;
     CellLattice lattice_;
     std::vector<Point> points_;
     std::vector<std::uint32_t> number_;                  // of each cell's points
     std::vector<std::array<std::uint32_t, 2>> at_place_; // points outside and inside, or none
-    std::vector<glm::dvec3> place_at_;
+    std::vector<glm::dvec3> place_at_; // of places, those on cuts where the curved cuts are
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> root_of_;
     std::vector<Root> roots_;
     std::vector<std::array<std::uint32_t, 3>> level_triangles_; // of roots
     std::vector<Cap> caps_;
-    std::vector<glm::dvec3> cut_normals_; // by vertex
 };
 
 } // namespace

@@ -8,17 +8,19 @@
 
 namespace trivar {
 
-// The cells of a complex of CGAL's mesher, in its order; vertices by their first use.
+// Cells of the triangulation of a complex of CGAL's mesher; vertices by their first use.
 struct MesherCells {
     SimplexMesh<3> mesh;
     std::vector<int> dimension; // by vertex: of what it is in, 3 within a body, 2 in a surface
 };
-template <class Complex> MesherCells mesher_cells(const Complex& complex)
+template <class Complex>
+MesherCells mesher_cells(const Complex& complex,
+                         const std::vector<typename Complex::Cell_handle>& cells)
 {
     MesherCells all;
     SimplexMesh<3>& out = all.mesh;
     std::map<typename Complex::Vertex_handle, int> numbers; // not a result's order
-    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
+    for (const auto c : cells) {
         std::array<int, 4> cell;
         std::array<glm::dvec3, 4> at;
         for (int k = 0; k < 4; ++k) {
@@ -37,6 +39,15 @@ template <class Complex> MesherCells mesher_cells(const Complex& complex)
         out.cells.push_back(cell);
     }
     return all;
+}
+
+// Those of the complex, in its order.
+template <class Complex> MesherCells mesher_cells(const Complex& complex)
+{
+    std::vector<typename Complex::Cell_handle> cells;
+    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
+        cells.push_back(c);
+    return mesher_cells(complex, cells);
 }
 
 } // namespace trivar

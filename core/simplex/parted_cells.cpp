@@ -3,6 +3,7 @@
 
 #include "core/base/finite.h"
 #include "core/base/rejected.h"
+#include "core/simplex/box_lines.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/mesher_cells.h"
 #include "core/simplex/round_slivers.h"
@@ -30,39 +31,36 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace Options = CGAL::parameters;
 
 constexpr double radius_of_edge = 0.6; // the regular tetrahedron's circumradius is 0.61 edges
-constexpr double round_enough = 0.02;  // radians: a degree
+constexpr double round_enough = 0.004; // radians: 0.2 degrees
 constexpr double sliver_bound = 0.15;  // radians: 8.6 degrees
 constexpr double on_boundary = 1e-5;   // of the box
 constexpr double off_boundary = 0.1;   // edges
+constexpr double lines_per_edge = 3;
 constexpr int beyond = 0, outside_label = 1, inside_label = 2;
 
-// The lengths for faces of the box and for those of the boundary in it.
+// The lengths for faces and edges of the box and for those of the boundary in it.
 struct Sizing {
     using FT = Kernel::FT;
     using Point_3 = Kernel::Point_3;
     using Index = Domain::Index;
     double of_box, of_boundary;
+    Domain::Curve_index last_of_box = 0;
     FT operator()(const Point_3&, int, const Index& index) const
     {
+        if (const auto* curve = boost::get<Domain::Curve_index>(&index))
+            return *curve > last_of_box ? of_boundary : of_box;
         const auto* patch = boost::get<Domain::Surface_patch_index>(&index);
         return patch && patch->first != beyond && patch->second != beyond ? of_boundary : of_box;
     }
 };
 
-std::vector<std::vector<Kernel::Point_3>> edges_of(const Box& box)
+std::vector<std::vector<Kernel::Point_3>> polylines(const std::vector<BoxLines::Line>& lines)
 {
     std::vector<std::vector<Kernel::Point_3>> out;
-    const auto put = [](const glm::dvec3& p) { return Kernel::Point_3(p.x, p.y, p.z); };
-    for (int axis = 0; axis < 3; ++axis)
-        for (const bool u : {false, true})
-            for (const bool v : {false, true}) {
-                glm::dvec3 a = box.lo;
-                if (u) a[(axis + 1) % 3] = box.hi[(axis + 1) % 3];
-                if (v) a[(axis + 2) % 3] = box.hi[(axis + 2) % 3];
-                glm::dvec3 b = a;
-                b[axis] = box.hi[axis];
-                out.push_back({put(a), put(b)});
-            }
+    for (const BoxLines::Line& line : lines) {
+        out.emplace_back();
+        for (const glm::dvec3& p : line) out.back().emplace_back(p.x, p.y, p.z);
+    }
     return out;
 }
 
@@ -78,59 +76,19 @@ void check(const CellParting& p)
         throw Rejected("Edges of cells must be longer than 1/1,000 of the box.");
 }
 
-// The nearest place on a face of the box.
-glm::dvec3 on_box(const glm::dvec3& p, const Box& box)
+bool on_side(double x, double side, double whole)
 {
-    glm::dvec3 out = p;
-    double least = infinite;
-    for (int i = 0; i < 3; ++i)
-        for (const double side : {box.lo[i], box.hi[i]})
-            if (std::abs(p[i] - side) < least) {
-                least = std::abs(p[i] - side);
-                out = p;
-                out[i] = side;
-            }
-    return out;
+    return std::abs(x - side) < 2 * on_boundary * whole;
 }
 
-// Vertices on the faces of the box, to what the mesher finds them by, are put exactly there; then
-// others of the border, too: the mesher leaves some inside where the boundary meets the box. Those
-// that would flatten a cell stay.
+// Vertices on the faces of the box, to what the mesher finds them by, are put exactly there.
 void put_on_box(SimplexMesh<3>& mesh, const Box& box)
 {
-    const double near = 2 * on_boundary * glm::length(box.size());
+    const double whole = glm::length(box.size());
     for (glm::dvec3& v : mesh.vertices)
         for (int i = 0; i < 3; ++i)
             for (const double side : {box.lo[i], box.hi[i]})
-                if (std::abs(v[i] - side) < near) v[i] = side;
-    const std::vector<std::vector<int>> stars = vertex_stars(mesh);
-    const auto volume = [&](int cell) {
-        std::array<glm::dvec3, 4> at;
-        for (std::size_t k = 0; k < 4; ++k)
-            at[k] = mesh.vertices[static_cast<std::size_t>(
-                mesh.cells[static_cast<std::size_t>(cell)][k])];
-        return orientation(at);
-    };
-    SimplexDomain<3> domain;
-    domain.cells = mesh.cells;
-    const std::vector<CellFace<3>> faces = sorted_faces(domain);
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (f + 1 < faces.size() && faces[f].vertices == faces[f + 1].vertices) {
-            ++f;
-            continue;
-        }
-        for (const int number : faces[f].vertices) {
-            glm::dvec3& v = mesh.vertices[static_cast<std::size_t>(number)];
-            const glm::dvec3 from = v;
-            const auto& star = stars[static_cast<std::size_t>(number)];
-            double least = infinite;
-            for (const int c : star) least = std::min(least, volume(c));
-            v = on_box(v, box);
-            if (!std::all_of(star.begin(), star.end(),
-                             [&](int c) { return volume(c) > 0.25 * least; }))
-                v = from;
-        }
-    }
+                if (on_side(v[i], side, whole)) v[i] = side;
 }
 
 // Along which axes vertices may move: within the parts along all, in a face of the box along two,
@@ -152,6 +110,40 @@ std::vector<std::uint8_t> free_axes(const SimplexMesh<3>& mesh, const std::vecto
     return out;
 }
 
+glm::dvec3 middle(Complex::Cell_handle cell)
+{
+    glm::dvec3 out(0);
+    for (int i = 0; i < 4; ++i) {
+        const auto& p = cell->vertex(i)->point();
+        out += glm::dvec3(p.x(), p.y(), p.z()) / 4.0;
+    }
+    return out;
+}
+
+// All cells of the triangulation, but flat ones on sides of the box, fill it. The mesher leaves out
+// those whose circumcentre is not in the box, as there are where the boundary meets it at a sharp
+// angle, and takes some of the flat ones.
+std::vector<Complex::Cell_handle> cells_of(const Complex& complex, const Box& box)
+{
+    const double whole = glm::length(box.size());
+    const auto flat = [&](Complex::Cell_handle cell) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {box.lo[axis], box.hi[axis]}) {
+                int there = 0;
+                for (int i = 0; i < 4; ++i)
+                    there += on_side(cell->vertex(i)->point()[axis], side, whole) ? 1 : 0;
+                if (there == 4) return true;
+            }
+        return false;
+    };
+    std::vector<Complex::Cell_handle> out;
+    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
+        if (!flat(c)) out.push_back(c);
+    for (const Complex::Cell_handle cell : complex.triangulation().finite_cell_handles())
+        if (!complex.is_in_complex(cell) && !flat(cell)) out.push_back(cell);
+    return out;
+}
+
 // The cells with these lengths; some may be flat.
 PartedCells filled(const CellParting& parting)
 {
@@ -166,11 +158,14 @@ PartedCells filled(const CellParting& parting)
     CGAL::Random random(0);
     Domain domain(label, CGAL::Bbox_3(lo.x, lo.y, lo.z, hi.x, hi.y, hi.z),
                   Options::relative_error_bound = on_boundary, Options::p_rng = &random);
-    const auto lines = edges_of(box);
-    domain.add_features(lines.begin(), lines.end());
     const double edge = parting.edge, fine = parting.boundary_edge;
+    const BoxLines lines = box_lines(box, parting.inside, fine / lines_per_edge);
+    const auto edges = polylines(lines.edges), met = polylines(lines.boundary);
+    std::vector<Domain::Curve_index> numbers;
+    domain.add_features(edges.begin(), edges.end(), std::back_inserter(numbers));
+    domain.add_features(met.begin(), met.end());
     const Criteria criteria(
-        Options::edge_size = edge, Options::facet_angle = 25,
+        Options::edge_size = Sizing{edge, fine, numbers.back()}, Options::facet_angle = 25,
         Options::facet_size = Sizing{radius_of_edge * edge, radius_of_edge * fine},
         Options::facet_distance = Sizing{off_boundary * edge, off_boundary * fine},
         Options::cell_radius_edge_ratio = 2, Options::cell_size = radius_of_edge * edge);
@@ -190,10 +185,12 @@ PartedCells filled(const CellParting& parting)
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
         throw Rejected(fmt::format("The boundary needs more than {} cells: let edges be longer.",
                                    parting.cell_limit));
-    MesherCells cells = mesher_cells(complex);
+    const std::vector<Complex::Cell_handle> all = cells_of(complex, box);
+    MesherCells cells = mesher_cells(complex, all);
     PartedCells out{std::move(cells.mesh), {}};
-    for (auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
-        out.inside.push_back(complex.subdomain_index(c) == inside_label);
+    for (const auto c : all)
+        out.inside.push_back(complex.is_in_complex(c) ? complex.subdomain_index(c) == inside_label
+                                                      : parting.inside(middle(c)));
     if (std::find(out.inside.begin(), out.inside.end(), true) == out.inside.end() ||
         std::find(out.inside.begin(), out.inside.end(), false) == out.inside.end())
         throw Rejected(
@@ -213,7 +210,7 @@ PartedCells parted_cells(const CellParting& asked)
     check(asked);
     PartedCells out = filled(asked);
     double most = least_dihedral(out.mesh);
-    for (const double shorter : {0.93, 0.86, 0.79, 0.72}) {
+    for (const double shorter : {0.93, 0.86}) {
         if (most >= round_enough) break;
         CellParting parting = asked;
         parting.edge *= shorter;

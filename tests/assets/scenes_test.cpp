@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "neck_levels", "foot_skin_bone", "iron_protein_levels", "iron_protein_volume",
                     "iron_protein_widths", "crystal_chromadepth", "foot_chromadepth",
                     "knee_gradient", "density_fans", "anatomical_plate", "dms_surface",
-                    "goblet_dms", "dms_refined", "dms_cut"),
+                    "goblet_dms", "dms_refined", "dms_cut", "dms_density"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

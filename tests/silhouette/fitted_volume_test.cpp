@@ -18,15 +18,19 @@ constexpr int n = 32;
 constexpr double radius = 10;
 const glm::dvec3 middle(15.5);
 
-// Bone in air: 1000 in a ball, 0 around it.
-VoxelField ball()
+// Bone in air: 1000 in a ball, 0 around it, and between them a ramp of a width or a step.
+VoxelField ball(double ramp = 1e-9)
 {
     VoxelGrid grid;
     grid.size = glm::ivec3(n);
     std::vector<float> samples;
     for (int i = 0; i < n * n * n; ++i)
-        samples.push_back(
-            glm::distance(glm::dvec3(i % n, i / n % n, i / (n * n)), middle) < radius ? 1000 : 0);
+        samples.push_back(static_cast<float>(
+            500 +
+            500 * std::clamp(
+                      (radius - glm::distance(glm::dvec3(i % n, i / n % n, i / (n * n)), middle)) *
+                          2 / ramp,
+                      -1.0, 1.0)));
     grid.samples = std::move(samples);
     return {make_ref(std::move(grid)), {}};
 }
@@ -69,6 +73,22 @@ TEST(FittedVolume, HasASurfaceAlongTheBoundaryWithTheOutlineOfIt)
                     static_cast<double>(glm::distance(seen.points[i].p, seen.points[i - 1].p));
         }
     EXPECT_NEAR(length, 2 * 3.14159 * radius, 8);
+}
+
+// A ball is as its curved faces are, nearer than its flat ones.
+TEST(FittedVolume, IsRoundWhereItsFacesAreFlat)
+{
+    const VoxelField field = ball(2);
+    const Mesh mesh = fitted_surface(fitted_volume(field, usual), field.grid(), 500,
+                                     LevelSide::above, glm::dmat4(1));
+    double least = radius, greatest = 0;
+    for (const glm::vec3& p : mesh.positions) {
+        const double r = glm::distance(glm::dvec3(p), middle);
+        least = std::min(least, r);
+        greatest = std::max(greatest, r);
+    }
+    EXPECT_GT(least, radius - 0.35);
+    EXPECT_LT(greatest, radius + 0.35);
 }
 
 TEST(FittedVolume, HasTheSameBitsForAnyNumberOfThreads)

@@ -33,6 +33,19 @@ TEST(PartedCells, FillTheBoxAndFollowTheBoundary)
             EXPECT_NEAR(glm::length(cells.mesh.vertices[static_cast<std::size_t>(v)]), 0.6, 1e-3);
 }
 
+TEST(PartedCells, FillTheBoxToItsEdgesWhereTheBoundaryMeetsThem)
+{
+    CellParting parting = ball_in_box(0.4);
+    parting.inside = [](const glm::dvec3& p) { // leaves through a face and over an edge
+        return glm::length(glm::dvec2(p.x - 0.6 * p.y, p.z - 0.2)) < 0.5;
+    };
+    const PartedCells cells = parted_cells(parting);
+    EXPECT_EQ(fault(cells.mesh), "");
+    const glm::dvec3 size = parting.box.size();
+    EXPECT_NEAR(volume(cells.mesh), size.x * size.y * size.z, 1e-9);
+    EXPECT_GT(cuts_between(cells, 2).size(), 50U);
+}
+
 TEST(PartedCells, AreTheSameWhereverTheyLieInMemory)
 {
     const CellParting parting = ball_in_box(0.35);

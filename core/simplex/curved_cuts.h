@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplex/cell_faces.h"
+
+#include <set>
+
+namespace trivar {
+
+// CurvedCuts round the faces between two parts of the cells of a domain: each flat face becomes a
+// cubic triangle through its corners that has the faces' mean normals there [Vlachos, Peters, Boyd,
+// Mitchell, Curved PN Triangles, I3D 2001], moved so that these lie in the mean where the flat ones
+// do and the parts keep their volumes. Neighbours meet along their edges, and those on the border
+// stay in it where it is flat.
+class CurvedCuts {
+public:
+    // One flag per cell; the normals go from inside to outside. O(n log n) of the cells.
+    CurvedCuts(const SimplexDomain<3>& domain, const std::vector<bool>& inside);
+
+    // Of a vertex on a cut, of length 1; 0 of others.
+    const glm::dvec3& normal(int vertex) const
+    {
+        return normals_[static_cast<std::size_t>(vertex)];
+    }
+
+    // Where a place on the flat face of these vertices goes, which are ascending, for the weights
+    // that it has there (of sum 1, and 0 for vertices that are none: negative numbers). A place
+    // that is on no cut stays.
+    glm::dvec3 rounded(const std::array<int, 3>& vertices, const glm::dvec3& weights) const;
+
+private:
+    void keep_volume();
+    glm::dvec3 towards(int from, int to) const; // control point at a third of an edge
+    glm::dvec3 on_edge(int a, int b, double t) const;
+
+    const SimplexDomain<3>& domain_;
+    std::vector<glm::dvec3> corners_, normals_; // by vertex
+    std::set<std::array<int, 3>> faces_;
+    std::set<std::array<int, 2>> edges_;
+};
+
+} // namespace trivar
