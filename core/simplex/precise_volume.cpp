@@ -37,11 +37,11 @@ Twofold operator*(const Twofold& a, const Twofold& b)
     return sum(product, rest);
 }
 
-template <int S> using Edge = std::array<Twofold, S>;
+template <int S> using Side = std::array<Twofold, S>;
 
-template <int S> Edge<S> edge(const glm::vec<S, double>& from, const glm::vec<S, double>& to)
+template <int S> Side<S> edge(const glm::vec<S, double>& from, const glm::vec<S, double>& to)
 {
-    Edge<S> out;
+    Side<S> out;
     for (int i = 0; i < S; ++i) out[static_cast<std::size_t>(i)] = sum(to[i], -from[i]);
     return out;
 }
@@ -53,13 +53,13 @@ Twofold minor(const Twofold& a, const Twofold& b, const Twofold& c, const Twofol
 
 double volume(const std::array<glm::dvec2, 3>& c)
 {
-    const Edge<2> a = edge<2>(c[0], c[1]), b = edge<2>(c[0], c[2]);
+    const Side<2> a = edge<2>(c[0], c[1]), b = edge<2>(c[0], c[2]);
     return minor(a[0], a[1], b[0], b[1]).high;
 }
 
 double volume(const std::array<glm::dvec3, 4>& at)
 {
-    const Edge<3> a = edge<3>(at[0], at[1]), b = edge<3>(at[0], at[2]), c = edge<3>(at[0], at[3]);
+    const Side<3> a = edge<3>(at[0], at[1]), b = edge<3>(at[0], at[2]), c = edge<3>(at[0], at[3]);
     return (a[0] * minor(b[1], b[2], c[1], c[2]) + -(a[1] * minor(b[0], b[2], c[0], c[2])) +
             a[2] * minor(b[0], b[1], c[0], c[1]))
         .high;
