@@ -4,6 +4,7 @@
 #include "core/commands/animate.h"
 #include "core/commands/apply_shape.h"
 #include "core/commands/arrange.h"
+#include "core/commands/convert_lattice.h"
 #include "core/commands/cut.h"
 #include "core/commands/group.h"
 #include "core/commands/heights.h"
@@ -47,21 +48,20 @@ template <class T, class Variant> inline constexpr bool is_one_of = false;
 template <class T, class... All>
 inline constexpr bool is_one_of<T, std::variant<All...>> = (std::is_same_v<T, All> || ...);
 
-using AnyCommand =
-    std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
-                 AddTorus, AddMoebius, AddTeapot, AddText, SetText, SetTransform, Arrange,
-                 SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
-                 Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
-                 PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
-                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
-                 SetRender, SetTime, AddLattice, SetLattice, AddTetrahedra, SetTetrahedra,
-                 EditTetrahedra, AddSimplexSheet, SetSimplexSheet, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-                 RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles,
-                 MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels,
-                 Unwrap, ClearUnwrap, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise,
-                 EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions,
-                 PeelFlap, LayFlap, SetLineDrawing, ClearLineDrawing>;
+using AnyCommand = std::variant<
+    ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus, AddMoebius,
+    AddTeapot, AddText, SetText, SetTransform, Arrange, SetMaterial, ClearMaterial, Rename, Hide,
+    Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder, Place, PlaceRound,
+    EditPlacement, Unplace, SetTravel, PlayClip, Animate, Refine, ClearRefine, PressVolume,
+    MovePoints, InsertKnots, CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView,
+    ForgetView, SetRender, SetTime, AddLattice, SetLattice, ConvertLattice, AddTetrahedra,
+    SetTetrahedra, EditTetrahedra, AddSimplexSheet, SetSimplexSheet, WarpVolume, KeepShape,
+    Simplify, ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
+    RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles, MaskTiles,
+    RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels, Unwrap, ClearUnwrap,
+    Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision, LayerIncisions,
+    RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap, SetLineDrawing,
+    ClearLineDrawing>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

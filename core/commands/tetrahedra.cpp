@@ -5,6 +5,7 @@
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
 #include "core/commands/group.h"
+#include "core/simplex/cell_displacements.h"
 #include "core/simplex/tetrahedra_layers.h"
 
 #include <algorithm>
@@ -85,6 +86,9 @@ void check(const TetrahedraShape& shape)
         check(bare);
     } else if (!shape.vertices.empty())
         throw Rejected("field \"vertices\" has vertices, but \"cells\" no tetrahedra");
+    if (const int degree = degree_of(shape.displaced.size(), mesh.cells.size());
+        !shape.displaced.empty() && (degree == 0 || degree > shape.degree))
+        throw Rejected("what was a lattice keeps its tetrahedra, and at least its degree");
     if (shape.edits.size() > most_edits)
         throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
                                    shape.edits.size(), most_edits));
@@ -154,6 +158,9 @@ Document applied(Document document, const EditTetrahedra& command)
     TetrahedraShape shape = volume_of(document, command.object);
     check(command.edit);
     append(shape.edits, command.edit);
+    if (const int degree = degree_of(shape.displaced.size(), mesh.cells.size());
+        !shape.displaced.empty() && (degree == 0 || degree > shape.degree))
+        throw Rejected("what was a lattice keeps its tetrahedra, and at least its degree");
     if (shape.edits.size() > most_edits)
         throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
     if (command.edit.crease || command.edit.cloud) check_clouds(shape);

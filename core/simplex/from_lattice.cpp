@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/from_lattice.h"
 
+#include "core/base/box.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/simplex/box_domain.h"
@@ -107,47 +108,20 @@ std::array<glm::dvec3, 4> corners_of_cell(const SimplexMesh<3>& mesh, std::size_
     return out;
 }
 
-std::vector<glm::dvec3> quasi_interpolant(const Lattice& lattice, const SpanCells& cells,
-                                          const SimplexBasis<3>& basis)
+CellDisplacements values_at_nodes(const Lattice& lattice, const SpanCells& cells, int degree)
 {
-    const SimplexDomain<3>& domain = basis.domain();
-    const auto indices = multi_indices<3>(domain.degree);
-    const CellInterpolation interpolation(domain.degree);
-    std::vector<glm::dvec3> by_function(domain.cells.size() * indices.size());
-    parallel_blocks(domain.cells.size(), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c) {
-            std::vector<glm::dvec3> values;
-            for (glm::dvec4 l : interpolation.nodes()) {
+    const CellInterpolation interpolation(degree);
+    const std::size_t per_cell = interpolation.nodes().size();
+    CellDisplacements out(cells.mesh.cells.size() * per_cell);
+    parallel_blocks(cells.mesh.cells.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c)
+            for (std::size_t i = 0; i < per_cell; ++i) {
+                glm::dvec4 l = interpolation.nodes()[i];
                 if (cells.torn) l += (glm::dvec4(0.25) - l) * from_tear;
-                values.push_back(
-                    evaluate(lattice.displacement, blend(corners_of_cell(cells.mesh, c), l)).value);
+                out[c * per_cell + i] =
+                    evaluate(lattice.displacement, blend(corners_of_cell(cells.mesh, c), l)).value;
             }
-            const auto coefficients = interpolation.coefficients(values);
-            const auto at = corners(domain, c);
-            const glm::dmat3 edges(at[1] - at[0], at[2] - at[0], at[3] - at[0]);
-            const glm::dmat3 inverse = glm::inverse(edges);
-            for (std::size_t b = 0; b < indices.size(); ++b) {
-                std::vector<glm::dvec4> arguments; // knots (k, j) with j < b_k
-                for (std::size_t k = 0; k < 4; ++k)
-                    for (int j = 0; j < indices[b][k]; ++j) {
-                        const glm::dvec3 l = inverse * (domain.knot(domain.cells[c][k], j) - at[0]);
-                        arguments.emplace_back(1 - l.x - l.y - l.z, l.x, l.y, l.z);
-                    }
-                by_function[c * indices.size() + b] =
-                    interpolation.polar_form(coefficients, arguments);
-            }
-        }
     });
-    // Functions that share a control point agree on it, but for rounding.
-    std::vector<glm::dvec3> out(basis.point_count(), glm::dvec3(0));
-    std::vector<int> count(out.size(), 0);
-    for (std::size_t i = 0; i < by_function.size(); ++i) {
-        const auto p =
-            static_cast<std::size_t>(basis.point_of(i / indices.size(), i % indices.size()));
-        out[p] += by_function[i];
-        ++count[p];
-    }
-    for (std::size_t p = 0; p < out.size(); ++p) out[p] /= static_cast<double>(count[p]);
     return out;
 }
 
@@ -208,8 +182,41 @@ ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how)
     ConvertedLattice out;
     out.volume.layers.push_back(std::make_shared<const SimplexBasis<3>>(
         with_clouds<3>(std::move(world), cells.mesh.cells, how.degree, how.style, cells.creases)));
-    out.volume.displacements = quasi_interpolant(lattice, cells, *out.volume.layers[0]);
+    out.values = values_at_nodes(lattice, cells, how.degree);
+    out.volume.displacements = control_displacements(*out.volume.layers[0], out.values);
+    out.creases = std::move(cells.creases);
     measure(lattice, cells, out);
+    return out;
+}
+
+TetrahedraShape shape_of(const ConvertedLattice& converted, const CloudStyle& style)
+{
+    const SimplexDomain<3>& domain = converted.volume.layers.front()->domain();
+    TetrahedraShape out;
+    out.degree = domain.degree;
+    out.spread = style.spread;
+    Box box;
+    for (std::size_t v = 0; v < domain.vertex_count(); ++v) {
+        out.vertices.push_back(domain.vertex(static_cast<int>(v)));
+        box.add(out.vertices.back());
+    }
+    for (const auto& cell : domain.cells)
+        out.cells.emplace_back(cell[0], cell[1], cell[2], cell[3]);
+    for (const Crease<3>& crease : converted.creases) {
+        auto alike = std::ranges::find_if(out.edits, [&](const TetrahedraEdit& edit) {
+            return edit.crease->depth == crease.depth && edit.crease->seam == crease.seam;
+        });
+        if (alike == out.edits.end())
+            alike = out.edits.insert(
+                alike, {.crease = TetrahedraCrease{.radius = 1e-6 * glm::length(box.size()),
+                                                   .depth = crease.depth,
+                                                   .seam = crease.seam}});
+        glm::dvec3 middle(0);
+        for (const int v : crease.face) middle += domain.vertex(v) / 3.0;
+        alike->crease->places.push_back(middle);
+    }
+    out.displaced = converted.values;
+    out.deviation = converted.most;
     return out;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/ffd/lattice.h"
+#include "core/simplex/cell_displacements.h"
 #include "core/simplex/clouds.h"
 #include "core/simplex/simplex_volume.h"
+#include "core/simplex/tetrahedra_shape.h"
 
 namespace trivar {
 
@@ -18,6 +20,8 @@ struct ConvertedLattice {
     // How far the volume takes a point from where the lattice takes it, by looking at 35 places in
     // each cell: the most and the root of the mean square, in world units.
     double most = 0, mean = 0;
+    CellDisplacements values = {};       // by which the volume's are made
+    std::vector<Crease<3>> creases = {}; // of its domain
 };
 
 // A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
@@ -32,5 +36,8 @@ struct ConvertedLattice {
 //   [1] Serghini, Tijini, New approach to study splines by blossoming method and application to
 //   the construction of a bivariate C1 quartic quasi-interpolant, 2015
 ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how = {});
+
+// The shape whose volume that is, to be edited further. O(number of faces times creases).
+TetrahedraShape shape_of(const ConvertedLattice& converted, const CloudStyle& style = {});
 
 } // namespace trivar

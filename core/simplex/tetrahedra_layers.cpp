@@ -29,7 +29,7 @@ std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<Tet
             for (const int v : face.vertices)
                 middle += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
             if (within(edit.crease->places, edit.crease->radius, middle))
-                out.push_back({face.vertices, edit.crease->depth});
+                out.push_back({face.vertices, edit.crease->depth, edit.crease->seam});
         }
     }
     return out;

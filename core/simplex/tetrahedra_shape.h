@@ -34,6 +34,7 @@ struct TetrahedraCrease {
     std::vector<glm::dvec3> places = {};
     double radius = 0.1; // metres
     int depth = 1;       // Crease::depth; the degree: a cut
+    bool seam = false;   // of that depth: slopes may jump, but it stays in one piece
     bool operator==(const TetrahedraCrease&) const = default;
 };
 
@@ -84,6 +85,10 @@ struct TetrahedraShape {
     // The domain, where it is no box: both empty, or neither.
     std::vector<glm::dvec3> vertices = {};
     std::vector<glm::ivec4> cells = {};
+    // What a lattice did before it became tetrahedra, in metres, for each cell in turn
+    // (CellDisplacements); empty: nothing. And how far they are off it at most.
+    std::vector<glm::dvec3> displaced = {};
+    double deviation = 0;
     std::vector<TetrahedraEdit> edits = {};
     std::vector<TetrahedraFunction> functions = {}; // that are shown
     bool operator==(const TetrahedraShape&) const = default;

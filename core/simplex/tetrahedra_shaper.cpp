@@ -2,6 +2,7 @@
 #include "core/simplex/tetrahedra_shaper.h"
 
 #include "core/placement/warping.h"
+#include "core/simplex/cell_displacements.h"
 #include "core/simplex/pulling.h"
 #include "core/simplex/tetrahedra_layers.h"
 
@@ -64,7 +65,9 @@ ShapedTetrahedra TetrahedraShaper::operator()(const TetrahedraShape& shape,
         return make_ref(std::move(made));
     });
     SimplexVolume volume{domain->layers, {}};
-    volume.displacements.assign(volume.first_point(volume.layers.size()), glm::dvec3(0));
+    if (!shape.displaced.empty())
+        volume.displacements = control_displacements(*volume.layers.front(), shape.displaced);
+    volume.displacements.resize(volume.first_point(volume.layers.size()), glm::dvec3(0));
     ShapedTetrahedra out;
     for (std::size_t i = 0; i < shape.edits.size(); ++i) {
         report(progress, static_cast<double>(i) / static_cast<double>(shape.edits.size()), "shape");

@@ -226,6 +226,7 @@ std::vector<Command> fitting_commands()
             SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}},
             AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},
             SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
+            ConvertLattice{.object = 7, .pieces = 1},
             AddTetrahedra{.objects = {9}, .shape = {.degree = 3}},
             SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}}},
             EditTetrahedra{.object = 11, .edit = {.pull = TetrahedraPull{.by = {0.1, 0, 0}}}},

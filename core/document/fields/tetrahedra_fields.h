@@ -40,6 +40,9 @@ template <> struct FieldsOf<TetrahedraCrease> {
         field("depth", c.depth,
               "number of derivatives that are lost there; the degree of the volume: it is cut",
               in_range(0, 3).called("Depth").without_keys());
+        field("seam", c.seam,
+              "whether what is cut stays in one piece all the same, with slopes that may jump",
+              later.called("Seam").without_keys());
     }
 };
 template <> struct FieldsOf<TetrahedraRefinement> {
@@ -139,6 +142,12 @@ template <> struct FieldsOf<TetrahedraShape> {
         field("vertices", s.vertices, "of tetrahedra that fill no box", any_value.without_keys());
         field("cells", s.cells, "four numbers of vertices per tetrahedron; none: the box",
               in_range(0, 1e9).without_keys());
+        field("displaced", s.displaced,
+              "what a lattice did before it became these tetrahedra: displacements at 4, 10 or 20 "
+              "nodes of each of them, for degrees 1, 2 and 3",
+              later.without_keys());
+        field("deviation", s.deviation, "greatest distance from what the lattice did, metres",
+              later.without_keys());
         field("edits", s.edits, "what was done to it, in order");
         field("functions", s.functions, "basis functions that are shown as surfaces");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_tetrahedra.h"
 
+#include "core/base/rounded.h"
 #include "core/commands/tetrahedra.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
@@ -111,6 +112,12 @@ void facts(const Session& session, const ui::Theme& theme, Id id)
     ui::fact_row(theme, "Control points", ui::with_commas(volume.displacements.size()));
     if (volume.layers.size() > 1)
         ui::fact_row(theme, "Refinements", ui::with_commas(volume.layers.size() - 1));
+    const auto* shape = std::get_if<TetrahedraShape>(&object(session.document(), id).source);
+    if (shape && !shape->displaced.empty())
+        ui::fact_row(theme, "Off the lattice",
+                     "at most " + ui::short_number(rounded_up(shape->deviation, 2)) + " m",
+                     theme.color.text,
+                     "greatest distance from where the lattice took a point, before later edits");
 }
 
 void draw_edits(Editor& editor, const ui::Theme& theme, Id id)

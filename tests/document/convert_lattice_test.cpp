@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/evaluation/evaluate.h"
+#include "tests/document/commands.h"
+#include "tests/support/fixtures.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+Evaluation evaluated(const Document& document)
+{
+    return Evaluator(std::make_shared<const AssetStore>(""))(document);
+}
+
+std::vector<glm::dvec3> ball_in(const Document& document)
+{
+    const Part part = evaluated(document).objects.at(1)->parts.at(0);
+    std::vector<glm::dvec3> out;
+    for (const glm::vec3& p : part.mesh()->positions)
+        out.emplace_back(part.to_world * glm::dvec4(p, 1));
+    return out;
+}
+
+double furthest(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b)
+{
+    EXPECT_EQ(a.size(), b.size());
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, glm::distance(a[i], b[i]));
+    return most;
+}
+
+// A ball of radius 0.4 (object 1) in a lattice that is pulled up in one place (object 2).
+Document pulled_lattice(int order, double by = 0.2)
+{
+    Document out = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
+    out = after(out, AddLattice{.objects = {1}, .shape = {.orders = glm::ivec3(order)}});
+    return after(out,
+                 MovePoints{.object = 2, .shift = {.points = {{1, 1, 3}}, .by = {by / 2, 0, by}}});
+}
+
+const TetrahedraShape& tetrahedra_of(const Document& document)
+{
+    return std::get<TetrahedraShape>(document.objects.at(2)->source);
+}
+
+TEST(ConvertedLattices, BendWhatIsInThemAsBefore)
+{
+    for (const int order : {2, 3, 4}) {
+        const Document lattice = pulled_lattice(order);
+        double last = 1;
+        for (const int pieces : {1, 2, 3}) {
+            const Document tetrahedra = after(lattice, ConvertLattice{2, pieces});
+            const double off = furthest(ball_in(tetrahedra), ball_in(lattice)),
+                         stated = tetrahedra_of(tetrahedra).deviation;
+            EXPECT_LT(off, 1.3 * stated + 2e-6) << order << " in " << pieces;
+            EXPECT_TRUE(stated < last || stated < 1e-9) << order << " in " << pieces;
+            last = stated;
+        }
+        EXPECT_LT(last, order == 2 ? 1e-9 : 3e-4) << order;
+    }
+}
+
+TEST(ConvertedLattices, KeepTheirShapeWhenTheyAreCutAndCreased)
+{
+    const Document whole = after(pulled_lattice(4), ConvertLattice{2, 2}),
+                   cut = after(whole, EditTetrahedra{
+                                          2, {.crease = TetrahedraCrease{{{0, 0, 0.1}}, 0.4, 3}}});
+    EXPECT_LT(furthest(ball_in(cut), ball_in(whole)), 1e-5);
+    TetrahedraShape wider = tetrahedra_of(whole);
+    wider.spread = 0.25;
+    EXPECT_LT(furthest(ball_in(after(whole, SetTetrahedra{2, wider})), ball_in(whole)),
+              4 * wider.deviation);
+}
+
+TEST(ConvertedLattices, RefuseWhatIsNoneAndWhatTheyCannotKeep)
+{
+    const Document lattice = pulled_lattice(4);
+    const auto refused = [](const Document& document, const Command& command, const char* why) {
+        EXPECT_THAT([&] { after(document, command); }, ThrowsMessage<Rejected>(HasSubstr(why)));
+    };
+    refused(lattice, ConvertLattice{1}, "is not a lattice");
+    refused(lattice, ConvertLattice{2, 16}, "at most 20000");
+    const Document tetrahedra = after(lattice, ConvertLattice{2});
+    TetrahedraShape lower = tetrahedra_of(tetrahedra);
+    lower.degree = 2;
+    refused(tetrahedra, SetTetrahedra{2, lower}, "keeps its tetrahedra");
+    TetrahedraShape fewer = tetrahedra_of(tetrahedra);
+    fewer.cells.pop_back();
+    refused(tetrahedra, SetTetrahedra{2, fewer}, "keeps its tetrahedra");
+}
+
+TEST(ConvertedLattices, LoseKeysOfTheBoxAndKeepThoseOfTheirPlace)
+{
+    Document keyed = pulled_lattice(4);
+    const auto track = [](const char* name) {
+        return Track{.parameter = name, .keys = {{.frame = 1, .value = 1}}};
+    };
+    keyed = after(keyed, Animate{{{2, {track("shape.size.x"), track("transform.translation.x")}}}});
+    const Tracks& left = after(keyed, ConvertLattice{2}).objects.at(2)->tracks;
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left.begin()->parameter, "transform.translation.x");
+}
+
+} // namespace
+} // namespace trivar
