@@ -158,9 +158,6 @@ Document applied(Document document, const EditTetrahedra& command)
     TetrahedraShape shape = volume_of(document, command.object);
     check(command.edit);
     append(shape.edits, command.edit);
-    if (const int degree = degree_of(shape.displaced.size(), mesh.cells.size());
-        !shape.displaced.empty() && (degree == 0 || degree > shape.degree))
-        throw Rejected("what was a lattice keeps its tetrahedra, and at least its degree");
     if (shape.edits.size() > most_edits)
         throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
     if (command.edit.crease || command.edit.cloud) check_clouds(shape);
