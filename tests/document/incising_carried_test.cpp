@@ -101,7 +101,7 @@ TEST(IncisingCarried, BendsWithASkinAndAMorph)
         const Document moving = after(document, PlayClip{{1}, {.clip = clip}});
         const Ref<EvaluatedObject> first = evaluator(moving, 1).objects.at(1),
                                    later = evaluator(moving, 13).objects.at(1);
-        EXPECT_THAT(first->incisions.at(0).refusal, IsEmpty());
+        EXPECT_THAT(first->incisions.at(0).refusal, ::testing::IsEmpty());
         EXPECT_EQ(first->parts.at(0).mesh()->corners, later->parts.at(0).mesh()->corners);
         EXPECT_NE(first->parts.at(0).mesh()->positions, later->parts.at(0).mesh()->positions);
         EXPECT_GT(first->parts.at(0).mesh()->face_count(), bar.rest->face_count());
