@@ -3,6 +3,7 @@
 
 #include "core/commands/primitives.h"
 #include "core/commands/step_title.h"
+#include "core/document/fields/simplex_sheet_fields.h"
 #include "core/document/fields/tetrahedra_fields.h"
 
 namespace trivar {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -18,9 +19,11 @@ bool within(const std::vector<glm::dvec3>& places, double radius, const glm::dve
                        [&](const glm::dvec3& place) { return glm::distance(place, p) <= radius; });
 }
 
+// Each face once: of two creases the deeper counts, and of two as deep the later one.
 std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<TetrahedraEdit>& edits)
 {
     std::vector<Crease<3>> out;
+    std::map<std::array<int, 3>, std::size_t> known;
     SimplexDomain<3> bare{1, {}, mesh.cells};
     for (const TetrahedraEdit& edit : edits) {
         if (!edit.crease) continue;
@@ -28,8 +31,13 @@ std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<Tet
             glm::dvec3 middle(0);
             for (const int v : face.vertices)
                 middle += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
-            if (within(edit.crease->places, edit.crease->radius, middle))
-                out.push_back({face.vertices, edit.crease->depth, edit.crease->seam});
+            if (!within(edit.crease->places, edit.crease->radius, middle)) continue;
+            const Crease<3> crease{face.vertices, edit.crease->depth, edit.crease->seam};
+            const auto [found, added] = known.try_emplace(face.vertices, out.size());
+            if (added)
+                out.push_back(crease);
+            else if (crease.depth >= out[found->second].depth)
+                out[found->second] = crease;
         }
     }
     return out;

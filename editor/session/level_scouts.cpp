@@ -2,7 +2,7 @@
 #include "editor/session/level_scouts.h"
 
 #include "core/silhouette/level_scout.h"
-#include "editor/session/session.h"
+#include "editor/jobs/job.h"
 
 #include <utility>
 
@@ -20,20 +20,17 @@ ScoutedVolume shown_scout(const LevelScout& scout)
 
 } // namespace
 
-const ScoutedVolume* LevelScouts::of(Session& session, const ShownVolume& volume)
+const ScoutedVolume* LevelScouts::of(Jobs& jobs, const ShownVolume& volume)
 {
     if (!volume.summary || !volume.field) return nullptr;
     const Found& found = known_(volume.summary, [&] {
         Found slot = std::make_shared<std::optional<ScoutedVolume>>();
-        session.quiet_jobs().start(
-            {"Looking for levels",
-             [slot, field = volume.field](const Progress& progress) -> Jobs::Finish {
-                 return
-                     [slot, scouted = shown_scout(scout_levels(field->grid(), 64, 64, progress))] {
-                         *slot = scouted;
-                     };
-             },
-             {}});
+        jobs.start({"Looking for levels",
+                    [slot, field = volume.field](const Progress& progress) -> Jobs::Finish {
+                        return [slot, scouted = shown_scout(scout_levels(
+                                          field->grid(), 64, 64, progress))] { *slot = scouted; };
+                    },
+                    {}});
         return slot;
     });
     return *found ? &**found : nullptr;

@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-class Session;
+class Jobs;
 
 // A ScoutedVolume is what scout_levels() tells of volume data, as a histogram shows it and a
 // dragged level halts by it.
@@ -24,7 +24,7 @@ struct ScoutedVolume {
 class LevelScouts {
 public:
     // Null: not known yet, and looked for from now on.
-    const ScoutedVolume* of(Session& session, const ShownVolume& volume);
+    const ScoutedVolume* of(Jobs& jobs, const ShownVolume& volume);
 
 private:
     // Volumes are known by their summaries, which are made once per content that was read.

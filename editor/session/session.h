@@ -25,8 +25,7 @@ public:
     Session(std::function<void()> wake, std::string unnamed_folder);
 
     const SceneFile& scene() const { return scene_; }
-    // The proposal's document if there is one, else the committed one, with the values of its
-    // parameters at the present frame.
+    // The proposal's or else the committed one, with its values at the present frame.
     const Document& document() const { return now_; }
     const Document& committed() const { return scene_.history().committed(); } // as it was said
     const Evaluation& evaluated() const { return evaluated_; } // may be a moment behind
@@ -100,8 +99,7 @@ public:
     ChosenIncision incision; // of the active object
     ChosenLevel level;       // likewise
     LevelScouts level_scouts;
-    // ascending: left out of the picture while the person works on others
-    std::vector<Id> hidden_here;
+    std::vector<Id> hidden_here; // ascending: while the person works on others
     // selects all objects from that id up, without those in groups among them
     void select_new(Id first);
     SceneView view;

@@ -15,6 +15,7 @@
 #include "core/document/fields/simplifying_fields.h"
 #include "core/document/fields/splitting_fields.h"
 #include "core/document/fields/surfacing_fields.h"
+#include "core/document/fields/simplex_sheet_fields.h"
 #include "core/document/fields/tetrahedra_fields.h"
 #include "core/document/fields/text_fields.h"
 #include "core/document/fields/tiles_fields.h"

@@ -120,7 +120,7 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
     ValueRows rows{theme, &keys};
     std::optional<VoxelShape> at_once; // by a button
     if (ui::section(theme, "Volume data", true, fmt::format("{}", s.levels.size()))) {
-        if (of.shown) of.scouted = session.level_scouts.of(session, *of.shown);
+        if (of.shown) of.scouted = session.level_scouts.of(session.quiet_jobs(), *of.shown);
         draw_level_histogram(rows, of, s, chosen);
         draw_level_list(rows, of, s, chosen);
         ui::gap(theme, 4);

@@ -54,7 +54,7 @@ TEST(VolumeSection, ADraggedLevelHaltsWhereTheLengthOfItsLinesHardlyChanges)
     VolumeSection rig;
     LevelScouts& scouts = rig.editor.session.level_scouts;
     const ShownVolume& shown = *rig.editor.session.evaluated().objects.at(1)->shape->volume;
-    const ScoutedVolume* scouted = scouts.of(rig.editor.session, shown);
+    const ScoutedVolume* scouted = scouts.of(rig.editor.session.quiet_jobs(), shown);
     ASSERT_TRUE(scouted) << "it was found beside the window";
     EXPECT_EQ(scouted->curve.size(), 64u);
     ASSERT_FALSE(scouted->plateaus.empty());

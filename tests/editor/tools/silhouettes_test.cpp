@@ -55,7 +55,7 @@ TEST(Silhouettes, ADragHaltsWhereTheLengthOfTheLinesHardlyChanges)
     rig.wait();
     Session& session = rig.editor.session;
     const ShownVolume& shown = *session.evaluated().objects.at(1)->shape->volume;
-    const ScoutedVolume* scouted = session.level_scouts.of(session, shown);
+    const ScoutedVolume* scouted = session.level_scouts.of(session.quiet_jobs(), shown);
     ASSERT_TRUE(scouted) << "it was found beside the window";
     ASSERT_FALSE(scouted->plateaus.empty());
     const double plateau = scouted->plateaus.back();
