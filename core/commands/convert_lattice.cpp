@@ -12,8 +12,8 @@
 namespace trivar {
 namespace {
 
-// More cells take seconds at each change.
-constexpr double most_cells_of_lattice = 20000;
+// Of 20 displacements each, as many as a field may hold.
+constexpr double most_cells_of_lattice = 5000;
 
 void check_count(const std::array<Knots, 3>& axes, const ConvertLattice& command)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspect.h"
 
-#include "core/commands/convert_lattice.h"
 #include "editor/actions/lattice_actions.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/warp_rows.h"
@@ -84,11 +83,6 @@ void box_rows(Editor& editor, const ui::Theme& theme, Id id)
     fields(&LatticeShape::grid);
     fields(&LatticeShape::orders);
     propose_edit(editor, rows.edit, [&] { return SetLattice{id, s}; });
-    if (object(editor.session.document(), id).stroke) return;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x + theme.size.padding, at.y});
-    if (ui::button(theme, "Turn into tetrahedra")) editor.session.run(ConvertLattice{.object = id});
-    ui::gap(theme, 4);
 }
 
 void draw_bending(Editor& editor, const ui::Theme& theme, Id id)
