@@ -74,7 +74,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Frames 3 values",
         "Put a lattice round Ball 4 × 4 × 4",
         "Density of Lattice 4 × 4 × 6",
-        "Turn Lattice into tetrahedra ",
+        "Turn Lattice into tetrahedra",
         "Put tetrahedra round Heights 2 × 2 × 2",
         "Boxes of Tetrahedra 3 × 2 × 2",
         "Pull by 0.1 m in Tetrahedra",
