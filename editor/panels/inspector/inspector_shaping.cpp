@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rounded.h"
-#include "core/commands/convert_lattice.h"
 #include "core/ffd/resolution.h"
 #include "editor/panels/panels.h"
 #include "editor/words/volume_words.h"
@@ -161,11 +160,6 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
         if (ui::button(theme, mend_action, ui::ButtonKind::primary, {theme.px(160), 0},
                        ui::icon::guard, key_text(action(editor, mend_action))))
             action(editor, mend_action).run(editor);
-    }
-    if (box && !object(session.document(), id).stroke) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::SetCursorScreenPos({at.x + edge, at.y});
-        if (ui::button(theme, "Turn into tetrahedra")) session.run(ConvertLattice{.object = id});
     }
     ui::gap(theme, 8);
 }
