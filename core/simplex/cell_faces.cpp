@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/cell_faces.h"
 
+#include "core/simplex/cell_lattice.h"
+
 #include <algorithm>
 
 namespace trivar {
@@ -25,5 +27,14 @@ template <int S> std::vector<CellFace<S>> sorted_faces(const SimplexDomain<S>& d
 
 template std::vector<CellFace<2>> sorted_faces(const SimplexDomain<2>&);
 template std::vector<CellFace<3>> sorted_faces(const SimplexDomain<3>&);
+
+glm::dvec3 outward(const SimplexDomain<3>& domain, const CellFace<3>& face)
+{
+    std::array<glm::dvec3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i)
+        c[i] = domain.vertex(
+            domain.cells[face.cell][static_cast<std::size_t>(outward_faces[face.opposite][i])]);
+    return glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
+}
 
 } // namespace trivar

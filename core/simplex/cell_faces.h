@@ -18,4 +18,7 @@ template <int S> struct CellFace {
 // other; a face on the border is alone. O(n log n).
 template <int S> std::vector<CellFace<S>> sorted_faces(const SimplexDomain<S>& domain);
 
+// The unit normal of a face out of its cell.
+glm::dvec3 outward(const SimplexDomain<3>& domain, const CellFace<3>& face);
+
 } // namespace trivar

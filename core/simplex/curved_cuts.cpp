@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/curved_cuts.h"
 
-#include "core/simplex/cell_lattice.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +13,6 @@ constexpr double one_plane = 1e-3;
 std::size_t at(int i)
 {
     return static_cast<std::size_t>(i);
-}
-
-glm::dvec3 outward(const SimplexDomain<3>& domain, const CellFace<3>& face)
-{
-    std::array<glm::dvec3, 3> c;
-    for (std::size_t i = 0; i < 3; ++i)
-        c[i] = domain.vertex(domain.cells[face.cell][at(outward_faces[face.opposite][i])]);
-    return glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
 }
 
 } // namespace

@@ -266,7 +266,7 @@ private:
         for (std::size_t i = 1; i + 1 < loop.size(); ++i)
             area +=
                 glm::cross(place(loop[i]) - place(loop[0]), place(loop[i + 1]) - place(loop[0]));
-        const bool with_face = glm::dot(area, outward(face)) >= 0;
+        const bool with_face = glm::dot(area, outward(domain_, face)) >= 0;
         for (std::size_t i = 1; i + 1 < loop.size(); ++i)
             caps_.push_back({face, cut, with_face, {loop[0], loop[i], loop[i + 1]}});
     }
@@ -310,16 +310,6 @@ private:
         }
     }
 
-    glm::dvec3 outward(const CellFace<3>& face) const
-    {
-        std::array<glm::dvec3, 3> c;
-        for (std::size_t i = 0; i < 3; ++i)
-            c[i] = domain_.vertex(
-                domain_
-                    .cells[face.cell][static_cast<std::size_t>(outward_faces[face.opposite][i])]);
-        return glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
-    }
-
     void solve()
     {
         const auto [least, greatest] =
@@ -359,7 +349,7 @@ private:
 
     glm::dvec3 cap_normal(const Cap& cap, const SidePlace& corner) const
     {
-        if (!cap.cut) return outward(cap.face);
+        if (!cap.cut) return outward(domain_, cap.face);
         const Corners order = sorted(cap.face.cell);
         glm::dvec3 sum(0);
         for (std::size_t k = 0; k < 4; ++k)
@@ -372,7 +362,7 @@ private:
     std::array<long, 3> facing(const Cap& cap) const
     {
         if (cap.cut) return {inside_[cap.face.cell] == cap.with_face ? 2'000'000 : -2'000'000};
-        const glm::dvec3 out = glm::round(outward(cap.face) * 1e6);
+        const glm::dvec3 out = glm::round(outward(domain_, cap.face) * 1e6);
         return {static_cast<long>(out.x), static_cast<long>(out.y), static_cast<long>(out.z)};
     }
 

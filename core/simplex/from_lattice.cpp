@@ -185,16 +185,17 @@ ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how)
     out.values = values_at_nodes(lattice, cells, how.degree);
     out.volume.displacements = control_displacements(*out.volume.layers[0], out.values);
     out.creases = std::move(cells.creases);
+    out.spread = how.style.spread;
     measure(lattice, cells, out);
     return out;
 }
 
-TetrahedraShape shape_of(const ConvertedLattice& converted, const CloudStyle& style)
+TetrahedraShape shape_of(const ConvertedLattice& converted)
 {
     const SimplexDomain<3>& domain = converted.volume.layers.front()->domain();
     TetrahedraShape out;
     out.degree = domain.degree;
-    out.spread = style.spread;
+    out.spread = converted.spread;
     Box box;
     for (std::size_t v = 0; v < domain.vertex_count(); ++v) {
         out.vertices.push_back(domain.vertex(static_cast<int>(v)));

@@ -22,6 +22,7 @@ struct ConvertedLattice {
     double most = 0, mean = 0;
     CellDisplacements values = {};       // by which the volume's are made
     std::vector<Crease<3>> creases = {}; // of its domain
+    double spread = 0;                   // of its clouds
 };
 
 // A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
@@ -38,6 +39,6 @@ struct ConvertedLattice {
 ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how = {});
 
 // The shape whose volume that is, to be edited further. O(number of faces times creases).
-TetrahedraShape shape_of(const ConvertedLattice& converted, const CloudStyle& style = {});
+TetrahedraShape shape_of(const ConvertedLattice& converted);
 
 } // namespace trivar

@@ -31,7 +31,8 @@ const VolumeSummary* summary_at(const Session& session, Id id)
 std::span<const double> plateaus_at(Session& session, Id id)
 {
     const ShownVolume* shown = shown_volume_of(session, id);
-    const ScoutedVolume* scouted = shown ? session.level_scouts.of(session.quiet_jobs(), *shown) : nullptr;
+    const ScoutedVolume* scouted =
+        shown ? session.level_scouts.of(session.quiet_jobs(), *shown) : nullptr;
     return scouted ? std::span(scouted->plateaus) : std::span<const double>();
 }
 

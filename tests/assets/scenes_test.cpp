@@ -98,22 +98,20 @@ TEST_P(EveryScene, HasTheDigestThatItsFileSays)
 
 INSTANTIATE_TEST_SUITE_P(
     Of, EveryScene,
-    testing::Values("first_placement", "lattice_bend", "goblet_twist", "dragon_ring",
-                    "snake_bridge", "crocodile_on_horse", "stacked", "f1_f2", "ants",
-                    "ants_moebius", "whales", "car", "variable_width", "cube_refined", "edges",
-                    "crocodile_pressed", "pressing_tools", "fold_and_repair", "ants_terrain",
-                    "cars_over_obstacle", "text_teapot", "bulldozer_parks", "reptiles", "rider",
-                    "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
-                    "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains",
-                    "horse_hair", "face_hexagons", "brick_wall", "teapot_statues", "robot_bars",
-                    "robot_bars_tilted", "bulldozer_tree", "sphere_cylinder",
-                    "sphere_cylinder_stitched", "sphere_cylinder_ends", "part_profile",
-                    "bunny_cylinder", "sliced", "pineapple", "crossing_cuts", "face_incisions",
-                    "forearm_layers", "pumpkin_carved", "jaw_silhouette", "jaw_overlay",
-                    "neck_levels", "foot_skin_bone", "iron_protein_levels", "iron_protein_volume",
-                    "iron_protein_widths", "crystal_chromadepth", "foot_chromadepth",
-                    "knee_gradient", "density_fans", "anatomical_plate", "dms_surface",
-                    "goblet_dms", "dms_refined", "dms_cut", "dms_density"),
+    testing::Values(
+        "first_placement", "lattice_bend", "goblet_twist", "dragon_ring", "snake_bridge",
+        "crocodile_on_horse", "stacked", "f1_f2", "ants", "ants_moebius", "whales", "car",
+        "variable_width", "cube_refined", "edges", "crocodile_pressed", "pressing_tools",
+        "fold_and_repair", "ants_terrain", "cars_over_obstacle", "text_teapot", "bulldozer_parks",
+        "reptiles", "rider", "wreath", "tea_cosy", "feathered_serpent", "tower", "mail_and_bricks",
+        "thorn_to_flower", "robots_teapot", "face_thorns", "ruin", "camel_chains", "horse_hair",
+        "face_hexagons", "brick_wall", "teapot_statues", "robot_bars", "robot_bars_tilted",
+        "bulldozer_tree", "sphere_cylinder", "sphere_cylinder_stitched", "sphere_cylinder_ends",
+        "part_profile", "bunny_cylinder", "sliced", "pineapple", "crossing_cuts", "face_incisions",
+        "forearm_layers", "pumpkin_carved", "jaw_silhouette", "jaw_overlay", "neck_levels",
+        "foot_skin_bone", "iron_protein_levels", "iron_protein_volume", "iron_protein_widths",
+        "crystal_chromadepth", "foot_chromadepth", "knee_gradient", "density_fans",
+        "anatomical_plate", "dms_surface", "goblet_dms", "dms_refined", "dms_cut", "dms_density"),
     [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

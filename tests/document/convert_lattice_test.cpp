@@ -3,6 +3,7 @@
 #include "core/evaluation/evaluate.h"
 #include "core/simplex/simplex_volume.h"
 #include "tests/document/commands.h"
+#include "tests/document/world_points.h"
 #include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
@@ -18,21 +19,9 @@ Evaluation evaluated(const Document& document)
     return Evaluator(std::make_shared<const AssetStore>(""))(document);
 }
 
-std::vector<glm::dvec3> ball_in(const Document& document)
+std::vector<glm::vec3> ball_in(const Document& document)
 {
-    const Part part = evaluated(document).objects.at(1)->parts.at(0);
-    std::vector<glm::dvec3> out;
-    for (const glm::vec3& p : part.mesh()->positions)
-        out.emplace_back(part.to_world * glm::dvec4(p, 1));
-    return out;
-}
-
-double furthest(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b)
-{
-    EXPECT_EQ(a.size(), b.size());
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, glm::distance(a[i], b[i]));
-    return most;
+    return testing::world_points(evaluated(document).objects.at(1)->parts.at(0));
 }
 
 // A ball of radius 0.4 (object 1) in a lattice that is pulled up in one place (object 2).
@@ -56,7 +45,7 @@ TEST(ConvertedLattices, BendWhatIsInThemAsBefore)
         double last = 1;
         for (const int pieces : {1, 2, 3}) {
             const Document tetrahedra = after(lattice, ConvertLattice{2, pieces});
-            const double off = furthest(ball_in(tetrahedra), ball_in(lattice)),
+            const double off = testing::most_apart(ball_in(tetrahedra), ball_in(lattice)),
                          stated = tetrahedra_of(tetrahedra).deviation;
             EXPECT_LT(off, 1.3 * stated + 2e-6) << order << " in " << pieces;
             EXPECT_TRUE(stated < last || stated < 1e-9) << order << " in " << pieces;

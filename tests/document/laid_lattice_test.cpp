@@ -5,6 +5,7 @@
 #include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
 #include "tests/document/drawn_off.h"
+#include "tests/document/world_points.h"
 #include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
@@ -45,20 +46,7 @@ Evaluation shown_scene(const Document& document)
 
 std::vector<glm::vec3> world_points(const Document& document, Id id = box_id)
 {
-    const Part part = shown_scene(document).objects.at(id)->parts.at(0);
-    std::vector<glm::vec3> out;
-    for (const glm::vec3& p : part.mesh()->positions)
-        out.emplace_back(part.to_world * glm::dvec4(p, 1));
-    return out;
-}
-
-double most_apart(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
-{
-    EXPECT_EQ(a.size(), b.size());
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        most = std::max<double>(most, glm::length(a[i] - b[i]));
-    return most;
+    return testing::world_points(shown_scene(document).objects.at(id)->parts.at(0));
 }
 
 MovePoints lift_roof(double by)
@@ -73,9 +61,9 @@ TEST(LaidLattices, LayWhatFillsThemAsItWouldLieAlone)
 {
     Document document = after(Document{}, AddPlane{.shape = {.size = {8, 8}}});
     document = after(document, AddBox{.shape = {.size = {1, 1, 1}, .segments = {6, 6, 6}}});
-    EXPECT_LT(
-        most_apart(world_points(after(document, along_a_stroke(box_id))), world_points(laid())),
-        1e-5);
+    EXPECT_LT(testing::most_apart(world_points(after(document, along_a_stroke(box_id))),
+                                  world_points(laid())),
+              1e-5);
     EXPECT_EQ(shown_scene(laid()).objects.at(lattice_id)->rejected, "");
 }
 
@@ -106,7 +94,7 @@ TEST(LaidLattices, LetTheirContentsRiseAboveTheVolumeOfTheStroke)
         shown_scene(laid()).objects.at(lattice_id)->lattice_stroke->placement->report.height_world;
     for (const double by : {0.25, 1.0}) {
         const std::vector<glm::vec3> now = world_points(after(laid(), lift_roof(by)));
-        EXPECT_NEAR(most_apart(now, before), by * height, 0.02 * by * height);
+        EXPECT_NEAR(testing::most_apart(now, before), by * height, 0.02 * by * height);
     }
 }
 
@@ -125,9 +113,9 @@ TEST(LaidLattices, StandInOtherLatticesThatBendAllOfIt)
 {
     Document document =
         after(laid(), AddLattice{.objects = {lattice_id}, .shape = {.size = {9, 9, 9}}});
-    EXPECT_LT(most_apart(world_points(document), world_points(laid())), 1e-5);
+    EXPECT_LT(testing::most_apart(world_points(document), world_points(laid())), 1e-5);
     document = after(document, MovePoints{4, {.points = {{1, 1, 1}, {2, 2, 2}}, .by = {0, 0, 1}}});
-    EXPECT_GT(most_apart(world_points(document), world_points(laid())), 0.05);
+    EXPECT_GT(testing::most_apart(world_points(document), world_points(laid())), 0.05);
 }
 
 TEST(LaidLattices, GoWithWhatTheyAreAttachedTo)
@@ -141,7 +129,7 @@ TEST(LaidLattices, GoWithWhatTheyAreAttachedTo)
     document = after(document, SetTransform{ground_id, there});
     std::vector<glm::vec3> expected;
     for (const glm::vec3& p : before) expected.emplace_back(there.matrix() * glm::dvec4(p, 1));
-    EXPECT_LT(most_apart(world_points(document), expected), 2e-5);
+    EXPECT_LT(testing::most_apart(world_points(document), expected), 2e-5);
 }
 
 TEST(LaidLattices, KeepWhatWasDoneToTheirBox)
@@ -150,7 +138,7 @@ TEST(LaidLattices, KeepWhatWasDoneToTheirBox)
     const Document up = after(pressed, along_a_stroke(lattice_id));
     EXPECT_EQ(object(up, lattice_id).shaping, object(pressed, lattice_id).shaping);
     const Document down = after(up, Unplace{lattice_id});
-    EXPECT_LT(most_apart(world_points(down), world_points(pressed)), 1e-7);
+    EXPECT_LT(testing::most_apart(world_points(down), world_points(pressed)), 1e-7);
 }
 
 TEST(LaidLattices, MoveAlongTheirStrokeWithKeysOnItsStart)
@@ -174,9 +162,9 @@ TEST(LaidLattices, AreCopiedWithStrokeAndSteps)
     const Document twice = after(document, Duplicate{.objects = {lattice_id}});
     const Id copy = 4, contents = 5;
     ASSERT_TRUE(is_lattice(twice, copy));
-    EXPECT_LT(most_apart(world_points(twice, contents), world_points(document)), 1e-7);
+    EXPECT_LT(testing::most_apart(world_points(twice, contents), world_points(document)), 1e-7);
     const Document pasted = after(document, copied(document, {lattice_id}, ""));
-    EXPECT_LT(most_apart(world_points(pasted, contents), world_points(document)), 1e-7);
+    EXPECT_LT(testing::most_apart(world_points(pasted, contents), world_points(document)), 1e-7);
 }
 
 TEST(LaidLattices, RefuseRingsAndWhatTheyCannot)
@@ -197,11 +185,12 @@ TEST(LaidLattices, StandWhereTheyAreWhereTheStrokeFindsNothing)
     const Ref<EvaluatedObject> round = shown_scene(document).objects.at(lattice_id);
     if (!round->rejected.empty()) {
         EXPECT_FALSE(round->lattice_stroke);
-        EXPECT_LT(most_apart(world_points(document), world_points(box_in_lattice())), 1e-6);
+        EXPECT_LT(testing::most_apart(world_points(document), world_points(box_in_lattice())),
+                  1e-6);
     }
     const Document gone = after(laid(), Delete{{ground_id}});
     EXPECT_THAT(shown_scene(gone).objects.at(lattice_id)->rejected, HasSubstr("is gone"));
-    EXPECT_LT(most_apart(world_points(gone), world_points(box_in_lattice())), 1e-6);
+    EXPECT_LT(testing::most_apart(world_points(gone), world_points(box_in_lattice())), 1e-6);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
 #include "tests/document/drawn_off.h"
+#include "tests/document/world_points.h"
 #include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
@@ -28,20 +29,7 @@ Evaluation all_of(const Document& document)
 
 std::vector<glm::vec3> points_of(const Document& document, Id id)
 {
-    const Part part = all_of(document).objects.at(id)->parts.at(0);
-    std::vector<glm::vec3> out;
-    for (const glm::vec3& p : part.mesh()->positions)
-        out.emplace_back(part.to_world * glm::dvec4(p, 1));
-    return out;
-}
-
-double furthest(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
-{
-    EXPECT_EQ(a.size(), b.size());
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        most = std::max<double>(most, glm::length(a[i] - b[i]));
-    return most;
+    return testing::world_points(all_of(document).objects.at(id)->parts.at(0));
 }
 
 // As a person gives it, where a step that does nothing is refused.
@@ -59,7 +47,7 @@ MovePoints lift(Id lattice, const glm::ivec3& point, double by)
 TEST(Lattices, AtRestLeaveWhatStandsInThemWhereItIs)
 {
     const Document alone = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
-    EXPECT_LT(furthest(points_of(ball_in_box(), 1), points_of(alone, 1)), 1e-7);
+    EXPECT_LT(testing::most_apart(points_of(ball_in_box(), 1), points_of(alone, 1)), 1e-7);
 }
 
 TEST(Lattices, BendWhatStandsInThemAsTheirVolumeSays)
@@ -73,7 +61,7 @@ TEST(Lattices, BendWhatStandsInThemAsTheirVolumeSays)
         most = std::max(most, glm::length(evaluate(box->volume, uvw).value - glm::dvec3(now[i])));
     }
     EXPECT_LT(most, 1e-6);
-    EXPECT_GT(furthest(rest, now), 0.02);
+    EXPECT_GT(testing::most_apart(rest, now), 0.02);
 }
 
 TEST(Lattices, MoveWhatIsOutsideWithTheirNearestSide)
@@ -108,7 +96,7 @@ TEST(Lattices, GoWithTheirOwnTransform)
     const std::vector<glm::vec3> now = points_of(after(bent, SetTransform{2, there}), 1);
     std::vector<glm::vec3> expected;
     for (const glm::vec3& p : here) expected.emplace_back(there.matrix() * glm::dvec4(p, 1));
-    EXPECT_LT(furthest(now, expected), 2e-6);
+    EXPECT_LT(testing::most_apart(now, expected), 2e-6);
 }
 
 TEST(Lattices, BendOneAfterTheOther)
@@ -133,15 +121,17 @@ TEST(Lattices, BendWhatLiesOnAStroke)
     Document document = testing::small_document(); // 3, the pot, lies on 1
     const std::vector<glm::vec3> laid = points_of(document, 3);
     document = after(document, AddLattice{.objects = {3}, .shape = {.size = {6, 6, 6}}});
-    EXPECT_LT(furthest(points_of(document, 3), laid), 1e-6);
+    EXPECT_LT(testing::most_apart(points_of(document, 3), laid), 1e-6);
     document = after(document, lift(document.next_id - 1, {1, 1, 1}, 0.5));
-    EXPECT_GT(furthest(points_of(document, 3), laid), 0.01);
+    EXPECT_GT(testing::most_apart(points_of(document, 3), laid), 0.01);
 }
 
 TEST(Lattices, GiveBackWhatStandsInThemWhenTheyAreTakenAway)
 {
     const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
-    EXPECT_LT(furthest(points_of(after(bent, Ungroup{2}), 1), points_of(ball_in_box(), 1)), 1e-7);
+    EXPECT_LT(
+        testing::most_apart(points_of(after(bent, Ungroup{2}), 1), points_of(ball_in_box(), 1)),
+        1e-7);
 }
 
 TEST(Lattices, AreRefinedWithoutAChangeOfShape)
@@ -149,7 +139,7 @@ TEST(Lattices, AreRefinedWithoutAChangeOfShape)
     const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
     const Document finer =
         after(bent, InsertKnots{2, {.along = {0.5}, .across = {0.3}, .up = {0.7}}});
-    EXPECT_LT(furthest(points_of(finer, 1), points_of(bent, 1)), 1e-6);
+    EXPECT_LT(testing::most_apart(points_of(finer, 1), points_of(bent, 1)), 1e-6);
 }
 
 TEST(Lattices, AreKeptByTheirGuardFromFolding)
@@ -262,7 +252,7 @@ TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
 {
     const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
     const Document pasted = after(bent, copied(bent, {2}, "/"));
-    EXPECT_LT(furthest(points_of(pasted, 4), points_of(bent, 1)), 1e-7);
+    EXPECT_LT(testing::most_apart(points_of(pasted, 4), points_of(bent, 1)), 1e-7);
 }
 
 TEST(Lattices, AreEditedProportionallyTurnedAndScaledInOneStepEach)
@@ -273,7 +263,7 @@ TEST(Lattices, AreEditedProportionallyTurnedAndScaledInOneStepEach)
                            .rotation_deg = {0, 0, 30}}};
     const Document turned = after(ball_in_box(), turn);
     EXPECT_EQ(object(turned, 2).shaping.size(), 1u);
-    EXPECT_GT(furthest(points_of(turned, 1), points_of(ball_in_box(), 1)), 0.005);
+    EXPECT_GT(testing::most_apart(points_of(turned, 1), points_of(ball_in_box(), 1)), 0.005);
     EXPECT_EQ(command_from_json_line(to_json_line(turn)), Command(turn));
     EXPECT_NE(digest(turned),
               digest(after(ball_in_box(), MovePoints{2, {.points = turn.shift.points}})));
@@ -392,7 +382,8 @@ TEST(Lattices, BendWhatIsFlat)
         after(Document{}, AddPlane{.shape = {.size = {0.8, 0.8}, .segments = {4, 4}}});
     document = after(document, AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0.05}}});
     const std::vector<glm::vec3> flat = points_of(document, 1);
-    EXPECT_GT(furthest(points_of(after(document, lift(2, {1, 1, 1}, 0.3)), 1), flat), 0.01);
+    EXPECT_GT(testing::most_apart(points_of(after(document, lift(2, {1, 1, 1}, 0.3)), 1), flat),
+              0.01);
 }
 
 } // namespace
