@@ -28,6 +28,7 @@ struct ShownVolume {
         Ref<std::vector<LevelMesh>> nearby = {}; // where only a share of the lines is drawn
     };
     Ref<VoxelField> field; // over the part of the data that is shown
+    Ref<VoxelGrid> data;   // all of it, as it was read
     SampleBox part;        // which of all samples these are
     Ref<VolumeSummary> summary;
     LevelSide side = LevelSide::above; // of the bodies, as samples

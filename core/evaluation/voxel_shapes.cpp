@@ -92,6 +92,7 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
                 return timed(timings, "field",
                              [&] { return std::make_shared<const VoxelField>(*all, shown.part); });
             });
+        shown.data = loaded.grid;
         shown.summary = loaded.summary;
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;

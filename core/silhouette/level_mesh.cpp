@@ -178,7 +178,10 @@ private:
     // Widened by what rounding may make of a product with a view.
     void bound_runs(const LevelMesh::Brick& brick)
     {
-        constexpr float of_normals = 1e-6f, of_offsets = 2e-4f;
+        constexpr float of_normals = 1e-6f, of_places = 1e-6f, least_of_offsets = 2e-4f;
+        const glm::ivec3 last = field_.end();
+        const float of_offsets = std::max(
+            least_of_offsets, of_places * static_cast<float>(std::max({last.x, last.y, last.z})));
         std::uint32_t r = brick.first_run;
         for (std::uint32_t t = brick.first_triangle; t < brick.triangle_end;
              t += LevelMesh::run_length, ++r) {

@@ -2,6 +2,7 @@
 #include "core/silhouette/strokes.h"
 
 #include "core/silhouette/line_marks.h"
+#include "core/silhouette/seen_part.h"
 #include "core/silhouette/stroke_ends.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace trivar {
 namespace {
 
 constexpr int reach_of_marks = 2; // points
+constexpr int most_steps = 256;   // between two points of a line that is near the eye
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, float share)
 {
@@ -165,7 +167,7 @@ void make_smooth(Stroke& stroke, float spacing)
                     before = std::max(1e-6f, glm::distance(at(i - 1).at, b.at)),
                     after = std::max(1e-6f, glm::distance(c.at, at(i + 2).at));
         const StrokePoint &a = at(i - 1), &d = at(i + 2);
-        const int steps = std::max(1, static_cast<int>(length / spacing));
+        const int steps = std::clamp(static_cast<int>(length / spacing), 1, most_steps);
         for (int k = 0; k < steps; ++k) {
             const float t = static_cast<float>(k) / static_cast<float>(steps), s = 1 - t;
             const auto on_curve = [&](auto StrokePoint::*place) {
@@ -188,6 +190,8 @@ void make_smooth(Stroke& stroke, float spacing)
 std::vector<Stroke> strokes(const Silhouettes& silhouettes, const std::vector<char>& hidden,
                             const glm::dmat4& to_image, const StrokeOptions& options)
 {
+    if (const std::optional<SeenPart> part = seen_part(silhouettes, hidden, to_image))
+        return strokes(part->curves, part->hidden, to_image, options);
     const ImageCurves curves = in_image(silhouettes, to_image);
     std::vector<Stroke> out =
         joined(RunFinder(silhouettes, curves, line_marks(curves), hidden)(), options.join);

@@ -83,7 +83,8 @@ bool hides(const LevelBody& body, const glm::vec3& p, const glm::vec3& to_eye, f
         if (range.least > body.level || range.greatest < body.level) {
             if (depth_of(range.least) > 0) return true;
             const glm::vec3 lo(brick * FieldHulls::brick), hi = lo + float{FieldHulls::brick};
-            way = std::max(way, way_to_end(p, to_eye, lo, hi)) + across_a_face;
+            const float face = std::max(way, way_to_end(p, to_eye, lo, hi));
+            way = std::max(face + across_a_face, std::nextafter(face, 2 * face)); // of any size
             has_before = false;
             continue;
         }

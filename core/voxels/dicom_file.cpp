@@ -80,7 +80,8 @@ void check_pixels(DicomDataset& file, const DicomHead& head, std::string_view by
                 fmt::format("its pixels are packed as {}, which is not read; JPEG, JPEG-LS, "
                             "RLE and pixels that are not packed are",
                             transfer.getXferName()));
-        check_ratio(bytes.size(), Packing::zlib, needed, name);
+        // JPEG-LS packs runs of one value as tightly as bzip2 does.
+        check_ratio(bytes.size(), Packing::bzip2, needed, name);
         return;
     }
     const std::uint64_t present = pixels ? pixels->getLength() : 0;

@@ -18,7 +18,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <numeric>
+#include <limits>
+#include <type_traits>
 
 namespace trivar {
 namespace {
@@ -61,28 +62,93 @@ void check_options(const ReadVolumeOptions& options)
                                        options.spacing[k]));
 }
 
-std::size_t count_not_finite(const std::vector<float>& samples)
+constexpr float greatest_value = 1e30f;
+
+// What is further from 0 marks places without data.
+bool is_bad(float sample)
 {
-    constexpr std::size_t per_part = std::size_t{1} << 20;
-    std::vector<std::size_t> parts(samples.size() / per_part + 1, 0);
-    parallel_blocks(samples.size(), per_part, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            parts[begin / per_part] += !std::isfinite(samples[i]);
-    });
-    return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
+    return !(std::abs(sample) <= greatest_value);
 }
 
-void say_not_finite(VoxelGrid& grid, const std::string& name)
+struct SampleCount {
+    std::size_t bad = 0;
+    float least = greatest_value, greatest = -greatest_value; // of the others
+};
+
+SampleCount count_samples(const std::vector<float>& samples)
 {
-    const auto* floats = std::get_if<std::vector<float>>(&grid.samples);
-    const std::size_t count = floats ? count_not_finite(*floats) : 0;
-    if (count == 0) return;
-    if (count == floats->size())
+    constexpr std::size_t per_part = std::size_t{1} << 20;
+    std::vector<SampleCount> parts(samples.size() / per_part + 1);
+    parallel_blocks(samples.size(), per_part, [&](std::size_t begin, std::size_t end) {
+        SampleCount& part = parts[begin / per_part];
+        for (std::size_t i = begin; i < end; ++i) {
+            if (is_bad(samples[i])) {
+                part.bad += 1;
+                continue;
+            }
+            part.least = std::min(part.least, samples[i]);
+            part.greatest = std::max(part.greatest, samples[i]);
+        }
+    });
+    SampleCount all;
+    for (const SampleCount& part : parts) {
+        all.bad += part.bad;
+        all.least = std::min(all.least, part.least);
+        all.greatest = std::max(all.greatest, part.greatest);
+    }
+    return all;
+}
+
+// One sample that is not a number would reach every coefficient of the spline, and squares of
+// slopes of very great or small samples would overflow or vanish.
+// Returns the greatest size of a sample then.
+float make_tame(std::vector<float>& samples, VoxelGrid& grid, const std::string& name)
+{
+    constexpr int most_doublings = 40; // from 1, of the greatest sample
+    if (samples.empty()) return 0; // the head alone was read
+    const SampleCount count = count_samples(samples);
+    if (count.bad == samples.size())
         throw Rejected(fmt::format("{}: none of its samples is a finite number", name));
-    grid.notices.push_back(fmt::format("{}: {} of its samples {} not a number or infinite; kept as "
-                                       "{}",
-                                       name, with_commas(count), count == 1 ? "is" : "are",
-                                       count == 1 ? "it is" : "they are"));
+    if (count.bad > 0) {
+        const float instead = grid.slope < 0 ? count.greatest : count.least;
+        std::ranges::replace_if(samples, is_bad, instead);
+        grid.notices.push_back(fmt::format(
+            "{}: {} of its samples {} not a number, infinite or beyond 1e30; the least value, "
+            "{:.6g}, stands for {}",
+            name, with_commas(count.bad), count.bad == 1 ? "is" : "are", grid.value(instead),
+            count.bad == 1 ? "it" : "them"));
+    }
+    const float most = std::max(std::abs(count.least), std::abs(count.greatest));
+    const int doublings = most > 0 ? std::ilogb(most) : 0;
+    if (std::abs(doublings) <= most_doublings) return most;
+    for (float& sample : samples) sample = std::ldexp(sample, -doublings);
+    grid.slope = std::ldexp(grid.slope, doublings);
+    return std::ldexp(most, -doublings);
+}
+
+void make_tame(VoxelGrid& grid, const std::string& name)
+{
+    constexpr int most_along_an_axis = 1'000'000; // vertices of surfaces are numbered by 20 bits
+    if (const int most = std::max({grid.size.x, grid.size.y, grid.size.z});
+        most > most_along_an_axis)
+        throw Rejected(fmt::format("{}: has {} samples along an axis; at most {} are taken", name,
+                                   with_commas(static_cast<std::size_t>(most)),
+                                   with_commas(most_along_an_axis)));
+    auto* floats = std::get_if<std::vector<float>>(&grid.samples);
+    const float most_float = floats ? make_tame(*floats, grid, name) : 0;
+    // of integers, what their type can hold
+    const double most = std::visit(
+        [&](const auto& samples) {
+            using Sample = typename std::decay_t<decltype(samples)>::value_type;
+            return std::is_integral_v<Sample>
+                       ? static_cast<double>(std::numeric_limits<Sample>::max()) + 1
+                       : double{most_float};
+        },
+        grid.samples);
+    const double value = std::abs(grid.slope) * most + std::abs(grid.intercept);
+    if (!(value <= greatest_value))
+        throw Rejected(
+            fmt::format("{}: its values reach {:.3g}; at most 1e30 is taken", name, value));
 }
 
 // The names of ordinary files in a folder, sorted.
@@ -133,7 +199,7 @@ ReadVolume read_file(const ByteFile& bytes, const std::string& name, const std::
         out.grid.notices = source.notices();
         out.companions = source.companions();
     }
-    say_not_finite(out.grid, file);
+    make_tame(out.grid, file);
     report(progress, 1, "Done");
     return out;
 }
@@ -158,7 +224,7 @@ ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options
     if (fs::is_directory(absolute, error)) {
         const fs::path folder = absolute.has_filename() ? absolute : absolute.parent_path();
         ReadVolume out = read_folder(folder.string(), options, progress);
-        say_not_finite(out.grid, folder.filename().string());
+        make_tame(out.grid, folder.filename().string());
         return out;
     }
     const ByteFile file = ByteFile::opened(path);

@@ -22,13 +22,15 @@ ScoutedVolume shown_scout(const LevelScout& scout)
 
 const ScoutedVolume* LevelScouts::of(Jobs& jobs, const ShownVolume& volume)
 {
-    if (!volume.summary || !volume.field) return nullptr;
+    if (!volume.summary || !volume.data) return nullptr;
     const Found& found = known_(volume.summary, [&] {
         Found slot = std::make_shared<std::optional<ScoutedVolume>>();
         jobs.start({"Looking for levels",
-                    [slot, field = volume.field](const Progress& progress) -> Jobs::Finish {
-                        return [slot, scouted = shown_scout(scout_levels(
-                                          field->grid(), 64, 64, progress))] { *slot = scouted; };
+                    [slot, data = volume.data](const Progress& progress) -> Jobs::Finish {
+                        return
+                            [slot, scouted = shown_scout(scout_levels(*data, 64, 64, progress))] {
+                                *slot = scouted;
+                            };
                     },
                     {}});
         return slot;

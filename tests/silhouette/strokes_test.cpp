@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/level_drawing.h"
 #include "core/silhouette/stroke_ends.h"
 #include "core/silhouette/strokes.h"
 #include "core/silhouette/visibility.h"
 #include "tests/silhouette/scenes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -51,6 +53,38 @@ TEST(Strokes, OfABallAreOneLoop)
                                   glm::dvec2(500) + 23.5 * glm::dvec2(image_of(oblique) *
                                                                       glm::dvec4(1, 1, 1, 0))),
                     radius, 0.05);
+}
+
+// The eye is in the middle of the volume, so that half of it lies behind.
+TEST(Strokes, BehindTheEyeAreNone)
+{
+    const Sampled scene("waves", 48);
+    const Box box{glm::dvec3(0), glm::dvec3(47)};
+    Camera camera;
+    camera.eye = glm::dvec3(23.5);
+    camera.target = camera.eye + oblique;
+    camera.perspective = true;
+    camera.size_px = {800, 600};
+    const DrawingView view = drawing_view(camera, glm::dmat4(1), box);
+    const Silhouettes all = SilhouetteFinder()(scene.field, scene.level(), view.from);
+    const std::vector<char> hidden(all.points.size(), 0);
+    const auto depth = [&](const glm::vec3& p) {
+        return glm::dot(glm::dvec3(p) - camera.eye, glm::normalize(oblique));
+    };
+    const auto behind = std::ranges::count_if(
+        all.points, [&](const SilhouettePoint& point) { return depth(point.p) < 0; });
+    ASSERT_GT(behind, 100) << all.points.size();
+    ASSERT_LT(behind, static_cast<std::ptrdiff_t>(all.points.size()) - 100);
+    std::size_t points = 0;
+    for (const Stroke& line : strokes(all, hidden, view.to_image, all_of_them)) {
+        points += line.points.size();
+        for (const StrokePoint& point : line.points) {
+            EXPECT_GT(depth(point.p), -0.5);
+            EXPECT_LT(glm::length(point.at), 100'000);
+        }
+    }
+    EXPECT_GT(points, 100u);
+    EXPECT_LT(points, 1'000'000u);
 }
 
 TEST(Strokes, AreAllOfTheCurvesSeenOrHidden)

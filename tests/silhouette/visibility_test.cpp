@@ -32,6 +32,19 @@ bool is_behind(const ScalarField<double>& field, const SampledField& from, Level
     }
 }
 
+// A step across a face of a brick must be a step there, too.
+TEST(Visibility, EndsInVolumesOfAnyLength)
+{
+    const glm::ivec3 size(2, 2, 70'001);
+    std::vector<float> samples(4 * 70'001, 0.0f);
+    const ScalarField<float> field{std::span<const float>(samples), size};
+    const FieldHulls hulls(field);
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 to_eye = glm::normalize(glm::vec3(1e-6f * static_cast<float>(i), 3e-7f, 1));
+        EXPECT_FALSE(hides({field, hulls, 1, LevelSide::above}, {0.1f, 0.2f, 0.37f}, to_eye, 1e6f));
+    }
+}
+
 TEST(Visibility, IsWhatManySmallStepsSay)
 {
     SilhouetteFinder find;

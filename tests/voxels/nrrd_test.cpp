@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <gmock/gmock.h>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -174,8 +175,31 @@ TEST(Nrrd, RoundsDoublesToFloatsAndSaysHowMany)
     EXPECT_THAT(read.notices,
                 ::testing::ElementsAre("a.nrrd: 1 of its 64-bit floating point numbers was rounded "
                                        "to 32-bit floating point",
-                                       "a.nrrd: 1 of its samples is not a number or infinite; kept "
-                                       "as it is"));
+                                       "a.nrrd: 1 of its samples is not a number, infinite or "
+                                       "beyond 1e30; the least value, 0.1, stands for it"));
+}
+
+TEST(Nrrd, PlacesWithoutDataHaveTheLeastValue)
+{
+    std::vector<float> samples(60, 3e-25f);
+    samples[3] = -2e-25f;
+    samples[5] = std::nanf("");
+    samples[7] = std::numeric_limits<float>::infinity();
+    samples[11] = 9.97e36f;
+    const std::string bytes(reinterpret_cast<const char*>(samples.data()), 4 * samples.size());
+    const VoxelGrid grid =
+        read_volume_bytes(nrrd_head("spacings: 1 1 1\n", "raw", "float") + "\n" + bytes, "a.nrrd",
+                          "")
+            .grid;
+    const auto& read = std::get<std::vector<float>>(grid.samples);
+    ASSERT_EQ(read.size(), samples.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const bool least = i == 3 || i == 5 || i == 7 || i == 11;
+        EXPECT_FLOAT_EQ(static_cast<float>(grid.value(read[i])), least ? -2e-25f : 3e-25f) << i;
+        EXPECT_GT(std::abs(read[i]), 0.5f) << i; // as squares of slopes must not vanish
+    }
+    ASSERT_EQ(grid.notices.size(), 1u);
+    EXPECT_THAT(grid.notices[0], ::testing::HasSubstr("3 of its samples are not a number"));
 }
 
 } // namespace
