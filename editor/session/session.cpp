@@ -6,6 +6,7 @@
 #include "core/document/parameters.h"
 #include "core/evaluation/attaching.h"
 #include "editor/picture/picture.h"
+#include "editor/session/level_draft.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/selection.h"
@@ -42,7 +43,11 @@ void Session::meet_document()
 void Session::refresh()
 {
     previewed_.reset();
-    asked_ticket_ = submit(scene_.document());
+    const std::optional<Document> draft =
+        scene_.history().proposal() ? level_draft(committed(), scene_.document(), evaluated_)
+                                    : std::nullopt;
+    drafted_ = draft.has_value();
+    asked_ticket_ = submit(draft ? *draft : scene_.document());
     look_at_frame();
     selected.keep_those_in(scene_.document());
     std::erase_if(hidden_here, [&](Id id) { return !scene_.document().objects.contains(id); });
@@ -359,20 +364,6 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
         notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
 }
 
-void Session::save_as(const std::string& path)
-{
-    scene_.cancel();
-    scene_.save_as(path);
-    meet_document(); // imports are read from the new folder now
-}
-
-void Session::save_compact(const std::string& path)
-{
-    scene_.cancel();
-    scene_.save_compact(path);
-    meet_document();
-}
-
 // A scene whose models are gone opens as an empty picture: say why, until they are found.
 void Session::tell_what_is_missing()
 {
@@ -389,30 +380,6 @@ void Session::tell_what_is_missing()
                            : std::to_string(count) + " objects cannot be shown",
                 reasons.front() + (count > 1 ? "; select one to see why in the inspector" : ""),
                 of_missing);
-}
-
-void Session::try_to_write(double time_s)
-{
-    constexpr double patience_s = 5; // between two tries
-    if (scene_.trouble().empty() || time_s < next_try_s_) return;
-    next_try_s_ = time_s + patience_s;
-    scene_.write_missing();
-    if (!scene_.trouble().empty()) return;
-    told_trouble_.clear();
-    notices.forget(of_saving);
-    notices.say(ui::NoticeKind::good, "Everything is on disk again");
-}
-
-void Session::follow_file(double time_s)
-{
-    constexpr double pace_s = 1;
-    if (!scene_.look_only() || time_s < next_look_s_) return;
-    next_look_s_ = time_s + pace_s;
-    try {
-        if (scene_.follow()) refresh();
-    } catch (const Rejected& why) {
-        notices.say(ui::NoticeKind::warning, why.what(), {}, of_saving);
-    }
 }
 
 void Session::poll()
@@ -440,6 +407,10 @@ void Session::poll()
             view.frame_all_when_evaluated = false;
             view.camera = ui::framed(view.camera, points_of(evaluated_, hidden_here), view.foot_px);
         }
+    }
+    if (drafted_ && up_to_date()) { // the hand rests
+        drafted_ = false;
+        asked_ticket_ = submit(scene_.document());
     }
     finish_check();
 }

@@ -133,7 +133,7 @@ private:
     SceneFile scene_;
     double next_try_s_ = 0, next_look_s_ = 0;
     std::vector<RefusedCommand> refused_;
-    bool opened_ = false; // and not evaluated yet
+    bool opened_ = false, drafted_ = false; // not evaluated yet; evaluated with fewer samples
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_, quiet_jobs_;
