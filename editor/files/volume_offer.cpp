@@ -4,13 +4,16 @@
 #include "core/base/memory.h"
 #include "core/base/rejected.h"
 #include "core/silhouette/field_slabs.h"
+#include "core/voxels/dicom_file.h"
 #include "editor/files/volume_names.h"
 #include "editor/session/volume_levels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace trivar {
 namespace {
@@ -42,10 +45,19 @@ Box bounds_of(const VolumeOffer& offer, const Transform& transform)
     return out;
 }
 
+// DICOM files in it would be read, and they say how far their samples are apart.
 bool is_folder_of_pictures(const std::string& path)
 {
-    std::error_code ignored;
-    return std::filesystem::is_directory(path, ignored);
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (!fs::is_directory(path, error)) return false;
+    for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+        std::array<char, 256> head;
+        std::ifstream file(at->path(), std::ios::binary);
+        file.read(head.data(), head.size());
+        if (is_dicom({head.data(), static_cast<std::size_t>(file.gcount())})) return false;
+    }
+    return true;
 }
 
 VolumeReading reading_of(const RawLayout& layout)
