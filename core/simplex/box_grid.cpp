@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/box_grid.h"
 
+#include "core/base/rejected.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,9 @@ void each_cell(const glm::vec<S, int>& from, const glm::vec<S, int>& to, const B
         ++at[axis];
     }
 }
+
+// Boxes that touch more of the grid than this, as cells of a domain never do, lie over each other.
+constexpr std::size_t most_touched_per_box = 64, most_touched_of_few = 1'000'000;
 
 } // namespace
 
@@ -46,6 +51,15 @@ template <int S> BoxGrid<S>::BoxGrid(std::span<const CellBox<S>> boxes)
         per_unit_[i] = extent[i] > 0 ? size_[i] / extent[i] : 0;
         count *= static_cast<std::size_t>(size_[i]);
     }
+    std::size_t touched = 0;
+    for (const CellBox<S>& box : boxes) {
+        const glm::vec<S, int> cells = cell_of(box.hi) - cell_of(box.lo) + 1;
+        std::size_t of_box = 1;
+        for (int i = 0; i < S; ++i) of_box *= static_cast<std::size_t>(cells[i]);
+        touched += of_box;
+    }
+    if (touched > most_touched_per_box * boxes.size() + most_touched_of_few)
+        throw Rejected("Too many cells of the domain lie over each other.");
     begin_.assign(count + 1, 0);
     for (const CellBox<S>& box : boxes)
         each_cell<S>(cell_of(box.lo), cell_of(box.hi),

@@ -17,7 +17,8 @@ template <int S> struct CellBox {
 template <int S> class BoxGrid {
 public:
     BoxGrid() = default;
-    // O(number of boxes + number of touched cells).
+    // O(number of boxes + number of touched cells). Throws Rejected where boxes overlap so much
+    // that they touch more than 64 cells each, and a million in all.
     explicit BoxGrid(std::span<const CellBox<S>> boxes);
     // Ascending. O(1).
     std::span<const std::int32_t> boxes_at(const glm::vec<S, double>& x) const;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/simplex/box_grid.h"
 #include "core/simplex/simplex_rows.h"
 #include "core/simplex/tetrahedra_shaper.h"
 
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <random>
@@ -175,6 +177,19 @@ TEST(Tetrahedra, LeaveAHundredThousandPointsFarOutsideWhereTheyAre)
     EXPECT_EQ(rows.outside(), points.size());
     const std::vector<glm::vec3> out = rows.displaced(volume->displacements).positions;
     EXPECT_EQ(std::memcmp(out.data(), points.data(), points.size() * sizeof points[0]), 0);
+}
+
+TEST(Tetrahedra, AreNotSearchedWhereTheyLieOverEachOtherEnMasse)
+{
+    EXPECT_THROW(BoxGrid<3>(std::vector<CellBox<3>>(4000, {glm::dvec3(0), glm::dvec3(1)})),
+                 Rejected);
+    // Ever smaller boxes toward a corner, as of a graded domain, are no trouble.
+    std::vector<CellBox<3>> graded;
+    for (int n = 0; n < 100000; ++n) {
+        const double at = std::pow(1e-3, (n % 1000) / 1000.0);
+        graded.push_back({glm::dvec3(at), glm::dvec3(at * 1.1)});
+    }
+    EXPECT_FALSE(BoxGrid<3>(graded).boxes_at(glm::dvec3(0.5)).empty());
 }
 
 TEST(Tetrahedra, RefuseWhatIsNoVolume)
