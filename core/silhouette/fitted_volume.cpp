@@ -50,7 +50,14 @@ Domain domain_of(CellParting parting, const TetrahedraFit& fit)
     std::optional<Domain> best;
     for (int trial = 0; trial < most_trials; ++trial) {
         parting.boundary_edge = parting.edge / 2;
-        Domain made = domain_of(parting, fit.degree);
+        Domain made;
+        try {
+            made = domain_of(parting, fit.degree);
+        } catch (const Rejected& error) { // other lengths did
+            if (best) break;
+            throw Rejected(fmt::format(
+                "{} Another boundary, or another number of coefficients, may do.", error.what()));
+        }
         const double share = static_cast<double>(made.coefficients) / wanted;
         if (share <= 1 && (!best || made.coefficients > best->coefficients)) best = std::move(made);
         if (share > 0.9 && share <= 1) break;

@@ -105,18 +105,31 @@ SimplexMesh<3> meshed(const CgalSurface& surface, const Grading& grading, double
 }
 
 // Slivers of four vertices on the cage cannot be made rounder: other lengths of edges have others.
-SimplexMesh<3> roundest(const CgalSurface& surface, const Grading& asked, double least_bend)
+struct Roundest {
+    SimplexMesh<3> mesh;
+    double edge = 0; // that made it
+};
+Roundest roundest(const CgalSurface& surface, const Grading& asked, double least_bend)
 {
-    SimplexMesh<3> out;
+    Roundest out;
     double most = -1;
     Grading grading = asked;
     for (const double shorter : {1.0, 0.93, 0.86, 0.79, 0.72, 0.65, 0.55, 0.45, 0.35}) {
         grading.edge = shorter * asked.edge;
-        SimplexMesh<3> mesh = meshed(surface, grading, least_bend);
+        SimplexMesh<3> mesh;
+        try {
+            mesh = meshed(surface, grading, least_bend);
+        } catch (const Rejected&) { // too many cells, as all shorter edges would make
+            if (most < 0) throw;
+            break;
+        } catch (const CGAL::Failure_exception&) {
+            if (most < 0) throw;
+            continue;
+        }
         const double least = least_dihedral(mesh);
         if (least <= most) continue;
         most = least;
-        out = std::move(mesh);
+        out = {std::move(mesh), grading.edge};
         if (most >= round_enough) break;
     }
     return out;
@@ -158,10 +171,12 @@ CageCells cage_cells(std::span<const glm::dvec3> positions,
     const double shortest =
         std::cbrt(inside / (volume_per_cell * static_cast<double>(grading.cell_limit)));
     out.capped = grading.edge < shortest;
-    out.edge = grading.edge = std::min(std::max(grading.edge, shortest), glm::length(box.size()));
+    grading.edge = std::min(std::max(grading.edge, shortest), glm::length(box.size()));
     for (const double least_bend : least_bends) {
         try {
-            out.mesh = roundest(surface, grading, least_bend);
+            Roundest made = roundest(surface, grading, least_bend);
+            out.mesh = std::move(made.mesh);
+            out.edge = made.edge;
         } catch (const CGAL::Failure_exception&) {
             continue;
         }

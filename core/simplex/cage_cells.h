@@ -9,7 +9,7 @@ namespace trivar {
 
 struct CageCells {
     SimplexMesh<3> mesh;
-    double edge = 0;     // what was asked of the mesher
+    double edge = 0;     // of these cells, as it was asked of the mesher in the end
     bool capped = false; // edges are longer than asked, because of the limit of cells
     bool exact = false;  // the border is the cage; otherwise near it, to about 2 % of an edge where
                          // it is smooth, and without its corners

@@ -178,13 +178,10 @@ PartedCells filled(const CellParting& parting)
             Options::mesh_3_options(Options::maximal_number_of_vertices = parting.cell_limit / 3,
                                     Options::pointer_to_error_code = &error));
     } catch (const CGAL::Failure_exception&) {
-        throw Rejected(
-            "The box could not be filled with cells along the boundary; other lengths of "
-            "edges may do.");
+        throw Rejected("The box could not be filled with cells along the boundary.");
     }
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
-        throw Rejected(fmt::format("The boundary needs more than {} cells: let edges be longer.",
-                                   parting.cell_limit));
+        throw Rejected(fmt::format("The boundary needs more than {} cells.", parting.cell_limit));
     const std::vector<Complex::Cell_handle> all = cells_of(complex, box);
     MesherCells cells = mesher_cells(complex, all);
     PartedCells out{std::move(cells.mesh), {}};
@@ -216,7 +213,12 @@ PartedCells parted_cells(const CellParting& asked)
         parting.edge *= shorter;
         parting.boundary_edge *= shorter;
         parting.cell_limit *= 2; // of what was asked for there were few enough
-        PartedCells cells = filled(parting);
+        PartedCells cells;
+        try {
+            cells = filled(parting);
+        } catch (const Rejected&) { // what there is will do
+            continue;
+        }
         const double least = least_dihedral(cells.mesh);
         if (least <= most) continue;
         most = least;

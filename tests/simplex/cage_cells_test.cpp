@@ -63,6 +63,8 @@ TEST(CageCells, FillACageExactly)
             for (const glm::dvec3& v : cage.positions)
                 EXPECT_EQ(std::count(out.mesh.vertices.begin(), out.mesh.vertices.end(), v), 1);
             EXPECT_LE(sum_error(out.mesh, 2, 1), 1e-12);
+            EXPECT_LE(out.edge, edge);
+            EXPECT_EQ(in(cage, {.edge = out.edge}).mesh, out.mesh);
         }
 }
 
