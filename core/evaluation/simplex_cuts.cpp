@@ -8,24 +8,41 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_planes = 64;
-
 struct CutPlane {
     glm::dvec3 point, normal;
 };
 
-std::vector<CutPlane> planes_of(const SimplexDomain<3>& domain, double size)
+struct CutPlanes {
+    std::vector<CutPlane> planes;
+    std::size_t passed_over = 0; // cut faces in none of them
+};
+
+double size_of(const SimplexDomain<3>& domain)
 {
-    std::vector<CutPlane> out;
+    glm::dvec3 lo(1e300), hi(-1e300);
+    for (const glm::dvec3& knot : domain.knots) {
+        lo = glm::min(lo, knot);
+        hi = glm::max(hi, knot);
+    }
+    return glm::length(hi - lo);
+}
+
+CutPlanes planes_of(const SimplexDomain<3>& domain, double size)
+{
+    CutPlanes out;
     for (const auto& face : domain.cuts) {
         const glm::dvec3 &a = domain.vertex(face[0]), &b = domain.vertex(face[1]),
                          &c = domain.vertex(face[2]);
         const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
-        const bool known = std::any_of(out.begin(), out.end(), [&](const CutPlane& p) {
+        const bool known = std::ranges::any_of(out.planes, [&](const CutPlane& p) {
             return glm::length(glm::cross(p.normal, n)) < 1e-6 &&
                    std::abs(glm::dot(p.normal, a - p.point)) < 1e-6 * size;
         });
-        if (!known && out.size() < most_planes) out.push_back({a, n});
+        if (known) continue;
+        if (out.planes.size() < most_cut_planes)
+            out.planes.push_back({a, n});
+        else
+            ++out.passed_over;
     }
     return out;
 }
@@ -110,15 +127,15 @@ void append(Mesh& to, const Mesh& more)
 
 } // namespace
 
+std::size_t cuts_passed_over(const SimplexDomain<3>& domain)
+{
+    return planes_of(domain, size_of(domain)).passed_over;
+}
+
 SimplexCut cut_along(const Mesh& mesh, const glm::dmat4& to_domain, const SimplexDomain<3>& domain)
 {
-    glm::dvec3 lo(1e300), hi(-1e300);
-    for (const glm::dvec3& knot : domain.knots) {
-        lo = glm::min(lo, knot);
-        hi = glm::max(hi, knot);
-    }
-    const double size = glm::length(hi - lo), near = 2e-6 * size;
-    const std::vector<CutPlane> planes = planes_of(domain, size);
+    const double size = size_of(domain), near = 2e-6 * size;
+    const std::vector<CutPlane> planes = planes_of(domain, size).planes;
     SimplexCut out;
     for (const Piece& piece : pieces_of(mesh, to_domain, planes)) {
         if (piece.mesh.face_count() == 0) continue;

@@ -14,6 +14,12 @@ struct SimplexCut {
                                        // little to the side of its piece
 };
 
+inline constexpr std::size_t most_cut_planes = 64;
+
+// The number of cut faces in further planes than those along which meshes are cut: there they hold
+// together. O(number of cut faces times number of planes).
+std::size_t cuts_passed_over(const SimplexDomain<3>& domain);
+
 // Cuts along at most 64 planes; faces in further planes are passed over. Where a plane's faces do
 // not cut, both pieces stay together, for there the functions do not jump. `to_domain` takes points
 // of the mesh to the domain. O(number of planes times number of vertices).

@@ -2,6 +2,7 @@
 #include "core/evaluation/tetrahedra.h"
 
 #include "core/base/rejected.h"
+#include "core/evaluation/simplex_cuts.h"
 #include "core/evaluation/standing.h"
 #include "core/simplex/function_surface.h"
 
@@ -52,6 +53,11 @@ Ref<Stage> TetrahedraStep::operator()(const Ref<Stage>& before, const StepInput&
             part.key.mesh = static_cast<int>(stage.parts.size());
             stage.parts.push_back(std::move(part));
         }
+        if (const std::size_t whole = cuts_passed_over(shaped->volume->layers.front()->domain()))
+            stage.notices.push_back(
+                fmt::format("What stands in it is cut along {} planes at most: {} of its cut faces "
+                            "lie in others and do not part it.",
+                            most_cut_planes, whole));
         for (std::size_t i = 0; i < shaped->outcomes.size(); ++i)
             if (const std::string& notice = shaped->outcomes[i].notice; !notice.empty())
                 stage.notices.push_back(fmt::format("Edit {}: {}", i + 1, notice));
