@@ -6,6 +6,8 @@
 #include "core/evaluation/told_steps.h"
 #include "core/placement/box_volume.h"
 
+#include <fmt/format.h>
+
 namespace trivar {
 namespace {
 
@@ -82,8 +84,23 @@ Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& inp
         }
         put_back(bent(with_points(std::move(stage.parts), stage.curves), volumes), stage.parts,
                  stage.curves);
+        tell_what_is_outside(volumes, stage.notices);
         return make_ref(std::move(stage));
     });
+}
+
+void InLattices::tell_what_is_outside(const std::vector<BendingVolume>& volumes,
+                                      std::vector<std::string>& notices) const
+{
+    for (std::size_t l = 0; l < volumes.size(); ++l) {
+        if (!volumes[l].tetrahedra) continue;
+        const SimplexBending::Reach reach = simplex_bendings_[l].reach();
+        if (reach.outside > 0)
+            notices.push_back(
+                fmt::format("{} of its {} points are outside of the tetrahedra that bend it, which "
+                            "move them little or not at all",
+                            reach.outside, reach.points));
+    }
 }
 
 // Extends the volume once for all parts, so that touching parts stay together.

@@ -39,6 +39,8 @@ public:
 private:
     std::vector<Part> bent(std::vector<Part> parts, const std::vector<BendingVolume>& volumes);
     Ref<Lattice> reaching_round(const std::vector<Part>& parts, const BendingVolume& volume);
+    void tell_what_is_outside(const std::vector<BendingVolume>& volumes,
+                              std::vector<std::string>& notices) const;
 
     std::vector<Bending> bendings_;
     std::vector<SimplexBending> simplex_bendings_;

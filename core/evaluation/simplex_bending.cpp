@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/simplex_bending.h"
 
+#include "core/base/parallel.h"
 #include "core/evaluation/simplex_cuts.h"
 
 #include <algorithm>
@@ -30,22 +31,29 @@ Mesh displaced(const SimplexBinding& bound, const Part& part, const TetrahedraIn
     Mesh out = mesh;
     out.influences.clear();
     out.morph_targets.clear();
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const auto move = [&](std::size_t v) {
         const glm::dvec3 by(moved.positions[v] - bound.in_domain[v]);
         out.positions[v] = glm::vec3(
             glm::dvec3(part.to_world * glm::dvec4(glm::dvec3(mesh.positions[v]), 1)) + linear * by);
-    }
-    for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+    };
+    const auto turn = [&](std::size_t v) {
         const glm::dmat3 whole = linear * glm::dmat3(moved.jacobians[v]) * inverse * own;
         const glm::dvec3 normal =
             unit_or(cofactors(whole) * glm::dvec3(mesh.normals[v]), mesh.normals[v]);
         out.normals[v] = glm::vec3(normal);
-        if (mesh.tangents.empty()) continue;
+        if (mesh.tangents.empty()) return;
         const glm::dvec3 tangent = whole * glm::dvec3(mesh.tangents[v]);
         out.tangents[v] = glm::vec4(
             glm::vec3(unit_or(tangent - normal * glm::dot(normal, tangent), mesh.tangents[v])),
             mesh.tangents[v].w);
-    }
+    };
+    constexpr std::size_t block = 4096;
+    parallel_blocks(mesh.vertex_count(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            move(v);
+            if (!mesh.normals.empty()) turn(v);
+        }
+    });
     return out;
 }
 
@@ -71,6 +79,16 @@ glm::dvec3 bent(const TetrahedraInWorld& volume, const glm::dvec3& p_world)
     const glm::dvec3 at(glm::inverse(volume.to_world) * glm::dvec4(p_world, 1));
     const glm::dvec3 by = evaluate(*volume.volume, at).position - at;
     return p_world + glm::dmat3(volume.to_world) * by;
+}
+
+SimplexBending::Reach SimplexBending::reach() const
+{
+    Reach out;
+    for (const BoundPart& each : bound_) {
+        out.points += each.binding->rows.point_count();
+        out.outside += each.binding->rows.outside();
+    }
+    return out;
 }
 
 Part SimplexBending::operator()(const Part& part, const TetrahedraInWorld& volume)

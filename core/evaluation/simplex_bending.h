@@ -37,6 +37,11 @@ public:
     void begin() { used_.clear(); }
     Part operator()(const Part& part, const TetrahedraInWorld& volume);
     void end() { bound_ = std::move(used_); }
+    // Of the vertices of all parts that were bent last: those in the domain, and beyond it.
+    struct Reach {
+        std::size_t points = 0, outside = 0;
+    };
+    Reach reach() const;
 
 private:
     struct BoundPart {
