@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/changes.h"
+#include "core/commands/command.h"
 #include "core/commands/edits.h"
 #include "core/commands/group.h"
 #include "core/simplex/cell_displacements.h"
@@ -15,6 +16,8 @@ namespace trivar {
 namespace {
 
 constexpr std::size_t most_edits = 10000;
+constexpr std::size_t most_places = 100'000;  // of all creases and refinements
+constexpr std::size_t most_balls = 1'000'000; // of all pulls
 
 void check(const TetrahedraEdit& edit)
 {
@@ -25,7 +28,45 @@ void check(const TetrahedraEdit& edit)
             "an edit is one of pull, warp, crease, refinement and cloud, not {}", kinds));
     if (edit.crease && edit.crease->places.empty())
         throw Rejected("field \"places\" of the crease is empty");
-    if (edit.refinement) (void)cells_near(*edit.refinement); // which refuses what cannot be
+}
+
+// What all edits hold together.
+void check_totals(const TetrahedraShape& shape)
+{
+    if (shape.edits.size() > most_edits)
+        throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
+                                   shape.edits.size(), most_edits));
+    if (shape.functions.size() > most_shown_functions)
+        throw Rejected(fmt::format("a volume shows at most {} functions, not {}",
+                                   most_shown_functions, shape.functions.size()));
+    std::size_t places = 0, balls = 0;
+    for (const TetrahedraEdit& edit : shape.edits) {
+        if (edit.crease) places += edit.crease->places.size();
+        if (edit.refinement) places += edit.refinement->places.size();
+        if (edit.pull) balls += edit.pull->also.size() + 1;
+    }
+    if (places > most_places)
+        throw Rejected(
+            fmt::format("the creases and refinements of a volume have at most {} places, not {}",
+                        most_places, places));
+    if (balls > most_balls)
+        throw Rejected(
+            fmt::format("the pulls of a volume have at most {} balls, not {}", most_balls, balls));
+}
+
+// Each refinement, and all together.
+void check_layers(const TetrahedraShape& shape)
+{
+    std::size_t cells = shape.cells.size();
+    if (shape.cells.empty())
+        cells = static_cast<std::size_t>(6 * shape.boxes.x * shape.boxes.y * shape.boxes.z);
+    for (const TetrahedraEdit& edit : shape.edits) {
+        if (!edit.refinement) continue;
+        cells += cells_near(*edit.refinement).cells.size();
+        if (cells > most_cells_in_all)
+            throw Rejected(fmt::format("a volume and its refinements have at most {} tetrahedra",
+                                       most_cells_in_all));
+    }
 }
 
 // Knots that were moved by hand may cross.
@@ -44,9 +85,15 @@ void append(std::vector<TetrahedraEdit>& edits, const TetrahedraEdit& edit)
                last.cloud->knot == edit.cloud->knot;
     };
     if (edits.empty() || !moves_the_same(edits.back())) return edits.push_back(edit);
-    TetrahedraCloud& both = *edits.back().cloud;
+    TetrahedraCloud both = *edits.back().cloud;
     both.by = both.by * edit.cloud->factor + edit.cloud->by;
     both.factor *= edit.cloud->factor;
+    try {
+        check(Command{EditTetrahedra{0, {.cloud = both}}});
+    } catch (const Rejected&) { // beyond the rules of the fields: each by itself is not
+        return edits.push_back(edit);
+    }
+    edits.back().cloud = both;
     if (both.by == glm::dvec3(0) && both.factor == 1) edits.pop_back();
 }
 
@@ -89,10 +136,9 @@ void check(const TetrahedraShape& shape)
     if (const int degree = degree_of(shape.displaced.size(), mesh.cells.size());
         !shape.displaced.empty() && (degree == 0 || degree > shape.degree))
         throw Rejected("what was a lattice keeps its tetrahedra, and at least its degree");
-    if (shape.edits.size() > most_edits)
-        throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
-                                   shape.edits.size(), most_edits));
+    check_totals(shape);
     for (const TetrahedraEdit& edit : shape.edits) check(edit);
+    check_layers(shape);
     check_clouds(shape);
 }
 
@@ -158,8 +204,8 @@ Document applied(Document document, const EditTetrahedra& command)
     TetrahedraShape shape = volume_of(document, command.object);
     check(command.edit);
     append(shape.edits, command.edit);
-    if (shape.edits.size() > most_edits)
-        throw Rejected(fmt::format("a volume takes at most {} edits", most_edits));
+    check_totals(shape);
+    if (command.edit.refinement) check_layers(shape);
     if (command.edit.crease || command.edit.cloud) check_clouds(shape);
     return with_shape(std::move(document), command.object, std::move(shape));
 }

@@ -25,7 +25,7 @@ private:
     };
     Recent<Input, Ref<Stage>> known_;
     using FunctionKey = std::tuple<Ref<SimplexBasis<3>>, int, double>;
-    Recent<FunctionKey, Ref<Mesh>> surfaces_{16};
+    Recent<FunctionKey, Ref<Mesh>> surfaces_{most_shown_functions};
 
     Ref<Mesh> surface_of(const TetrahedraFunction& function, const Ref<SimplexBasis<3>>& basis);
 };

@@ -7,31 +7,52 @@
 #include "core/simplex/clouds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 
 namespace trivar {
 namespace {
 
-bool within(const std::vector<glm::dvec3>& places, double radius, const glm::dvec3& p)
-{
-    return std::any_of(places.begin(), places.end(),
-                       [&](const glm::dvec3& place) { return glm::distance(place, p) <= radius; });
-}
+// Finds out whether a point is within the radius of one of some places: O(number of places that are
+// as near along X).
+class Nearby {
+public:
+    Nearby(std::vector<glm::dvec3> places, double radius)
+        : places_(std::move(places)),
+          radius_(radius)
+    {
+        std::ranges::sort(places_, {}, &glm::dvec3::x);
+    }
+    bool holds(const glm::dvec3& p) const
+    {
+        const double reach = radius_ + 1e-9 * (radius_ + std::abs(p.x)); // more than rounding takes
+        for (auto at = std::ranges::lower_bound(places_, p.x - reach, {}, &glm::dvec3::x);
+             at != places_.end() && at->x <= p.x + reach; ++at)
+            if (glm::distance(*at, p) <= radius_) return true;
+        return false;
+    }
+
+private:
+    std::vector<glm::dvec3> places_;
+    double radius_;
+};
 
 // Each face once: of two creases the deeper counts, and of two as deep the later one.
 std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<TetrahedraEdit>& edits)
 {
     std::vector<Crease<3>> out;
     std::map<std::array<int, 3>, std::size_t> known;
-    SimplexDomain<3> bare{1, {}, mesh.cells};
+    std::vector<CellFace<3>> faces; // of all cells, once there is a crease
     for (const TetrahedraEdit& edit : edits) {
         if (!edit.crease) continue;
-        for (const CellFace<3>& face : sorted_faces(bare)) {
+        if (faces.empty()) faces = sorted_faces(SimplexDomain<3>{1, {}, mesh.cells});
+        const Nearby nearby(edit.crease->places, edit.crease->radius);
+        for (const CellFace<3>& face : faces) {
             glm::dvec3 middle(0);
             for (const int v : face.vertices)
                 middle += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
-            if (!within(edit.crease->places, edit.crease->radius, middle)) continue;
+            if (!nearby.holds(middle)) continue;
             const Crease<3> crease{face.vertices, edit.crease->depth, edit.crease->seam};
             const auto [found, added] = known.try_emplace(face.vertices, out.size());
             if (added)
@@ -102,17 +123,19 @@ SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement)
         lo = glm::min(lo, place - refinement.radius);
         hi = glm::max(hi, place + refinement.radius);
     }
-    const glm::dvec3 boxes = glm::ceil((hi - lo) / refinement.edge);
-    if (boxes.x * boxes.y * boxes.z * 6 > 50.0 * static_cast<double>(most_cells))
+    // Far from the origin a radius may be lost to rounding.
+    const glm::dvec3 boxes = glm::max(glm::ceil((hi - lo) / refinement.edge), glm::dvec3(1));
+    if (!(boxes.x * boxes.y * boxes.z * 6 <= 50.0 * static_cast<double>(most_cells)))
         throw Rejected("the edges of the refinement are too short for its size");
     const glm::dvec3 size = boxes * refinement.edge;
     SimplexMesh<3> all = box_cells(size, glm::ivec3(boxes)), out;
     const glm::dvec3 middle = (lo + hi) / 2.0;
+    const Nearby nearby(refinement.places, refinement.radius);
     std::vector<int> number(all.vertices.size(), -1);
     for (auto cell : all.cells) {
         glm::dvec3 at = middle;
         for (const int v : cell) at += all.vertices[static_cast<std::size_t>(v)] / 4.0;
-        if (!within(refinement.places, refinement.radius, at)) continue;
+        if (!nearby.holds(at)) continue;
         for (int& v : cell) {
             int& known = number[static_cast<std::size_t>(v)];
             if (known < 0) {

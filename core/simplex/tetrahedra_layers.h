@@ -10,6 +10,8 @@ namespace trivar {
 
 // The greatest number of cells of a layer.
 inline constexpr std::size_t most_cells = 200000;
+// And of the domain and all refinements together.
+inline constexpr std::size_t most_cells_in_all = 2 * most_cells;
 
 // The vertices and cells of the domain, without knots.
 SimplexMesh<3> domain_cells(const TetrahedraShape& shape);

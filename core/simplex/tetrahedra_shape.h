@@ -13,8 +13,9 @@
 namespace trivar {
 
 // A TetrahedraPull scales, turns and moves the control points in one or several balls as one, less
-// and less toward the rims. It does not reach across cuts. Balls round resting
-// places that hold no other ones, with the decay `box`, move control points by hand.
+// and less toward the rims. One of the domain does not reach across cuts; refinements have none.
+// Balls round resting places that hold no other ones, with the decay `box`, move control points by
+// hand.
 struct TetrahedraPull {
     int layer = 0; // 0: the domain; n: the nth refinement
     glm::dvec3 at{0};
@@ -76,6 +77,9 @@ struct TetrahedraFunction {
     double share = 0.5;
     bool operator==(const TetrahedraFunction&) const = default;
 };
+
+// The greatest number of functions that are shown at once.
+inline constexpr std::size_t most_shown_functions = 64;
 
 struct TetrahedraShape {
     glm::dvec3 size{1};   // metres, of a box about the origin

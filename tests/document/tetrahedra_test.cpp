@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
@@ -11,6 +12,7 @@
 namespace trivar {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -63,6 +65,19 @@ TEST(TetrahedraInDocuments, BendTheirContentsAsTheirSplineSays)
         most = std::max<double>(most, glm::distance(before[i], after_it[i]));
     }
     EXPECT_GE(most, 0.05);
+}
+
+TEST(TetrahedraInDocuments, BendToTheSameBitsForAnyNumberOfThreads)
+{
+    Document document =
+        after(Document{}, AddSphere{.shape = {.radius = 0.4, .segments = 128, .rings = 64}});
+    document = after(document, AddTetrahedra{.objects = {1}});
+    document = after(document, EditTetrahedra{2, pulled});
+    const auto mesh = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return *all_of(document).objects.at(1)->parts.at(0).mesh();
+    };
+    EXPECT_EQ(mesh(1), mesh(4));
 }
 
 TEST(TetrahedraInDocuments, BendWhereTheyStand)
@@ -204,6 +219,75 @@ TEST(TetrahedraInDocuments, TakeTheSameKnotsFromOneEditAsFromTwo)
         EXPECT_LE(glm::distance(together[k], apart[k]), 1e-15) << k;
 }
 
+TEST(TetrahedraInDocuments, HoldNoEditThatTheyWouldNotTakeAgain)
+{
+    const EditTetrahedra widened{2, {.cloud = TetrahedraCloud{.at = {9, 9, 9}, .factor = 100}}};
+    const Document document = after(after(ball_in_tetrahedra(), widened), widened);
+    const SetTetrahedra same = SetTetrahedra::as_it_is(object(document, 2), 2).value();
+    EXPECT_EQ(digest(after(document, same)), digest(document));
+    EXPECT_EQ(same.shape.edits.size(), 2U);
+}
+
+TEST(TetrahedraInDocuments, RefuseMoreThanTheyCanHoldInAll)
+{
+    const auto refused = [](const Document& document, const Command& command, const char* why) {
+        EXPECT_THAT([&] { (void)after(document, command); },
+                    ThrowsMessage<Rejected>(HasSubstr(why)));
+    };
+    const Document document = ball_in_tetrahedra();
+    const TetrahedraEdit fine{
+        .refinement = TetrahedraRefinement{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 0.0276}};
+    refused(document, SetTetrahedra{2, {.edits = {fine, fine, fine}}}, "at most 400000 tetrahedra");
+    const Document twice = after(document, SetTetrahedra{2, {.edits = {fine, fine}}});
+    refused(twice, EditTetrahedra{2, fine}, "at most 400000 tetrahedra");
+    const TetrahedraEdit long_stroke{
+        .crease = TetrahedraCrease{.places = std::vector(60000, glm::dvec3(9))}};
+    refused(document, SetTetrahedra{2, {.edits = {long_stroke, long_stroke}}},
+            "at most 100000 places");
+    refused(after(document, EditTetrahedra{2, long_stroke}), EditTetrahedra{2, long_stroke},
+            "at most 100000 places");
+    const TetrahedraEdit many_balls{.pull =
+                                        TetrahedraPull{.also = std::vector(99000, glm::dvec3(9))}};
+    refused(document, SetTetrahedra{2, {.edits = std::vector(11, many_balls)}},
+            "at most 1000000 balls");
+    refused(document, SetTetrahedra{2, {.functions = std::vector<TetrahedraFunction>(65)}},
+            "at most 64 functions");
+}
+
+TEST(TetrahedraInDocuments, SayWhenTheyAreCutAlongMorePlanesThanTheirContents)
+{
+    const auto notices = [](const glm::ivec3& boxes) {
+        const TetrahedraCrease everywhere{.places = {{0, 0, 0}}, .radius = 10, .depth = 1};
+        const Document document =
+            ball_in_tetrahedra({.boxes = boxes, .degree = 1, .edits = {{.crease = everywhere}}});
+        return all_of(document).objects.at(2)->notices;
+    };
+    EXPECT_THAT(notices({30, 1, 1}), ElementsAre(HasSubstr("64 planes")));
+    EXPECT_THAT(notices({2, 1, 1}), ElementsAre());
+}
+
+TEST(TetrahedraInDocuments, SayWhatOfTheirContentsTheyDoNotHold)
+{
+    Document document = after(ball_in_tetrahedra(), EditTetrahedra{2, pulled});
+    EXPECT_THAT(all_of(document).objects.at(1)->notices, ElementsAre());
+    document =
+        after(document, SetTransform{.object = 1, .transform = {.translation = {0.5, 0, 0}}});
+    EXPECT_THAT(all_of(document).objects.at(1)->notices,
+                ElementsAre(HasSubstr("outside of the tetrahedra")));
+}
+
+TEST(TetrahedraInDocuments, SayWhyTheyDoNotBendWhereTheyLieOverEachOther)
+{
+    TetrahedraShape shape{.degree = 1};
+    for (int n = 0; n < 4000; ++n) {
+        for (const glm::dvec3& corner : {glm::dvec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+            shape.vertices.push_back(corner + 1e-5 * n);
+        shape.cells.push_back(glm::ivec4(0, 1, 2, 3) + 4 * n);
+    }
+    EXPECT_THAT(all_of(ball_in_tetrahedra(shape)).objects.at(2)->notices,
+                ElementsAre(HasSubstr("lie over each other")));
+}
+
 TEST(TetrahedraInDocuments, SetASheetAsItWasMade)
 {
     const SimplexSheetShape cubic{.degree = 3, .lifts = {{.by = {0, 0, 0.2}}}};
@@ -245,6 +329,9 @@ TEST(TetrahedraInDocuments, RefuseWhatCannotBe)
     refused(EditTetrahedra{2, {.refinement = fine}}, "a refinement has at most 200000 tetrahedra");
     const TetrahedraRefinement finest{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 1e-4};
     refused(EditTetrahedra{2, {.refinement = finest}}, "too short");
+    const TetrahedraRefinement far_away{
+        .places = {{1e9, 0, 0}, {1e9, 0.01, 0}}, .radius = 1e-8, .edge = 1e-8};
+    refused(EditTetrahedra{2, {.refinement = far_away}}, "too short");
     refused(
         SetTetrahedra{
             2, {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .cells = {{1, 0, 2, 3}}}},
