@@ -64,7 +64,8 @@ TEST(CageCells, FillACageExactly)
                 EXPECT_EQ(std::count(out.mesh.vertices.begin(), out.mesh.vertices.end(), v), 1);
             EXPECT_LE(sum_error(out.mesh, 2, 1), 1e-12);
             EXPECT_LE(out.edge, edge);
-            EXPECT_EQ(in(cage, {.edge = out.edge}).mesh, out.mesh);
+            if (least_dihedral(out.mesh) > 3 * one_degree) // so that no other edge is tried
+                EXPECT_EQ(in(cage, {.edge = out.edge}).mesh, out.mesh);
         }
 }
 
@@ -119,6 +120,21 @@ TEST(CageCells, RefuseWhatIsNoCage)
     EXPECT_THROW(in(good, {.edge = 0}).mesh.cells.at(1'000'000),
                  std::out_of_range); // by default few
     EXPECT_THROW(in(good, {.edge = -1}), Rejected);
+}
+
+// The first cells have a sliver, and shorter edges make more cells than the limit.
+TEST(CageCells, AreTheFirstOnesWhereRounderOnesAreTooMany)
+{
+    TriangleSurface cage;
+    cage.positions = {{-0.19855, -0.12159, -0.24265}, {0.13933, -0.22894, -0.19146},
+                      {-0.15736, 0.29633, -0.14492},  {0.17357, 0.15480, -0.27063},
+                      {-0.11646, -0.24248, 0.30371},  {0.16641, -0.24599, 0.27955},
+                      {-0.12525, 0.20237, 0.13913},   {0.08291, 0.25405, 0.20241}};
+    cage.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    const CageCells out = in(cage, {.edge = 0.01, .cell_limit = 2000});
+    EXPECT_EQ(fault(out.mesh), "");
+    EXPECT_TRUE(out.exact);
 }
 
 TEST(CageCells, AreAsManyAsAllowedAndSaySo)
