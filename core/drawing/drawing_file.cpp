@@ -20,17 +20,18 @@ std::string obj_of(const DrawingSheet& drawing)
 {
     std::string out;
     std::size_t first = 1;
-    for (const DrawingLayer& layer : drawing.layers) {
-        fmt::format_to(std::back_inserter(out), "o {}\n", layer_id(layer));
-        for (const InkedLine& line : layer.lines) {
+    const std::vector<std::string> ids = layer_ids(drawing.layers);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        fmt::format_to(std::back_inserter(out), "o {}\n", ids[i]);
+        for (const InkedLine& line : drawing.layers[i].lines) {
             if (line.points.size() < 2) continue;
             for (const InkedLine::Point& point : line.points) {
                 const glm::dvec3 p(drawing.to_metres * glm::dvec4(point.p, 1));
                 fmt::format_to(std::back_inserter(out), "v {:.7g} {:.7g} {:.7g}\n", p.x, p.y, p.z);
             }
-            fmt::format_to(std::back_inserter(out), "g {}\nl", line_id(layer, line));
-            for (std::size_t i = 0; i < line.points.size(); ++i)
-                fmt::format_to(std::back_inserter(out), " {}", first + i);
+            fmt::format_to(std::back_inserter(out), "g {}\nl", line_id(ids[i], line));
+            for (std::size_t k = 0; k < line.points.size(); ++k)
+                fmt::format_to(std::back_inserter(out), " {}", first + k);
             out += '\n';
             first += line.points.size();
         }

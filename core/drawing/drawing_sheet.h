@@ -4,6 +4,7 @@
 #include "core/silhouette/drawing_layer.h"
 
 #include <optional>
+#include <string>
 
 namespace trivar {
 
@@ -13,6 +14,9 @@ struct DrawingSheet {
     glm::dvec2 size{1000};                         // pixels
     std::optional<glm::vec3> paper = glm::vec3(1); // sRGB; none: nothing behind the lines
     glm::dmat4 to_metres{1};                       // of the points that lines have in space
+    // What an .svg lists as drawn, see line_list(), where a hand's edits were done to the lines
+    // since; empty: the lines as they are.
+    std::string list = {};
 };
 
 } // namespace trivar

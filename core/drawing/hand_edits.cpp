@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 #include <pugixml.hpp>
 
 namespace trivar {
@@ -72,7 +73,7 @@ public:
     explicit EditReader(const std::map<std::string, ListedLine>& listed) : listed_(listed)
     {
         for (const auto& [id, line] : listed) {
-            out_.by_line[id].deleted = true; // until it is found
+            out_.by_line[id] = {.deleted = true, .layer = line.layer, .listed = line.text};
             out_.lines[line.layer].push_back(line.record);
         }
     }
@@ -97,6 +98,7 @@ private:
         while (!open.empty()) {
             const Place at = open.back();
             open.pop_back();
+            if (at.node.name() == std::string_view("defs")) continue;
             const bool off = at.off || value_of(at.node, "display") == "none" ||
                              value_of(at.node, "visibility") == "hidden";
             if (at.node.name() == std::string_view("path") && !off) found(at.node);
@@ -105,24 +107,31 @@ private:
     }
     void found(const pugi::xml_node& path)
     {
-        const std::string id = without_number(path.attribute("id").as_string());
+        const std::string own = path.attribute("id").as_string(), id = without_number(own);
         const auto listed = listed_.find(id);
         if (listed == listed_.end()) {
             ++out_.added;
             return;
         }
         HandEdits::Edit& edit = out_.by_line[id];
-        if (!edit.deleted) return; // a second path of it
         edit.deleted = false;
+        if (own != id) return; // the first path of a line counts
+        const ListedLine& line = listed->second;
         const std::string stroke = value_of(path, "stroke"), fill = value_of(path, "fill");
         const bool stroked = !stroke.empty() && stroke != "none";
-        if (stroked)
-            if (const auto width = length_of(value_of(path, "stroke-width"));
-                width && std::abs(*width - listed->second.width) > same_width &&
-                listed->second.width > 0)
-                edit.widening = *width / listed->second.width;
-        const std::string color = stroked ? stroke : fill;
-        if (color != listed->second.color) edit.color = color_of(color);
+        if (const float width = width_in(path, stroked, line);
+            line.width > 0 && std::abs(width - line.width) > same_width)
+            edit.widening = width / line.width;
+        const std::string color = stroked && !line.outline ? stroke : fill;
+        if (color != line.color) edit.color = color_of(color);
+    }
+    // The width that a line has where a hand gave it a stroke.
+    static float width_in(const pugi::xml_node& path, bool stroked, const ListedLine& line)
+    {
+        const std::string told = value_of(path, "stroke-width");
+        const std::optional<float> width = told.empty() ? 1 : length_of(told);
+        if (!stroked || !width) return line.widened;
+        return line.outline ? line.widened + *width : *width;
     }
 
     const std::map<std::string, ListedLine>& listed_;
@@ -133,7 +142,7 @@ private:
 
 LineIds HandEdits::ids_of(const std::string& layer_name) const
 {
-    const auto found = lines.find(layer_id({layer_name, {}}));
+    const auto found = lines.find(layer_id(layer_name));
     return found == lines.end() ? LineIds() : LineIds(found->second);
 }
 
@@ -151,24 +160,54 @@ HandEdits read_hand_edits(std::string_view svg)
     return EditReader(listed)(root);
 }
 
-void apply(const HandEdits& edits, DrawingSheet& drawing)
+LineIds& EditedLineIds::operator()(const std::string& layer_name)
 {
-    for (DrawingLayer& layer : drawing.layers) {
-        const auto edit_of = [&](const InkedLine& line) -> const HandEdits::Edit* {
-            const auto found = edits.by_line.find(line_id(layer, line));
-            return found == edits.by_line.end() ? nullptr : &found->second;
-        };
-        std::erase_if(layer.lines, [&](const InkedLine& line) {
-            const HandEdits::Edit* edit = edit_of(line);
-            return edit && edit->deleted;
-        });
-        for (InkedLine& line : layer.lines)
-            if (const HandEdits::Edit* edit = edit_of(line))
+    const auto found = known_.find(layer_name);
+    if (found != known_.end()) return found->second;
+    return known_.emplace(layer_name, edits_->ids_of(layer_name)).first->second;
+}
+
+std::string words_of(const AppliedEdits& edits)
+{
+    const auto counted = [](std::size_t n, const char* one, const char* many) {
+        return fmt::format("{} {}", n, n == 1 ? one : many);
+    };
+    std::string out = counted(edits.done, "edit by hand was", "edits by hand were") + " done again";
+    if (edits.lost > 0)
+        out += ", " + counted(edits.lost, "is of a line", "are of lines") + " not drawn here";
+    if (!edits.other_layers.empty())
+        out += fmt::format(" (no layer is called {})", fmt::join(edits.other_layers, ", "));
+    if (edits.added > 0)
+        out += ", " + counted(edits.added, "path", "paths") + " of the hand's own left out";
+    return out;
+}
+
+AppliedEdits apply(const HandEdits& edits, DrawingSheet& drawing)
+{
+    drawing.list = line_list(drawing, edits);
+    const std::vector<std::string> ids = layer_ids(drawing.layers);
+    std::set<std::string> done;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        std::vector<InkedLine> kept;
+        for (InkedLine& line : drawing.layers[i].lines) {
+            if (const auto found = edits.by_line.find(line_id(ids[i], line));
+                found != edits.by_line.end()) {
+                done.insert(found->first);
+                const HandEdits::Edit& edit = found->second;
+                if (edit.deleted) continue;
                 for (InkedLine::Point& p : line.points) {
-                    p.width *= edit->widening;
-                    p.color = edit->color.value_or(p.color);
+                    p.width *= edit.widening;
+                    p.color = edit.color.value_or(p.color);
                 }
+            }
+            kept.push_back(std::move(line));
+        }
+        drawing.layers[i].lines = std::move(kept);
     }
+    AppliedEdits out{done.size(), edits.by_line.size() - done.size(), edits.added};
+    for (const auto& [id, edit] : edits.by_line)
+        if (std::ranges::find(ids, edit.layer) == ids.end()) out.other_layers.insert(edit.layer);
+    return out;
 }
 
 } // namespace trivar

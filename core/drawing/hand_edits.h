@@ -4,7 +4,9 @@
 #include "core/drawing/drawing_sheet.h"
 #include "core/silhouette/line_ids.h"
 
+#include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -18,6 +20,8 @@ struct HandEdits {
         bool deleted = false;
         float widening = 1;                  // width by the hand per width as it was drawn
         std::optional<glm::vec3> color = {}; // sRGB, if the hand changed it
+        std::string layer = {};              // layer_id()
+        std::string listed = {};             // its line of the list; see line_list()
     };
     std::map<std::string, Edit> by_line; // by line_id(); lines that are as drawn are not in it
     std::map<std::string, std::vector<LineRecord>> lines; // of the .svg, by layer_id()
@@ -27,12 +31,37 @@ struct HandEdits {
     LineIds ids_of(const std::string& layer_name) const;
 };
 
+inline constexpr std::uintmax_t most_edited_bytes = 256 << 20; // of an .svg that is read
+
 // Reads the edits out of the text of an .svg, as an editor of drawings saved it. Lengths of strokes
-// are read from the attribute stroke-width or from the style; transforms are not looked at. Throws
-// Rejected for what is no .svg or has no list of lines.
+// are read from the attribute stroke-width or from the style; transforms are not looked at. A
+// stroke that a hand gave to an outline makes it wider by as much in the middle of the line, and
+// the colour of an outline is that of its fill. Of a line in several paths the first one counts.
+// Throws Rejected for what is no .svg or has no list of lines.
 HandEdits read_hand_edits(std::string_view svg);
 
-// Does the edits to a drawing.
-void apply(const HandEdits& edits, DrawingSheet& drawing);
+// An EditedLineIds gives the lines of new drawings the ids that they have in an .svg.
+class EditedLineIds {
+public:
+    explicit EditedLineIds(const HandEdits& edits) : edits_(&edits) {}
+    LineIds& operator()(const std::string& layer_name);
+
+private:
+    const HandEdits* edits_;
+    std::map<std::string, LineIds> known_; // by name
+};
+
+// What became of edits in a drawing.
+struct AppliedEdits {
+    std::size_t done = 0; // number of edits of lines that are in the drawing
+    std::size_t lost = 0; // and of lines that are not
+    std::size_t added = 0;
+    std::set<std::string> other_layers = {}; // of edits, that the drawing has not
+};
+std::string words_of(const AppliedEdits& edits); // "2 edits by hand were done again", and so on
+
+// Does the edits to a drawing. Its list is that of the lines before, so that an .svg of it differs
+// from its list by all edits, and they can be read from it again.
+AppliedEdits apply(const HandEdits& edits, DrawingSheet& drawing);
 
 } // namespace trivar

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drawing/line_list.h"
 
+#include "core/base/utf8.h"
+#include "core/drawing/line_pieces.h"
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -52,6 +56,47 @@ std::vector<glm::vec3> filled(const std::vector<glm::ivec3>& listed)
     return out;
 }
 
+// Whether a letter may be in an id of XML (its NameChar). Dashes, colons and underscores, which
+// may, part the words of ids here.
+bool stays_in_ids(char32_t c)
+{
+    constexpr std::pair<char32_t, char32_t> ranges[] = {
+        {'.', '.'},       {'0', '9'},         {'A', 'Z'},       {'a', 'z'},       {0xB7, 0xB7},
+        {0xC0, 0xD6},     {0xD8, 0xF6},       {0xF8, 0x37D},    {0x37F, 0x1FFF},  {0x200C, 0x200D},
+        {0x203F, 0x2040}, {0x2070, 0x218F},   {0x2C00, 0x2FEF}, {0x3001, 0xD7FF}, {0xF900, 0xFDCF},
+        {0xFDF0, 0xFFFD}, {0x10000, 0xEFFFF},
+    };
+    return std::ranges::any_of(ranges,
+                               [&](const auto& r) { return c >= r.first && c <= r.second; });
+}
+
+// The width of a line in a list; see line_list().
+std::string width_words(const InkedLine& line, float widening)
+{
+    const float width = width_of(line);
+    return is_one_stroke(line) ? fmt::format("{:.2f}", width)
+                               : fmt::format("{:.2f}/{:.2f}", width, width * widening);
+}
+
+// Reads such a width, or nothing.
+struct ListedWidth {
+    float width, widened;
+    bool outline;
+};
+std::optional<ListedWidth> width_in(const std::string& words)
+{
+    std::istringstream text(words);
+    double width = 0, widened = 0;
+    char slash = 0;
+    text >> width;
+    if (!text || !(width >= 0) || !(width < 1e6)) return std::nullopt;
+    const bool outline = static_cast<bool>(text >> slash);
+    if (outline && (slash != '/' || !(text >> widened) || !(widened >= 0) || !(widened < 1e6)))
+        return std::nullopt;
+    return ListedWidth{static_cast<float>(width), static_cast<float>(outline ? widened : width),
+                       outline};
+}
+
 // The parts of line_id(): the layer, and whether it is hidden with the line's own id.
 std::optional<ListedLine> parts_of(const std::string& id)
 {
@@ -70,15 +115,39 @@ std::optional<ListedLine> parts_of(const std::string& id)
 
 } // namespace
 
-std::string layer_id(const DrawingLayer& layer)
+std::string layer_id(std::string_view name)
 {
     std::string out;
-    for (const char c : layer.name)
-        out +=
-            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.'
-                ? c
-                : '-';
+    while (!name.empty()) {
+        const Utf8Letter letter = first_letter(name);
+        const std::size_t bytes = std::max<std::size_t>(1, letter.bytes);
+        if (letter.bytes > 0 && stays_in_ids(letter.number))
+            out += name.substr(0, bytes);
+        else
+            out += '-';
+        name.remove_prefix(bytes);
+    }
     return out.empty() ? "level" : out;
+}
+
+std::vector<std::string> names_apart(std::vector<std::string> names)
+{
+    std::set<std::string> taken{std::string(line_list_id)};
+    for (std::string& name : names) {
+        const std::string own = name.empty() ? layer_id(name) : name;
+        for (int n = 2; !taken.insert(layer_id(name)).second; ++n)
+            name = fmt::format("{}.{}", own, n);
+    }
+    return names;
+}
+
+std::vector<std::string> layer_ids(std::span<const DrawingLayer> layers)
+{
+    std::vector<std::string> out;
+    for (const DrawingLayer& layer : layers) out.push_back(layer.name);
+    out = names_apart(std::move(out));
+    for (std::string& name : out) name = layer_id(name);
+    return out;
 }
 
 std::string hex_color(const glm::vec3& color)
@@ -92,23 +161,28 @@ float width_of(const InkedLine& line)
     return line.points.empty() ? 0 : line.points[line.points.size() / 2].width;
 }
 
-std::string line_id(const DrawingLayer& layer, const InkedLine& line)
+std::string line_id(const std::string& layer_id, const InkedLine& line)
 {
-    return fmt::format("{}-{}{:x}", layer_id(layer), line.hidden ? "h" : "s", line.id);
+    return fmt::format("{}-{}{:x}", layer_id, line.hidden ? "h" : "s", line.id);
 }
 
-std::string line_list(const DrawingSheet& drawing)
+std::string line_list(const DrawingSheet& drawing, const HandEdits& edits)
 {
     std::string out;
     std::set<std::string> listed;
-    for (const DrawingLayer& layer : drawing.layers)
-        for (const InkedLine& line : layer.lines) {
+    const std::vector<std::string> ids = layer_ids(drawing.layers);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        for (const InkedLine& line : drawing.layers[i].lines) {
             if (line.points.size() < 2) continue;
-            const std::string id = line_id(layer, line);
+            const std::string id = line_id(ids[i], line);
             if (!listed.insert(id).second) continue;
-            fmt::format_to(std::back_inserter(out), "\n{} {:.2f} {}{}", id, width_of(line),
+            const auto edit = edits.by_line.find(id);
+            const float widening = edit == edits.by_line.end() ? 1 : edit->second.widening;
+            fmt::format_to(std::back_inserter(out), "\n{} {} {}{}", id, width_words(line, widening),
                            hex_color(line.points.front().color), point_list(line));
         }
+    for (const auto& [id, edit] : edits.by_line)
+        if (edit.deleted && !listed.contains(id)) out += "\n" + edit.listed;
     return out + "\n";
 }
 
@@ -119,13 +193,16 @@ std::map<std::string, ListedLine> listed_lines(std::string_view text)
     std::size_t total = 0;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
-        std::string id, color;
-        double width = 0;
+        std::string id, width, color;
         if (!(words >> id >> width >> color)) continue;
         std::optional<ListedLine> listed = parts_of(id);
-        if (!listed || !(width >= 0) || !(width < 1e6)) continue;
-        listed->width = static_cast<float>(width);
+        const std::optional<ListedWidth> read = width_in(width);
+        if (!listed || !read) continue;
+        listed->width = read->width;
+        listed->widened = read->widened;
+        listed->outline = read->outline;
         listed->color = color;
+        listed->text = line;
         std::vector<glm::ivec3> points;
         glm::ivec3 at(0), d;
         while (words >> d.x >> d.y >> d.z && ++total <= most_listed) {

@@ -66,32 +66,32 @@ public:
                        "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
                        number(drawing.size.x), number(drawing.size.y));
         fmt::format_to(std::back_inserter(out_), "<desc id=\"{}\">{}</desc>\n", line_list_id,
-                       line_list(drawing));
+                       drawing.list.empty() ? line_list(drawing) : drawing.list);
         if (drawing.paper)
             fmt::format_to(std::back_inserter(out_),
                            "<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
                            hex_color(*drawing.paper));
-        for (const DrawingLayer& layer : drawing.layers) add_layer(layer);
+        const std::vector<std::string> ids = layer_ids(drawing.layers);
+        for (std::size_t i = 0; i < ids.size(); ++i) add_layer(drawing.layers[i], ids[i]);
         return std::move(out_) + "</svg>\n";
     }
 
 private:
-    void add_layer(const DrawingLayer& layer)
+    void add_layer(const DrawingLayer& layer, const std::string& id)
     {
-        const std::string name = layer_id(layer);
         fmt::format_to(std::back_inserter(out_),
                        "<g id=\"{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{1}\" "
                        "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                       name, escaped(layer.name));
+                       id, escaped(layer.name));
         for (const bool hidden : {true, false}) {
             if (std::ranges::none_of(layer.lines,
                                      [&](const InkedLine& l) { return l.hidden == hidden; }))
                 continue;
-            fmt::format_to(std::back_inserter(out_), "<g id=\"{}-{}\">\n", name,
+            fmt::format_to(std::back_inserter(out_), "<g id=\"{}_{}\">\n", id,
                            hidden ? "hidden" : "seen");
             for (const InkedLine& line : layer.lines)
                 if (line.hidden == hidden && line.points.size() >= 2)
-                    add_line(line, line_id(layer, line));
+                    add_line(line, line_id(id, line));
             out_ += "</g>\n";
         }
         out_ += "</g>\n";

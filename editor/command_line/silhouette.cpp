@@ -7,6 +7,7 @@
 #include "core/document/fields/voxel_fields.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/hand_edits.h"
+#include "core/drawing/line_list.h"
 #include "core/files/file_bytes.h"
 #include "core/files/sample_models.h"
 #include "core/silhouette/slab_drawing.h"
@@ -165,9 +166,13 @@ FieldSpline spline_of(const SilhouetteCommand& command)
     return command.smooth ? FieldSpline::smoothing : FieldSpline::interpolating;
 }
 
-std::string layer_name(const SilhouetteCommand& command, std::size_t level)
+// The names of the layers of levels, of which no two have one id in a file.
+std::vector<std::string> layer_names(const SilhouetteCommand& command, std::size_t levels)
 {
-    return level < command.names.size() ? command.names[level] : fmt::format("level {}", level + 1);
+    std::vector<std::string> out = command.names;
+    out.resize(std::min(out.size(), levels));
+    while (out.size() < levels) out.push_back(fmt::format("level {}", out.size() + 1));
+    return names_apart(std::move(out));
 }
 
 // `volume` is the box of the samples of `all`; no box: it is all of it.
@@ -190,24 +195,23 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
     std::vector<std::vector<LevelMesh>> nearby;
     for (const double value : values)
         nearby.push_back(more.amount < 1 ? volume.nearby_levels(value) : std::vector<LevelMesh>());
+    const std::vector<std::string> names = layer_names(command, values.size());
     std::vector<DrawnLevel> levels;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        levels.push_back({.name = layer_name(command, i),
+        levels.push_back({.name = names[i],
                           .mesh = meshes[i],
                           .side = side,
                           .style = style_of(command, i),
                           .more = more,
                           .further = more.any() ? &further[i] : nullptr,
                           .nearby = nearby[i]});
-    std::map<std::string, LineIds> ids;
+    EditedLineIds ids(edits);
     return draw_levels(volume.field(), volume.hulls(), levels,
                        drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
                        {.hide_each_other = command.hide_each_other,
                         .certified_depth = command.certified,
                         .dash_rows = command.dashes,
-                        .ids = [&](const std::string& layer) -> LineIds& {
-                            return ids.try_emplace(layer, edits.ids_of(layer)).first->second;
-                        }});
+                        .ids = std::ref(ids)});
 }
 
 std::uint64_t memory_of(const SilhouetteCommand& command)
@@ -308,9 +312,10 @@ private:
             values = values_of(read_volume(command_.volume, coarse).grid);
         }
         const bool above = command_.below != (grid.slope > 0);
+        const std::vector<std::string> names = layer_names(command_, values.size());
         std::vector<SlabLevel> levels;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            levels.push_back({.name = layer_name(command_, i),
+            levels.push_back({.name = names[i],
                               .level = static_cast<float>(grid.sample(values[i])),
                               .side = above ? LevelSide::above : LevelSide::below,
                               .style = style_of(command_, i),
@@ -326,14 +331,11 @@ private:
             reading.bytes_beside = 0;
             read_volume(command_.volume, reading);
         };
-        std::map<std::string, LineIds> ids;
+        EditedLineIds ids(edits_);
         return {draw_levels_by_slabs(
                     plan, field_, slices, levels,
                     drawing_view(camera_of(command_, grid), grid.to_metres, grid.size),
-                    {.hide_each_other = command_.hide_each_other,
-                     .ids = [&](const std::string& layer) -> LineIds& {
-                         return ids.try_emplace(layer, edits_.ids_of(layer)).first->second;
-                     }}),
+                    {.hide_each_other = command_.hide_each_other, .ids = std::ref(ids)}),
                 grid.to_metres, values};
     }
 
@@ -343,8 +345,6 @@ private:
     VoxelFieldOptions field_;
     ReadVolumeOptions reading_;
 };
-
-constexpr std::uintmax_t most_edited_bytes = 256 << 20;
 
 HandEdits edits_in(const std::string& path)
 {
@@ -373,7 +373,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     Drawn drawn = Drawer(command, streams, edits)();
     DrawingSheet drawing{std::move(drawn.drawing.layers), picture_size(command.size), paper,
                          drawn.to_metres};
-    apply(edits, drawing);
+    const AppliedEdits edited = apply(edits, drawing);
     const std::string text = drawing_bytes(drawing, format);
     write_bytes(command.out, text);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -384,6 +384,8 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
                                 drawn.values.size() == 1 ? "" : "s", text.size(), took.count());
     if (lines == 0)
         streams.talk << "trivar: no line is seen; the level may be beyond the volume's values\n";
+    if (!command.edited.empty())
+        streams.talk << "trivar: " << command.edited << ": " << words_of(edited) << "\n";
     if (command.certified >= 0)
         streams.talk << fmt::format(
             "trivar: nothing larger than 1/{} voxel is missing but for what {} boxes of that size "

@@ -108,6 +108,31 @@ TEST_F(SilhouetteCommandLine, FindsALevelItself)
     EXPECT_THAT(drawn.talk, HasSubstr(" of 1 level,"));
 }
 
+TEST_F(SilhouetteCommandLine, KeepsWhatAHandDidThroughManyDrawings)
+{
+    const std::vector<std::string> levels{"--level", "30.5,60.5"};
+    draw(levels);
+    std::string text = drawing();
+    const std::size_t first = text.find("<path id=\"level-1-s");
+    ASSERT_NE(first, text.npos);
+    text.erase(first, text.find('\n', first) - first);
+    text.insert(text.rfind("</svg>"), "<path d=\"M0 0 1 1\"/>");
+    testing::write_file(out_, text);
+    std::vector<std::string> again = levels;
+    again.insert(again.end(), {"--edited", out_});
+    for (int i = 0; i < 3; ++i) {
+        const Drawn drawn = draw(again);
+        EXPECT_THAT(drawn.talk, HasSubstr("1 edit by hand was done again"));
+        EXPECT_EQ(drawn.talk.find("1 path of the hand's own left out") != std::string::npos,
+                  i == 0);
+        EXPECT_THAT(drawing(), Not(HasSubstr("<path id=\"level-1-s")));
+        EXPECT_THAT(drawing(), HasSubstr("<path id=\"level-2-s"));
+    }
+    again.insert(again.end(), {"--name", "a,b"});
+    EXPECT_THAT(draw(again).talk, HasSubstr("1 is of a line not drawn here (no layer is called "
+                                            "level-1)"));
+}
+
 TEST_F(SilhouetteCommandLine, SaysWhatIsWrong)
 {
     EXPECT_EQ(draw({"--hidden", "some"}).status, Status::usage);
