@@ -9,7 +9,24 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 namespace trivar {
+namespace {
+
+// What a hand did to the .svg that is about to be written anew; nothing where it was not drawn
+// here.
+HandEdits edits_of_earlier(const std::string& path)
+{
+    if (drawing_format(path) != DrawingFormat::svg || !std::filesystem::exists(path)) return {};
+    try {
+        return read_hand_edits(read_bytes(path, most_edited_bytes));
+    } catch (const Rejected&) {
+        return {};
+    }
+}
+
+} // namespace
 
 void Files::write_lines_to(const std::string& path)
 {
@@ -18,16 +35,20 @@ void Files::write_lines_to(const std::string& path)
          [this, path, document = session_->document(), evaluated = session_->evaluated(),
           camera = camera_for_pictures(*session_)](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "finding lines");
-             const DrawingSheet sheet = line_sheet(evaluated, document, camera);
+             const HandEdits edits = edits_of_earlier(path);
+             DrawingSheet sheet = line_sheet(evaluated, document, camera, edits);
+             const AppliedEdits edited = apply(edits, sheet);
              if (sheet.layers.empty())
                  throw Rejected("no line is seen; give an object lines, or add volume data");
              write_bytes(path, drawing_bytes(sheet, drawing_format(path)));
              std::size_t lines = 0;
              for (const DrawingLayer& layer : sheet.layers) lines += layer.lines.size();
-             return [this, path, lines, layers = sheet.layers.size()] {
-                 session_->notices.say(
-                     ui::NoticeKind::good, "Drew " + file_name(path),
-                     fmt::format("{} lines in {} layer{}.", lines, layers, layers == 1 ? "" : "s"));
+             std::string words = fmt::format("{} lines in {} layer{}.", lines, sheet.layers.size(),
+                                             sheet.layers.size() == 1 ? "" : "s");
+             if (edited.done + edited.lost + edited.added > 0)
+                 words += ' ' + words_of(edited) + '.';
+             return [this, path, words] {
+                 session_->notices.say(ui::NoticeKind::good, "Drew " + file_name(path), words);
              };
          },
          [this, path](const std::string& why) {

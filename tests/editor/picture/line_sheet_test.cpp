@@ -6,6 +6,7 @@
 #include "editor/session/session_facts.h"
 #include "tests/editor/volume_rig.h"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 
 namespace trivar {
@@ -48,6 +49,27 @@ TEST(LineSheets, AreExportedAsFilesOfLines)
     rig.key({ui::key_enter});
     rig.wait();
     EXPECT_NE(read_text_file(svg).find("inkscape:label=\"ball: Level 50\""), std::string::npos);
+}
+
+TEST(LineSheets, KeepWhatAHandDidToTheFileThatTheyReplace)
+{
+    SheetRig rig;
+    rig.add_ball({50, 70});
+    const std::string svg = rig.folder.file("ball.svg"), own = "<path id=\"ball--Level-50-s";
+    const auto draw = [&] {
+        rig.editor.files.write_model_to(svg, false);
+        rig.wait();
+        return read_text_file(svg);
+    };
+    std::string text = draw();
+    const std::size_t first = text.find(own);
+    ASSERT_NE(first, text.npos);
+    text.erase(first, text.find('\n', first) - first);
+    ASSERT_EQ(text.find(own), text.npos);
+    testing::write_file(svg, text);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(draw().find(own), text.npos);
+    std::filesystem::remove(svg);
+    EXPECT_NE(draw().find(own), text.npos);
 }
 
 } // namespace
