@@ -50,7 +50,7 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
                                                  const FieldHulls& hulls, const DrawnLevel& level,
                                                  const DrawingView& view,
                                                  const LevelDrawingOptions& options,
-                                                 std::vector<LevelBody> others, std::size_t* open)
+                                                 std::vector<LevelBody> others, ProofGaps* gaps)
 {
     const LevelBody own{field, hulls, level.mesh.level, level.side};
     const int depth = std::max(level.certified_depth, options.certified_depth);
@@ -65,7 +65,11 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
     } else {
         CertifiedSilhouettes certified = certified_silhouettes(
             field, hulls, level.mesh.level, view.from, depth, {.spacing = 0.1f}, options.progress);
-        if (open) *open += certified.open;
+        if (gaps) {
+            gaps->open += certified.open;
+            gaps->loose_ends += certified.loose_ends;
+        }
+        joining.shortest = 0;
         silhouettes = std::move(certified.curves);
     }
     std::array<std::vector<Stroke>, 2> out;
@@ -155,7 +159,7 @@ LevelDrawing draw_levels(const ScalarField<float>& field, const FieldHulls& hull
                     others.push_back({field, hulls, other.mesh.level, other.side});
         out.layers.push_back({level.name, {}});
         std::array<std::vector<Stroke>, 2> made =
-            level_strokes(field, hulls, level, view, options, others, &out.open);
+            level_strokes(field, hulls, level, view, options, others, &out.gaps);
         std::vector<KindStrokes> further =
             further_strokes(field, hulls, level, view, options, others);
         if (options.ids) {

@@ -44,8 +44,9 @@ struct DrawnLevel {
 struct LevelDrawingOptions {
     StrokeOptions strokes = {};
     bool hide_each_other = false; // bodies hide what is behind them of other levels, too
-    int certified_depth = -1;     // of certified_silhouettes(); below 0: quick ones
-    int dash_rows = 0; // of a DashTable that is made and used instead; 0: connected lines
+    int certified_depth = -1; // of certified_silhouettes(); below 0: quick ones. However short the
+                              // strokes of these are, none of them is left out
+    int dash_rows = 0;        // of a DashTable that is used, without a proof; 0: connected lines
     // The ids of the lines of a layer by its name, kept from view to view; none: as they come.
     std::function<LineIds&(const std::string& layer)> ids = {};
     // The ids of the lines of a layer that its share of lines kept in the view before, so that they
@@ -55,12 +56,18 @@ struct LevelDrawingOptions {
     Progress progress = {}; // of certified silhouettes, called from any thread
 };
 
+// A ProofGaps is what a certified drawing is not proven for.
+struct ProofGaps {
+    std::size_t open = 0;       // boxes in which something may be missing
+    std::size_t loose_ends = 0; // of curves, within the grid; 0 unless rounding hid a box
+};
+
 // The strokes of the silhouettes of a level, and those of its border. `others` are bodies that hide
-// what is behind them, too; `open` is added to as LevelDrawing has it.
+// what is behind them, too; `gaps` are added to.
 std::array<std::vector<Stroke>, 2>
 level_strokes(const ScalarField<float>& field, const FieldHulls& hulls, const DrawnLevel& level,
               const DrawingView& view, const LevelDrawingOptions& options = {},
-              std::vector<LevelBody> others = {}, std::size_t* open = nullptr);
+              std::vector<LevelBody> others = {}, ProofGaps* gaps = nullptr);
 
 // The strokes of one kind of lines.
 struct KindStrokes {
@@ -78,10 +85,10 @@ std::vector<KindStrokes> further_strokes(const ScalarField<float>& field, const 
 LineStyle finer(LineStyle style, const MoreLines& wanted);
 
 // What a drawing gives: a layer per level, one more per kind of further lines, and how far it is
-// proven.
+// proven, before a share of the lines is taken.
 struct LevelDrawing {
     std::vector<DrawingLayer> layers;
-    std::size_t open = 0; // boxes in which a certified drawing may lack something
+    ProofGaps gaps;
 };
 
 // Draws levels of a field: silhouettes, what is hidden of them, strokes, ink.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int reach_of_marks = 2; // points
 constexpr int most_steps = 256;   // between two points of a line that is near the eye
+constexpr float least_parts = 4;  // of a stroke, so that the smallest loop is still one
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, float share)
 {
@@ -141,6 +142,8 @@ private:
 // Catmull-Rom curve through those that stay.
 void make_smooth(Stroke& stroke, float spacing)
 {
+    spacing = std::min(spacing, static_cast<float>(stroke.length()) / least_parts);
+    if (!(spacing > 0)) return;
     const bool loop = stroke.is_loop();
     std::vector<StrokePoint> kept;
     for (const StrokePoint& p : stroke.points)

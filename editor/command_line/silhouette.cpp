@@ -355,6 +355,15 @@ HandEdits edits_in(const std::string& path)
     }
 }
 
+void say_proof(const SilhouetteCommand& command, const ProofGaps& gaps, const Streams& streams)
+{
+    streams.talk << fmt::format(
+        "trivar: {}nothing larger than 1/{} voxel is missing but for what {} boxes of that size "
+        "may hide; {} loose end{}\n",
+        command.amount < 1 ? "before a share of the lines was taken, " : "", 1 << command.certified,
+        gaps.open, gaps.loose_ends, gaps.loose_ends == 1 ? "" : "s");
+}
+
 } // namespace
 
 Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
@@ -366,6 +375,8 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     const std::optional<glm::vec3> paper = paper_of(command);
     crop_of(command);
     const DrawingFormat format = drawing_format(command.out);
+    if (command.certified >= 0 && command.dashes > 0)
+        throw WrongUsage("--certified: lines in dashes (--dashes) have no proof; leave one out");
     HandEdits edits;
     if (!command.edited.empty()) edits = edits_in(command.edited);
     make_sample_model(command.volume);
@@ -386,11 +397,7 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
         streams.talk << "trivar: no line is seen; the level may be beyond the volume's values\n";
     if (!command.edited.empty())
         streams.talk << "trivar: " << command.edited << ": " << words_of(edited) << "\n";
-    if (command.certified >= 0)
-        streams.talk << fmt::format(
-            "trivar: nothing larger than 1/{} voxel is missing but for what {} boxes of that size "
-            "may hide\n",
-            1 << command.certified, drawn.drawing.open);
+    if (command.certified >= 0) say_proof(command, drawn.drawing.gaps, streams);
     return Status::done;
 }
 

@@ -32,7 +32,7 @@ SeenLines lines_of(const VolumeView& view, float wider, LineProof proof, const P
     const LevelDrawing drawing = draw_levels(field.field(), field.hulls(), levels, drawn, options);
     for (const DrawingLayer& layer : drawing.layers)
         add_curves(out.curves, layer.lines, {voxels_to_world, drawn.to_image, view.id, wider});
-    out.open = drawing.open;
+    out.gaps = drawing.gaps;
     return out;
 }
 

@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
-#include "core/silhouette/line_ids.h"
+#include "core/silhouette/level_drawing.h"
 #include "gpu/curve.h"
 
 #include <map>
@@ -26,7 +26,7 @@ struct VolumeView {
 // The lines of volume data in one view.
 struct SeenLines {
     std::vector<gpu::Curve> curves;
-    std::size_t open = 0; // boxes in which certified lines may lack something
+    ProofGaps gaps; // of certified lines
 };
 // What is remembered of the lines of an object's levels from view to view, by layer.
 struct LineMemory {

@@ -27,6 +27,14 @@ std::vector<VolumeView> views_to_certify(const CertifiedLines::Seen& seen)
     return out;
 }
 
+// Whether certified lines are seen of which some were left out.
+bool shows_a_share(const ShownVolume& volume)
+{
+    return std::ranges::any_of(volume.levels, [](const ShownVolume::Level& level) {
+        return level.lines && level.certified && level.more.amount < 1;
+    });
+}
+
 } // namespace
 
 void CertifiedLines::follow(const Seen& seen, bool moving, double time_s, VolumeLines& into)
@@ -47,15 +55,16 @@ void CertifiedLines::follow(const Seen& seen, bool moving, double time_s, Volume
     asked_ = true;
     work_.start([this, &into, views = wanted_](const Progress& progress) -> NewestWork::Finish {
         VolumeLines::Given lines;
-        std::size_t open = 0;
+        ProofGaps gaps;
         for (const VolumeView& view : views) {
             lines.emplace_back(
                 view, lines_of(view, wider_lines(view.camera), LineProof::as_wanted, progress));
-            open += lines.back().second.open;
+            gaps.open += lines.back().second.gaps.open;
+            gaps.loose_ends += lines.back().second.gaps.loose_ends;
         }
-        return [this, &into, lines = std::move(lines), open]() mutable {
+        return [this, &into, lines = std::move(lines), gaps]() mutable {
             into.give(std::move(lines));
-            open_ = open;
+            gaps_ = gaps;
             done_ = true;
             ++number_;
         };
@@ -75,8 +84,15 @@ std::string CertifiedLines::words() const
     if (wanted_.empty() || (asked_ && !done_ && !busy())) return {};
     const std::string to = fmt::format("to 1/{} voxel", 1 << certified_halvings);
     if (!done_) return "Certifying lines " + to;
-    return fmt::format("Lines certified {}, {} box{} open", to, ui::with_commas(open_),
-                       open_ == 1 ? "" : "es");
+    const bool share = std::ranges::any_of(
+        wanted_, [](const VolumeView& each) { return shows_a_share(*each.volume); });
+    std::string out = fmt::format("Lines certified {}{}, {} box{} open", to,
+                                  share ? " before their share is taken" : "",
+                                  ui::with_commas(gaps_.open), gaps_.open == 1 ? "" : "es");
+    if (gaps_.loose_ends > 0)
+        out += fmt::format(", {} loose end{}", ui::with_commas(gaps_.loose_ends),
+                           gaps_.loose_ends == 1 ? "" : "s");
+    return out;
 }
 
 } // namespace trivar

@@ -29,14 +29,15 @@ public:
     bool busy() const { return work_.busy(); }
     bool up_to_date() const { return wanted_.empty() || (asked_ && !busy()); }
     std::optional<double> again_in_s() const; // when it wants to be asked again
-    // "Lines certified to 1/8 voxel, 12 boxes open"; empty: none are wanted.
+    // "Lines certified to 1/8 voxel, 12 boxes open", with loose ends if there are any, and "before
+    // their share is taken" where only that is seen; empty: none are wanted.
     std::string words() const;
 
 private:
     std::vector<VolumeView> wanted_;
     bool asked_ = false, done_ = false; // for them; they are there
     double moved_s_ = 0, now_s_ = 0;
-    std::size_t open_ = 0;
+    ProofGaps gaps_;
     long number_ = 0;
     NewestWork work_;
 };

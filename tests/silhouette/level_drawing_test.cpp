@@ -138,11 +138,39 @@ TEST_P(LevelDrawings, HaveALayerForEachLevelAndAreCertifiedWhereThatIsAsked)
     ASSERT_EQ(quick.layers.size(), 2u);
     EXPECT_EQ(quick.layers[1].name, "high");
     EXPECT_FALSE(quick.layers[0].lines.empty()); // the border's at least
-    EXPECT_EQ(quick.open, 0u);
+    EXPECT_EQ(quick.gaps.open, 0u);
     const LevelDrawing certified =
         draw_levels(scene.field, hulls, levels, view, {.certified_depth = 2});
-    EXPECT_GT(certified.open, 0u);
+    EXPECT_GT(certified.gaps.open, 0u);
     EXPECT_EQ(certified.layers.size(), 2u);
+}
+
+// The level of a bell just below its top is a ball of 0.1 voxel: less than a pixel across.
+TEST(LevelDrawing, LeavesOutNoShortLineThatIsCertified)
+{
+    const glm::ivec3 size(12);
+    std::vector<float> samples;
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                const glm::vec3 d = glm::vec3(i, j, k) - 6.0f;
+                samples.push_back(std::exp(-glm::dot(d, d) / 8));
+            }
+    const ScalarField<float> field(std::span<const float>(samples), size);
+    const FieldHulls hulls(field);
+    const LevelMesh mesh = level_mesh(field, std::span<const float>(samples), 0.99875f);
+    const DrawnLevel level{"bell", mesh};
+    const glm::dvec3 sight(0, 1, 0);
+    const DrawingView view{image_of(sight), {glm::dvec4(sight, 0)}};
+    const auto lines = [&](int depth) {
+        return level_strokes(field, hulls, level, view, {.certified_depth = depth})[0];
+    };
+    EXPECT_TRUE(lines(-1).empty());
+    const std::vector<Stroke> certified = lines(4);
+    ASSERT_EQ(certified.size(), 1u);
+    EXPECT_TRUE(certified[0].is_loop());
+    EXPECT_LT(certified[0].length(), 8);
+    EXPECT_GT(certified[0].length(), 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LevelDrawings, ::testing::Bool());

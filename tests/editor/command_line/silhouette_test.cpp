@@ -133,6 +133,16 @@ TEST_F(SilhouetteCommandLine, KeepsWhatAHandDidThroughManyDrawings)
                                             "level-1)"));
 }
 
+TEST_F(SilhouetteCommandLine, ProvesNothingThatIsNotSo)
+{
+    const Drawn dashes = draw({"--dashes", "64", "--certified", "2"});
+    EXPECT_EQ(dashes.status, Status::usage);
+    EXPECT_THAT(dashes.talk, HasSubstr("have no proof"));
+    const Drawn share = draw({"--level", "30.5", "--amount", "0.2", "--certified", "2"});
+    EXPECT_THAT(share.talk, HasSubstr("before a share of the lines was taken, nothing larger"));
+    EXPECT_THAT(share.talk, HasSubstr("0 loose ends"));
+}
+
 TEST_F(SilhouetteCommandLine, SaysWhatIsWrong)
 {
     EXPECT_EQ(draw({"--hidden", "some"}).status, Status::usage);
