@@ -143,7 +143,6 @@ private:
 void make_smooth(Stroke& stroke, float spacing)
 {
     spacing = std::min(spacing, static_cast<float>(stroke.length()) / least_parts);
-    if (!(spacing > 0)) return;
     const bool loop = stroke.is_loop();
     std::vector<StrokePoint> kept;
     for (const StrokePoint& p : stroke.points)
@@ -198,7 +197,8 @@ std::vector<Stroke> strokes(const Silhouettes& silhouettes, const std::vector<ch
     const ImageCurves curves = in_image(silhouettes, to_image);
     std::vector<Stroke> out =
         joined(RunFinder(silhouettes, curves, line_marks(curves), hidden)(), options.join);
-    std::erase_if(out, [&](const Stroke& s) { return s.length() < options.shortest; });
+    std::erase_if(
+        out, [&](const Stroke& s) { return s.length() < options.shortest || s.length() == 0; });
     for (Stroke& stroke : out) make_smooth(stroke, options.spacing);
     return out;
 }
