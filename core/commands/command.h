@@ -55,13 +55,13 @@ using AnyCommand = std::variant<
     EditPlacement, Unplace, SetTravel, PlayClip, Animate, Refine, ClearRefine, PressVolume,
     MovePoints, InsertKnots, CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView,
     ForgetView, SetRender, SetTime, AddLattice, SetLattice, ConvertLattice, AddTetrahedra,
-    SetTetrahedra, EditTetrahedra, AddSimplexSheet, SetSimplexSheet, WarpVolume, KeepShape,
-    Simplify, ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
-    RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles, CoverWithTiles, MaskTiles,
-    RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels, SetVoxels, Unwrap, ClearUnwrap,
-    Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise, EditIncision, LayerIncisions,
-    RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap, SetLineDrawing,
-    ClearLineDrawing>;
+    SetTetrahedra, EditTetrahedra, RemoveTetrahedraEdit, AddSimplexSheet, SetSimplexSheet,
+    WarpVolume, KeepShape, Simplify, ClearSimplify, SetWarp, Attach, SetParent, ApplyShape,
+    PaintTiles, EditTileStroke, RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles,
+    CoverWithTiles, MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels,
+    SetVoxels, Unwrap, ClearUnwrap, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise,
+    EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap,
+    SetLineDrawing, ClearLineDrawing>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -5,8 +5,10 @@
 #include "core/commands/changes.h"
 #include "core/commands/command.h"
 #include "core/commands/edits.h"
+#include "core/commands/entry_tracks.h"
 #include "core/commands/group.h"
 #include "core/simplex/cell_displacements.h"
+#include "core/simplex/remaining_edits.h"
 #include "core/simplex/tetrahedra_layers.h"
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_edits = 10000;
 constexpr std::size_t most_places = 100'000;  // of all creases and refinements
 constexpr std::size_t most_balls = 1'000'000; // of all pulls
 
@@ -33,9 +34,9 @@ void check(const TetrahedraEdit& edit)
 // What all edits hold together.
 void check_totals(const TetrahedraShape& shape)
 {
-    if (shape.edits.size() > most_edits)
+    if (shape.edits.size() > most_tetrahedra_edits)
         throw Rejected(fmt::format("field \"edits\" has {} steps; at most {} are allowed",
-                                   shape.edits.size(), most_edits));
+                                   shape.edits.size(), most_tetrahedra_edits));
     if (shape.functions.size() > most_shown_functions)
         throw Rejected(fmt::format("a volume shows at most {} functions, not {}",
                                    most_shown_functions, shape.functions.size()));
@@ -229,6 +230,28 @@ StepTitle title(const EditTetrahedra& c, const StepDocuments& step)
     const Object* object = step.was(c.object);
     const auto* old = object ? std::get_if<TetrahedraShape>(&object->source) : nullptr;
     return {words_of(c.edit, old ? old->degree : 2) + " in " + name_in(step.before, c.object), {}};
+}
+
+Document applied(Document document, const RemoveTetrahedraEdit& command)
+{
+    const std::size_t count = volume_of(document, command.object).edits.size();
+    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
+        throw Rejected(fmt::format("{} has {} edits, and none of number {}",
+                                   named(command.object, object(document, command.object)), count,
+                                   command.number));
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        auto& shape = std::get<TetrahedraShape>(o.source);
+        RemainingEdits remaining =
+            without_edit(std::move(shape.edits), static_cast<std::size_t>(command.number - 1));
+        shape.edits = std::move(remaining.edits);
+        o.tracks = without_entries(o.tracks, "shape.edits.", remaining.gone);
+        check_clouds(shape);
+    });
+}
+
+StepTitle title(const RemoveTetrahedraEdit& c, const StepDocuments& step)
+{
+    return {fmt::format("Remove edit {} of {}", c.number, name_in(step.before, c.object)), {}};
 }
 
 } // namespace trivar

@@ -8,6 +8,8 @@
 
 namespace trivar {
 
+inline constexpr std::size_t most_tetrahedra_edits = 10000; // of one volume
+
 // Throws Rejected for a volume that cannot be: flat, inverted or too many tetrahedra, edits that
 // are none or several in one.
 void check(const TetrahedraShape& shape);
@@ -99,6 +101,24 @@ struct EditTetrahedra {
 };
 Document applied(Document document, const EditTetrahedra& command);
 StepTitle title(const EditTetrahedra& c, const StepDocuments& step);
+
+struct RemoveTetrahedraEdit {
+    static constexpr std::string_view
+        verb = "remove_tetrahedra_edit",
+        summary = "Remove one edit of a volume of tetrahedra, and with a refinement the pulls of "
+                  "it; keys of the others stay with them.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    Id object = 0;
+    int number = 1;
+    bool operator==(const RemoveTetrahedraEdit&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a volume of tetrahedra", required);
+        field("number", c.number, "of the edit, from 1 on", in_range(1, most_tetrahedra_edits));
+    }
+};
+Document applied(Document document, const RemoveTetrahedraEdit& command);
+StepTitle title(const RemoveTetrahedraEdit& c, const StepDocuments& step);
 
 // What an edit is called: "Pull by 0.2 m", "Cut along 12 places".
 std::string words_of(const TetrahedraEdit& edit, int degree);

@@ -164,7 +164,9 @@ Document fitting_document()
               PeelFlap{.object = 5, .flap = a_flap()});
     const Document volume =
         after(peeled, AddVoxels{.shape = {.path = "head.nrrd", .levels = {{.value = 3}}}});
-    return after(after(volume, AddTetrahedra{.objects = {9}}), AddSimplexSheet{});
+    return after(
+        after(volume, AddTetrahedra{.objects = {9}, .shape = {.edits = {{.warp = Warp{}}}}}),
+        AddSimplexSheet{});
 }
 
 std::vector<Command> fitting_commands()
@@ -230,6 +232,7 @@ std::vector<Command> fitting_commands()
             AddTetrahedra{.objects = {9}, .shape = {.degree = 3}},
             SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}}},
             EditTetrahedra{.object = 11, .edit = {.pull = TetrahedraPull{.by = {0.1, 0, 0}}}},
+            RemoveTetrahedraEdit{.object = 11, .number = 1},
             AddSimplexSheet{.shape = {.lifts = {SheetLift{}}}},
             SetSimplexSheet{.object = 12, .shape = {.degree = 3}},
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},

@@ -78,6 +78,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Put tetrahedra round Heights 2 × 2 × 2",
         "Boxes of Tetrahedra 3 × 2 × 2",
         "Pull by 0.1 m in Tetrahedra",
+        "Remove edit 1 of Tetrahedra",
         "Add Simplex sheet 2 × 2 m",
         "Degree of Simplex sheet 3",
         "Twist Lattice 30°",
