@@ -220,9 +220,9 @@ std::string words_of(const TetrahedraEdit& edit, int degree)
                                      : fmt::format("Move knot {}", edit.cloud->knot);
     if (edit.refinement) return fmt::format("Refine to {:.3g} m", edit.refinement->edge);
     if (!edit.crease) return "Nothing";
-    return edit.crease->depth >= degree
-               ? "Cut"
-               : fmt::format("Crease, C{}", degree - 1 - edit.crease->depth);
+    if (edit.crease->depth >= degree) return "Cut";
+    return fmt::format("{}, C{}", edit.crease->depth == 0 ? "Smooth" : "Crease",
+                       degree - 1 - edit.crease->depth);
 }
 
 StepTitle title(const EditTetrahedra& c, const StepDocuments& step)

@@ -38,7 +38,8 @@ private:
     double radius_;
 };
 
-// Each face once: of two creases the deeper counts, and of two as deep the later one.
+// Each face once: of two creases the deeper counts, and of two as deep the later one. One of depth
+// 0 takes away those before it.
 std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<TetrahedraEdit>& edits)
 {
     std::vector<Crease<3>> out;
@@ -57,10 +58,11 @@ std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<Tet
             const auto [found, added] = known.try_emplace(face.vertices, out.size());
             if (added)
                 out.push_back(crease);
-            else if (crease.depth >= out[found->second].depth)
+            else if (crease.depth == 0 || crease.depth >= out[found->second].depth)
                 out[found->second] = crease;
         }
     }
+    std::erase_if(out, [](const Crease<3>& crease) { return crease.depth == 0; });
     return out;
 }
 

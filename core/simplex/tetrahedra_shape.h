@@ -29,12 +29,12 @@ struct TetrahedraPull {
     bool operator==(const TetrahedraPull&) const = default;
 };
 
-// A TetrahedraCrease lowers the continuity across the inner faces of the domain whose middles are
-// within the radius of one of the places.
+// A TetrahedraCrease lowers the continuity across inner faces of the domain with middles within the
+// radius of a place. The deepest counts, but one of depth 0 takes away those before it.
 struct TetrahedraCrease {
     std::vector<glm::dvec3> places = {};
     double radius = 0.1; // metres
-    int depth = 1;       // Crease::depth; the degree: a cut
+    int depth = 1;       // Crease::depth; the degree: a cut; 0: smooth
     bool seam = false;   // of that depth: slopes may jump, but it stays in one piece
     bool operator==(const TetrahedraCrease&) const = default;
 };

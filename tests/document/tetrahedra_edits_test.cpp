@@ -80,5 +80,33 @@ TEST(EditsOfTetrahedra, AreRemovedWhereTheyAre)
     refused(RemoveTetrahedraEdit{1, 1}, "not a volume of tetrahedra");
 }
 
+// Across all faces whose middles are that near to a place.
+TetrahedraEdit creased(const glm::dvec3& place, double radius, int depth)
+{
+    return {.crease = TetrahedraCrease{{place}, radius, depth}};
+}
+
+TEST(EditsOfTetrahedra, PaintFacesSmoothAgain)
+{
+    const auto domain = [](const std::vector<TetrahedraEdit>& edits) {
+        return shown(ball_with(edits), 2)->tetrahedra->volume->layers[0]->domain();
+    };
+    const TetrahedraEdit cut = creased({0, 0, 0}, 0.4, 2), smooth = creased({0, 0, 0}, 0.4, 0),
+                         crease = creased({0, 0, 0}, 0.4, 1);
+    const SimplexDomain<3> whole = domain({}), parted = domain({cut});
+    ASSERT_GE(parted.cuts.size(), 8U);
+    for (const auto& edits : {std::vector{smooth}, {cut, smooth}, {crease, cut, smooth}}) {
+        EXPECT_TRUE(domain(edits).cuts.empty());
+        EXPECT_EQ(domain(edits).knots, whole.knots);
+    }
+    EXPECT_EQ(domain({cut, crease}).cuts, parted.cuts); // the deeper one counts
+    EXPECT_EQ(domain({smooth, cut}).cuts, parted.cuts); // the later one
+    EXPECT_EQ(domain({cut, smooth, crease}).knots, domain({crease}).knots);
+    // a part of the faces alone
+    const std::size_t left = domain({cut, creased({0.2, 0.2, 0.2}, 0.3, 0)}).cuts.size();
+    EXPECT_GT(left, 0U);
+    EXPECT_LT(left, parted.cuts.size());
+}
+
 } // namespace
 } // namespace trivar

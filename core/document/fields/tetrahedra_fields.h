@@ -38,7 +38,8 @@ template <> struct FieldsOf<TetrahedraCrease> {
               "metres from one of these places within which the middle of a face must be",
               positive.called("Radius").in(Unit::metres).without_keys());
         field("depth", c.depth,
-              "number of derivatives that are lost there; the degree of the volume: it is cut",
+              "number of derivatives that are lost there; the degree of the volume: it is cut; 0: "
+              "earlier creases and cuts are taken away",
               in_range(0, 3).called("Depth").without_keys());
         field("seam", c.seam,
               "whether what is cut stays in one piece all the same, with slopes that may jump",
@@ -111,7 +112,8 @@ template <> struct FieldsOf<TetrahedraShape> {
               "what a lattice did before it became these tetrahedra: displacements at 4, 10 or 20 "
               "nodes of each of them, for degrees 1, 2 and 3",
               later.without_keys());
-        field("deviation", s.deviation, "greatest distance from what the lattice did, metres",
+        field("deviation", s.deviation,
+              "greatest distance from what the lattice did, metres",
               later.without_keys());
         field("edits", s.edits, "what was done to it, in order");
         field("functions", s.functions, "basis functions that are shown as surfaces");
