@@ -221,4 +221,10 @@ TetrahedraShape shape_of(const ConvertedLattice& converted)
     return out;
 }
 
+bool is_as_converted(const TetrahedraShape& shape)
+{
+    return !shape.displaced.empty() && shape.spread == Conversion{}.style.spread &&
+           shape.degree == degree_of(shape.displaced.size(), shape.cells.size());
+}
+
 } // namespace trivar

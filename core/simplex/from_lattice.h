@@ -41,4 +41,8 @@ ConvertedLattice from_lattice(const Lattice& lattice, const Conversion& how = {}
 // The shape whose volume that is, to be edited further. O(number of faces times creases).
 TetrahedraShape shape_of(const ConvertedLattice& converted);
 
+// Whether a shape was a lattice and has the degree and the spread of its conversion, for which its
+// deviation holds. Of conversions in the usual style alone.
+bool is_as_converted(const TetrahedraShape& shape);
+
 } // namespace trivar

@@ -90,7 +90,7 @@ struct TetrahedraShape {
     std::vector<glm::dvec3> vertices = {};
     std::vector<glm::ivec4> cells = {};
     // What a lattice did before it became tetrahedra, in metres, for each cell in turn
-    // (CellDisplacements); empty: nothing. And how far they are off it at most.
+    // (CellDisplacements); empty: nothing. And how far they were off it at most, where looked at.
     std::vector<glm::dvec3> displaced = {};
     double deviation = 0;
     std::vector<TetrahedraEdit> edits = {};

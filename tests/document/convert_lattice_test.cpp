@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/evaluation/evaluate.h"
+#include "core/simplex/from_lattice.h"
 #include "core/simplex/simplex_volume.h"
 #include "tests/document/commands.h"
 #include "tests/document/world_points.h"
@@ -86,6 +87,24 @@ TEST(ConvertedLattices, KeepTheirShapeWhenTheyAreCutAndCloudsChange)
                                       {.crease = TetrahedraCrease{
                                            {{0, 0, 1 / 6.0}}, 0.09, 3}}}); // two faces of a seam
     EXPECT_LT(furthest(torn, lines), 1e-9);
+}
+
+TEST(ConvertedLattices, AreOffByWhatTheyStateWhileTheyAreAsConverted)
+{
+    EXPECT_FALSE(is_as_converted({}));
+    for (const int degree : {1, 2, 3}) {
+        const Document converted =
+            after(pulled_lattice(4), ConvertLattice{.object = 2, .pieces = 1, .degree = degree});
+        TetrahedraShape shape = tetrahedra_of(converted);
+        EXPECT_TRUE(is_as_converted(shape));
+        shape.edits.push_back({.warp = Warp{}});
+        EXPECT_TRUE(is_as_converted(shape));
+        shape.spread = 0.2;
+        EXPECT_FALSE(is_as_converted(shape));
+        shape = tetrahedra_of(converted);
+        ++shape.degree;
+        EXPECT_FALSE(is_as_converted(shape));
+    }
 }
 
 TEST(ConvertedLattices, RefuseWhatIsNoneAndWhatTheyCannotKeep)

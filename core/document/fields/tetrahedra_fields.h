@@ -113,7 +113,7 @@ template <> struct FieldsOf<TetrahedraShape> {
               "nodes of each of them, for degrees 1, 2 and 3",
               later.without_keys());
         field("deviation", s.deviation,
-              "greatest distance from what the lattice did, metres",
+              "greatest distance from what the lattice did, at samples, metres",
               later.without_keys());
         field("edits", s.edits, "what was done to it, in order");
         field("functions", s.functions, "basis functions that are shown as surfaces");
