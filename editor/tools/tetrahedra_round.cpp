@@ -65,7 +65,7 @@ SimplexMesh<3> cells_of(Around around, const Triangles& model)
     if (around == Around::cage)
         return cage_cells(model.positions, model.triangles, {.edge = 0}).mesh;
     if (around == Around::hull) return hull_cells(model.positions, {}).mesh;
-    return cells_around(model.positions, {}, {}).mesh;
+    return cells_around(model.positions, model.triangles, {}).mesh;
 }
 
 // Cells instead of a box.

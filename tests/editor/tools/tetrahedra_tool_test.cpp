@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/primitives.h"
+#include "core/mesh/mesh.h"
+#include "core/simplex/cell_search.h"
 #include "core/simplex/cloud_room.h"
 #include "editor/tools/tetrahedra.h"
 #include "tests/editor/rig.h"
@@ -108,6 +110,35 @@ TEST(TetrahedraTool, FitsTetrahedraToWhatTheyHold)
     EXPECT_GE(shape.cells.size(), 200U);
     const auto& shown = *rig.editor.session.evaluated().objects.at(2);
     ASSERT_TRUE(shown.tetrahedra);
+}
+
+TEST(TetrahedraTool, FitsTetrahedraToFacesAndNotToTheirCornersAlone)
+{
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{.shape = {.segments = glm::ivec3(1)}}));
+    rig.wait();
+    rig.editor.session.selected = 1;
+    action(rig.editor, fitted_tetrahedra_action).run(rig.editor);
+    rig.wait();
+    const Evaluation& all = rig.editor.session.evaluated();
+    const SimplexDomain<3>& domain = all.objects.at(2)->tetrahedra->volume->layers[0]->domain();
+    SimplexMesh<3> mesh{{}, domain.cells};
+    for (std::size_t v = 0; v < domain.vertex_count(); ++v)
+        mesh.vertices.push_back(domain.vertex(static_cast<int>(v)));
+    const CellSearch search(mesh);
+    const Part part = all.objects.at(1)->parts.at(0);
+    const glm::dmat4 to_volume =
+        glm::inverse(all.objects.at(2)->tetrahedra_to_world) * part.to_world;
+    const std::vector<glm::vec3>& p = part.mesh()->positions;
+    for (const glm::uvec3& t : triangles(*part.mesh()))
+        for (int a = 0; a <= 10; ++a)
+            for (int b = 0; a + b <= 10; ++b) {
+                const glm::dvec3 at =
+                    (glm::dvec3(p[t.x]) * double(a) + glm::dvec3(p[t.y]) * double(b) +
+                     glm::dvec3(p[t.z]) * double(10 - a - b)) /
+                    10.0;
+                EXPECT_GE(search.cell_at(glm::dvec3(to_volume * glm::dvec4(at, 1))), 0);
+            }
 }
 
 TEST(TetrahedraPoints, AreMovedByHandEachAlone)
