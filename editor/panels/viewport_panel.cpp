@@ -47,12 +47,14 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
 }
 
 // Nor have tetrahedra: all edges while they are selected, else those of the border.
-void add_tetrahedra(std::vector<gpu::Line>& lines, const Session& session, const ui::Theme& theme)
+void add_tetrahedra(std::vector<gpu::Line>& lines, Editor& editor, const ui::Theme& theme)
 {
+    const Session& session = editor.session;
+    auto& lines_of = editor.memory.of<TetrahedraLines>();
     for (const auto& [id, each] : session.evaluated().objects)
         if (each->tetrahedra && !std::ranges::binary_search(session.hidden_here, id))
-            std::ranges::move(
-                tetrahedra_lines(*each, theme.color, theme.line(1), session.selected.contains(id)),
+            std::ranges::copy(
+                lines_of(*each, theme.color, theme.line(1), session.selected.contains(id)),
                 std::back_inserter(lines));
 }
 
@@ -81,7 +83,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     if (!picture_shows_volumes(editor.session)) {
         add_lattices(helpers.lines, editor.session, theme);
-        add_tetrahedra(helpers.lines, editor.session, theme);
+        add_tetrahedra(helpers.lines, editor, theme);
     }
     const EvaluatedObject* const found = with_shown_volume(editor);
     if (!found || picture_shows_volumes(editor.session)) return helpers;

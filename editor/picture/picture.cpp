@@ -113,7 +113,7 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
     }
     if (document.render->volumes) {
         const ui::Palette color = ui::palette_of({.light = !gpu::is_dark(document.render->look)});
-        add_volumes(picture, evaluated, document, color, wider);
+        add_volumes(picture, evaluated, document, values.tetrahedra_lines, color, wider);
     }
     return picture;
 }

@@ -4,6 +4,7 @@
 #include "core/evaluation/evaluate.h"
 #include "core/unwrap/uv_stretch.h"
 #include "editor/picture/object_lines.h"
+#include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_lines.h"
 
 #include <map>
@@ -31,6 +32,7 @@ public:
     // The lines of volume data; see VolumeLines.
     VolumeLines volume_lines;
     ObjectLines object_lines; // of objects that are drawn in lines
+    TetrahedraLines tetrahedra_lines;
 
     // As many materials, all with a checkered texture.
     Ref<std::vector<Material>> checkered(std::size_t count);

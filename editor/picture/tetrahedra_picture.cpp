@@ -94,13 +94,10 @@ void append(std::vector<gpu::Line>& to, std::vector<gpu::Line> more)
     to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-} // namespace
-
-std::vector<gpu::Line> tetrahedra_lines(const TetrahedraEffects& volume, const ui::Palette& color,
-                                        float line_px, bool selected)
+std::vector<gpu::Line> edge_lines(const TetrahedraEffects& volume, const ui::Palette& color,
+                                  float line_px, bool selected)
 {
     std::vector<gpu::Line> out;
-    if (!volume.tetrahedra) return out;
     const std::vector<Ref<SimplexBasis<3>>>& layers = volume.tetrahedra->volume->layers;
     const SimplexDomain<3>& domain = layers.front()->domain();
     const std::vector<Edge> border = border_edges(domain);
@@ -124,6 +121,19 @@ std::vector<gpu::Line> tetrahedra_lines(const TetrahedraEffects& volume, const u
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     append(out, bent_lines(volume, domain, cuts, color.bad, 1.6f * line_px));
     return out;
+}
+
+} // namespace
+
+const std::vector<gpu::Line>& TetrahedraLines::operator()(const TetrahedraEffects& volume,
+                                                          const ui::Palette& color, float line_px,
+                                                          bool selected)
+{
+    static const std::vector<gpu::Line> none;
+    if (!volume.tetrahedra) return none;
+    return known_({volume.tetrahedra, volume.tetrahedra_to_world,
+                   Colors{color.lattice, color.free_node, color.bad}, line_px, selected},
+                  [&] { return edge_lines(volume, color, line_px, selected); });
 }
 
 std::vector<gpu::Line> support_lines(const TetrahedraEffects& volume, const TetrahedraPull& pull,

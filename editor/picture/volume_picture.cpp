@@ -2,7 +2,6 @@
 #include "editor/picture/volume_picture.h"
 
 #include "core/mesh/primitives.h"
-#include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/picture/volume_surface.h"
 
@@ -141,11 +140,11 @@ std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume
 }
 
 void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Document& document,
-                 const ui::Palette& color, float line_px)
+                 TetrahedraLines& tetrahedra, const ui::Palette& color, float line_px)
 {
     std::vector<const Lattice*> drawn;
     for (const auto& [id, each] : evaluated.objects) {
-        std::ranges::move(tetrahedra_lines(*each, color, line_px, true),
+        std::ranges::copy(tetrahedra(*each, color, line_px, true),
                           std::back_inserter(picture.lines));
         if (!each->placement) continue;
         const Lattice& volume = each->placement->volume;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/evaluate.h"
+#include "editor/picture/tetrahedra_picture.h"
 #include "gpu/picture.h"
 #include "ui/palette.h"
 
@@ -31,6 +32,6 @@ std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume
 
 // Adds all volumes, equal ones once, and for each the ball of its last step if that was a press.
 void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Document& document,
-                 const ui::Palette& color, float line_px);
+                 TetrahedraLines& tetrahedra, const ui::Palette& color, float line_px);
 
 } // namespace trivar
