@@ -3,6 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/commands/tetrahedra.h"
+#include "core/simplex/from_lattice.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/warp_rows.h"
@@ -33,7 +34,7 @@ std::size_t chosen_edit(EditAtHand& at_hand, Id id, std::size_t count)
 enum class RowPress { none, choose, remove };
 
 RowPress edit_row(const ui::Theme& theme, const std::string& words, const std::string& right,
-                  bool chosen, bool held)
+                  const std::string& note, bool chosen, bool held)
 {
     const float side = theme.size.row, edge = theme.px(12);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -52,7 +53,7 @@ RowPress edit_row(const ui::Theme& theme, const std::string& words, const std::s
                   held ? theme.color.warn : theme.color.text_3, right);
     ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
     if (ui::icon_button(theme, "remove edit", ui::icon::trash, {side, side},
-                        {"Remove this edit", {}, "Later edits stay."}))
+                        {"Remove this edit", {}, note}))
         out = RowPress::remove;
     ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
     ImGui::Dummy({1, 0});
@@ -113,11 +114,12 @@ void facts(const Session& session, const ui::Theme& theme, Id id)
     if (volume.layers.size() > 1)
         ui::fact_row(theme, "Refinements", ui::with_commas(volume.layers.size() - 1));
     const auto* shape = std::get_if<TetrahedraShape>(&object(session.document(), id).source);
-    if (shape && !shape->displaced.empty())
+    if (shape && is_as_converted(*shape))
         ui::fact_row(theme, "Off the lattice",
-                     "at most " + ui::short_number(rounded_up(shape->deviation, 2)) + " m",
+                     "about " + ui::short_number(rounded_up(shape->deviation, 2)) + " m",
                      theme.color.text,
-                     "greatest distance from where the lattice took a point, before later edits");
+                     "greatest distance from where the lattice took a point, by samples inside "
+                     "each tetrahedron, before later edits");
 }
 
 void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
@@ -141,12 +143,14 @@ void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
         const bool held = shown && i < shown->outcomes.size() && shown->outcomes[i].share < 1;
         const RowPress press = edit_row(
             theme, fmt::format("{}  {}", i + 1, words_of(shape.edits[i], shape.degree)),
-            held ? fmt::format("{:.0f} %", 100 * shown->outcomes[i].share) : "", i == chosen, held);
+            held ? fmt::format("{:.0f} %", 100 * shown->outcomes[i].share) : "",
+            shape.edits[i].refinement ? "Pulls of the refinement are removed too; other edits stay."
+                                      : "Later edits stay.",
+            i == chosen, held);
         ImGui::PopID();
         if (press == RowPress::choose) at_hand.number = i;
         if (press != RowPress::remove) continue;
-        shape.edits.erase(shape.edits.begin() + static_cast<std::ptrdiff_t>(i));
-        editor.session.run(SetTetrahedra{id, shape});
+        editor.session.run(RemoveTetrahedraEdit{id, static_cast<int>(i) + 1});
         return;
     }
     if (shape.edits.empty()) return;
