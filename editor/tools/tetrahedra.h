@@ -84,7 +84,7 @@ private:
     Decay decay_ = Decay::smooth;
     bool guard_ = true;
     double radius_ = 0; // 0: a share of the volume
-    int depth_ = 3;     // of creases; the degree and more: a cut
+    int depth_ = 3;     // of creases; the degree and more: a cut; 0: smooth again
     std::optional<Place> at_;
     std::optional<Gesture> gesture_;
 };

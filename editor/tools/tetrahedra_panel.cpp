@@ -124,14 +124,15 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
         options.push_back({"Meet", 88 + 44 * static_cast<float>(shape->degree),
                            [&](float field) {
                                std::vector<std::string> names;
-                               for (int depth = 1; depth < shape->degree; ++depth)
+                               for (int depth = 0; depth < shape->degree; ++depth)
                                    names.push_back(fmt::format("C{}", shape->degree - 1 - depth));
                                names.emplace_back("Cut");
-                               int at = std::min(depth_, shape->degree) - 1;
-                               ui::segments(theme, "depth", at, names, field);
-                               depth_ = at + 1;
+                               int depth = std::min(depth_, shape->degree);
+                               ui::segments(theme, "depth", depth, names, field);
+                               depth_ = depth;
                            },
-                           "C0: faces meet with a crease. Cut: they part where you pull."});
+                           "C0: faces meet with a crease. Cut: they part where you pull. The "
+                           "first takes away creases and cuts."});
     if (const auto room = clouds_.room(); by_ == By::knots && room)
         options.push_back({"Room", 56,
                            [&, room](float field) {
