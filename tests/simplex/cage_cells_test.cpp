@@ -64,8 +64,9 @@ TEST(CageCells, FillACageExactly)
                 EXPECT_EQ(std::count(out.mesh.vertices.begin(), out.mesh.vertices.end(), v), 1);
             EXPECT_LE(sum_error(out.mesh, 2, 1), 1e-12);
             EXPECT_LE(out.edge, edge);
-            if (least_dihedral(out.mesh) > 3 * one_degree) // so that no other edge is tried
+            if (least_dihedral(out.mesh) > 3 * one_degree) { // so that no other edge is tried
                 EXPECT_EQ(in(cage, {.edge = out.edge}).mesh, out.mesh);
+            }
         }
 }
 
