@@ -105,7 +105,7 @@ SampleCount count_samples(const std::vector<float>& samples)
 float make_tame(std::vector<float>& samples, VoxelGrid& grid, const std::string& name)
 {
     constexpr int most_doublings = 40; // from 1, of the greatest sample
-    if (samples.empty()) return 0; // the head alone was read
+    if (samples.empty()) return 0;     // the head alone was read
     const SampleCount count = count_samples(samples);
     if (count.bad == samples.size())
         throw Rejected(fmt::format("{}: none of its samples is a finite number", name));
