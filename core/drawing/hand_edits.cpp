@@ -140,12 +140,6 @@ private:
 
 } // namespace
 
-LineIds HandEdits::ids_of(const std::string& layer_name) const
-{
-    const auto found = lines.find(layer_id(layer_name));
-    return found == lines.end() ? LineIds() : LineIds(found->second);
-}
-
 HandEdits read_hand_edits(std::string_view svg)
 {
     pugi::xml_document document;
@@ -164,7 +158,10 @@ LineIds& EditedLineIds::operator()(const std::string& layer_name)
 {
     const auto found = known_.find(layer_name);
     if (found != known_.end()) return found->second;
-    return known_.emplace(layer_name, edits_->ids_of(layer_name)).first->second;
+    const auto lines = edits_->lines.find(layer_id(layer_name));
+    return known_
+        .emplace(layer_name, lines == edits_->lines.end() ? LineIds() : LineIds(lines->second))
+        .first->second;
 }
 
 std::string words_of(const AppliedEdits& edits)

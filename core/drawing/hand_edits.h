@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/drawing/drawing_sheet.h"
-#include "core/silhouette/line_ids.h"
+#include "core/drawing/edited_lines.h"
 
 #include <cstdint>
 #include <map>
@@ -11,25 +11,6 @@
 #include <string_view>
 
 namespace trivar {
-
-// HandEdits is what a person did to the lines of an .svg that svg_of() wrote: lines that were
-// deleted or hidden, made thicker or thinner, or coloured. It can be done again to a later drawing
-// of the same volume whose lines have the ids of the first one (see LineIds).
-struct HandEdits {
-    struct Edit {
-        bool deleted = false;
-        float widening = 1;                  // width by the hand per width as it was drawn
-        std::optional<glm::vec3> color = {}; // sRGB, if the hand changed it
-        std::string layer = {};              // layer_id()
-        std::string listed = {};             // its line of the list; see line_list()
-    };
-    std::map<std::string, Edit> by_line; // by line_id(); lines that are as drawn are not in it
-    std::map<std::string, std::vector<LineRecord>> lines; // of the .svg, by layer_id()
-    std::size_t added = 0; // paths that are not of its list: they are not carried over
-
-    // The ids of a new drawing's lines by the name of its layer, given by where lines were.
-    LineIds ids_of(const std::string& layer_name) const;
-};
 
 inline constexpr std::uintmax_t most_edited_bytes = 256 << 20; // of an .svg that is read
 

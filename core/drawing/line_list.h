@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drawing/hand_edits.h"
+#include "core/drawing/drawing_sheet.h"
+#include "core/drawing/edited_lines.h"
 
 #include <map>
 #include <string>

@@ -230,7 +230,7 @@ std::vector<Command> fitting_commands()
             SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
             ConvertLattice{.object = 7, .pieces = 1},
             AddTetrahedra{.objects = {9}, .shape = {.degree = 3}},
-            SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}}},
+            SetTetrahedra{.object = 11, .shape = {.boxes = {3, 2, 2}, .edits = {{.warp = Warp{}}}}},
             EditTetrahedra{.object = 11, .edit = {.pull = TetrahedraPull{.by = {0.1, 0, 0}}}},
             RemoveTetrahedraEdit{.object = 11, .number = 1},
             AddSimplexSheet{.shape = {.lifts = {SheetLift{}}}},

@@ -53,8 +53,8 @@ TEST(HandEdits, GoWithALineThatMoved)
         stroke.id += 1000; // as of another mesh
         for (StrokePoint& p : stroke.points) p.p += glm::vec3(0.3f, 0.5f, 0);
     }
-    LineIds ids = edits.ids_of("bone & skin");
-    ids(std::span(&moved, 1));
+    EditedLineIds ids(edits);
+    ids("bone & skin")(std::span(&moved, 1));
     EXPECT_EQ(moved[0].id, 0xabcu);
     EXPECT_EQ(moved[1].id, 0x12u);
     DrawingSheet drawing{{{"bone & skin", inked(moved, {.taper = 0})}}, {640, 480}};
