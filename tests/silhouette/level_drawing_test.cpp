@@ -158,7 +158,7 @@ TEST(LevelDrawing, LeavesOutNoShortLineThatIsCertified)
             }
     const ScalarField<float> field(std::span<const float>(samples), size);
     const FieldHulls hulls(field);
-    const LevelMesh mesh = level_mesh(field, std::span<const float>(samples), 0.97f);
+    const LevelMesh mesh = level_mesh(field, std::span<const float>(samples), 0.993f);
     const DrawnLevel level{"bell", mesh};
     const glm::dvec3 sight(0, 1, 0);
     const DrawingView view{image_of(sight), {glm::dvec4(sight, 0)}};
