@@ -20,7 +20,7 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->required()
         ->type_name("");
     silhouette
-        ->add_option("--level", o.levels,
+        ->add_option("--level,--iso", o.levels,
                      "values whose surfaces are drawn, X[,Y...]; by default the one that parts\n"
                      "the values best")
         ->delimiter(',')

@@ -4,6 +4,7 @@
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
 #include "core/mesh/nearest_face.h"
+#include "core/simplex/pulled_layer.h"
 #include "core/simplex/tetrahedra_layers.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_picture.h"
@@ -17,22 +18,6 @@
 #include <imgui.h>
 
 namespace trivar {
-namespace {
-
-// The last refinement that holds a place; 0: none does.
-int layer_at(const TetrahedraShape& shape, const glm::dvec3& place)
-{
-    int out = 0, layer = 0;
-    for (const TetrahedraEdit& edit : shape.edits) {
-        if (!edit.refinement) continue;
-        ++layer;
-        for (const glm::dvec3& each : edit.refinement->places)
-            if (glm::distance(each, place) <= edit.refinement->radius) out = layer;
-    }
-    return out;
-}
-
-} // namespace
 
 const char* TetrahedraTool::icon() const
 {
@@ -88,7 +73,7 @@ TetrahedraEdit TetrahedraTool::edit_at(const TetrahedraShape& shape, const Place
         return {.crease = TetrahedraCrease{{place.rest}, r, std::min(depth_, shape.degree)}};
     if (by_ == By::refine)
         return {.refinement = TetrahedraRefinement{{place.rest}, r, rounded(r / 2, 2)}};
-    return {.pull = TetrahedraPull{.layer = layer_at(shape, place.rest),
+    return {.pull = TetrahedraPull{.layer = pulled_layer(shape, place.rest, r),
                                    .at = place.rest,
                                    .radius = r,
                                    .decay = decay_,

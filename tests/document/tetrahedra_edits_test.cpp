@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/evaluation/evaluate.h"
+#include "core/simplex/pulled_layer.h"
 #include "tests/document/commands.h"
 #include "tests/document/world_points.h"
 #include "tests/support/fixtures.h"
@@ -106,6 +107,21 @@ TEST(EditsOfTetrahedra, PaintFacesSmoothAgain)
     const std::size_t left = domain({cut, creased({0.2, 0.2, 0.2}, 0.3, 0)}).cuts.size();
     EXPECT_GT(left, 0U);
     EXPECT_LT(left, parted.cuts.size());
+}
+
+TEST(EditsOfTetrahedra, NearACutAPullActsOnTheDomain)
+{
+    TetrahedraShape shape{.degree = 2, .edits = {refined_at(-0.2), refined_at(0.2)}};
+    EXPECT_EQ(pulled_layer(shape, {0.2, 0, 0}, 0.1), 2);
+    EXPECT_EQ(pulled_layer(shape, {-0.3, 0, 0}, 0.1), 1);
+    EXPECT_EQ(pulled_layer(shape, {0, 0.5, 0}, 0.1), 0);
+    shape.edits.push_back(
+        {.crease = TetrahedraCrease{.places = {{0.5, 0, 0}}, .radius = 0.1, .depth = 2}});
+    EXPECT_EQ(pulled_layer(shape, {0.2, 0, 0}, 0.1), 2);
+    EXPECT_EQ(pulled_layer(shape, {0.2, 0, 0}, 0.25), 0);
+    EXPECT_EQ(pulled_layer(shape, {-0.3, 0, 0}, 0.25), 1);
+    shape.edits.back().crease->depth = 1; // they still meet there
+    EXPECT_EQ(pulled_layer(shape, {0.2, 0, 0}, 0.25), 2);
 }
 
 } // namespace

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplex/tetrahedra_shape.h"
+
+namespace trivar {
+
+// The layer that a pull in a ball acts on (TetrahedraPull::layer): that of the last refinement that
+// holds its middle, but the domain itself where a cut may be within reach, since the functions of
+// refinements are continuous across cuts. O(#places of the edits).
+int pulled_layer(const TetrahedraShape& shape, const glm::dvec3& middle, double radius);
+
+} // namespace trivar
