@@ -15,8 +15,8 @@ namespace trivar {
 // series, or else a stack of pictures; of a DICOM file with one slice its whole series in the
 // folder is read. docs/volumes.md has what is kept and what is refused. Takes memory for the
 // samples of the part that is asked for and for a few slices; more where the format cannot be read
-// bit by bit: numbers in words or in base64, a DICOM file with many frames. Throws Rejected with
-// one sentence, having changed nothing.
+// bit by bit: numbers in words or in base64, a DICOM file with many frames. All samples are numbers
+// then, and no value is beyond 1e30. Throws Rejected with one sentence, having changed nothing.
 ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options = {},
                        const Progress& progress = {});
 

@@ -52,6 +52,8 @@ bool is_folder_of_pictures(const std::string& path)
     std::error_code error;
     if (!fs::is_directory(path, error)) return false;
     for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+        std::error_code ignored;
+        if (!at->is_regular_file(ignored)) continue; // reading a pipe would wait
         std::array<char, 256> head;
         std::ifstream file(at->path(), std::ios::binary);
         file.read(head.data(), head.size());
