@@ -70,13 +70,6 @@ const char* words_of(SampleType type)
     return "";
 }
 
-std::string with_commas(std::uint64_t count)
-{
-    std::string digits = std::to_string(count);
-    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-    return digits;
-}
-
 std::size_t SampleBlock::bytes() const
 {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *

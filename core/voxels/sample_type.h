@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/number_text.h"
 #include "core/voxels/voxel_grid.h"
 
 #include <array>
@@ -15,10 +16,9 @@ namespace trivar {
 enum class SampleType { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
 enum class ByteOrder { little, big };
 
-std::size_t size_of(SampleType type);         // in bytes
-std::size_t kept_size_of(SampleType type);    // of a sample in memory, bytes
-const char* words_of(SampleType type);        // "unsigned 16-bit whole numbers"
-std::string with_commas(std::uint64_t count); // "262,144"
+std::size_t size_of(SampleType type);      // in bytes
+std::size_t kept_size_of(SampleType type); // of a sample in memory, bytes
+const char* words_of(SampleType type);     // "unsigned 16-bit whole numbers"
 
 // What a head says of the samples that follow: their number along each axis, and their type.
 struct SampleBlock {
