@@ -2,6 +2,7 @@
 #include "core/certificate/certificate.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
@@ -60,12 +61,13 @@ std::vector<std::string> not_certified(const Certificate& certificate)
             out.push_back(name + " is not certified: it is not refined");
         else if (part.not_certified == 0)
             out.push_back(fmt::format("{} is not certified: its bound of {} is above its tolerance "
-                                      "of {:.3g} m",
-                                      name, bound_text(part.bound), part.tolerance));
+                                      "of {} m",
+                                      name, bound_text(part.bound), number_text(part.tolerance)));
         else
             out.push_back(fmt::format("{} is not certified: {} of its {} triangles may be further "
-                                      "off than {:.3g} m",
-                                      name, part.not_certified, part.triangles, part.tolerance));
+                                      "off than {} m",
+                                      name, part.not_certified, part.triangles,
+                                      number_text(part.tolerance)));
     }
     for (const Certificate::UnlaidObject& object : certificate.not_laid)
         out.push_back(fmt::format("{} is not certified: it does not lie where it should: {}",
@@ -80,7 +82,7 @@ std::string part_title(const Certificate::PartClaim& claim)
 
 std::string bound_text(double bound)
 {
-    return std::isfinite(bound) ? fmt::format("{:.3g} m", rounded_up(bound, 3)) : "no bound";
+    return std::isfinite(bound) ? number_text(rounded_up(bound, 3)) + " m" : "no bound";
 }
 
 std::string to_json(const Certificate& c)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/certificate/film_certificate.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
@@ -54,9 +55,8 @@ std::vector<std::string> not_certified(const FilmCertificate& certificate)
         names.try_emplace(part.object, printable(part.name)); // of its first piece
         if (!part.unproven.empty()) ++unproven[{part.object, part.unproven}];
         if (!(part.bound <= certificate.tolerance))
-            out.push_back(fmt::format("{} is not within {:.3g} m: its bound is {}",
-                                      part_title(part), certificate.tolerance,
-                                      bound_text(part.bound)));
+            out.push_back(fmt::format("{} is not within {} m: its bound is {}", part_title(part),
+                                      number_text(certificate.tolerance), bound_text(part.bound)));
     }
     for (const auto& [of, parts] : unproven)
         out.push_back(
@@ -118,9 +118,9 @@ FilmCertificate film_certificate_from_json(const std::string& text)
         if (!(out.tolerance > 0) || !(out.frames_per_second > 0))
             throw Rejected("its certificate has a number that is not above 0");
         if (!(out.tolerance <= most_tolerance))
-            throw Rejected(fmt::format("the tolerance of its certificate is {:.3g} m, which proves "
+            throw Rejected(fmt::format("the tolerance of its certificate is {} m, which proves "
                                        "nothing; at most {} m is allowed",
-                                       out.tolerance, most_tolerance));
+                                       number_text(out.tolerance), number_text(most_tolerance)));
         for (const FilmJson& p : all.at("parts"))
             out.parts.push_back(
                 {.object = whole_number<Id>(p.at("object")),

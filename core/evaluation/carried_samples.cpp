@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/carried_samples.h"
 
+#include "core/base/number_text.h"
 #include "core/placement/view.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<
     constexpr double much = 0.1; // of the stroke
     if (widest > much * length)
         carriage.notices.push_back(
-            fmt::format("its hosts have moved {:.3g} m apart; it spans the gap", widest));
+            fmt::format("its hosts have moved {} m apart; it spans the gap", number_text(widest)));
 }
 
 // Adds a notice if a host, or a part of one, is missing: what lay on it moves with the rest.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/cutting.h"
 
+#include "core/base/number_text.h"
 #include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/inside_material.h"
 #include "core/evaluation/tile_pieces.h"
@@ -202,9 +203,9 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
     stage.pieces = stage.parts.size();
     std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
     if (pieces.off > cutting.tolerance)
-        stage.notices.push_back(fmt::format("its cut is up to {:.3g} m from what was drawn, more "
+        stage.notices.push_back(fmt::format("its cut is up to {} m from what was drawn, more "
                                             "than its tolerance",
-                                            pieces.off));
+                                            number_text(pieces.off)));
 }
 
 // Cuts of an object or of what its tiles are painted on, and the space that they are in.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/refining.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <cmath>
@@ -87,8 +88,8 @@ std::string notice_of(const RefinementResult& refined, const Refining& refining)
     if (refining.rule == RefinementRule::chua_neumann_midpoint)
         return "its triangles are refined by the middles of their edges, which certifies nothing";
     return fmt::format(
-        "{} of its {} triangles are not certified to be within {:.3g} m: {}", open,
-        refined.triangles(), refining.tolerance,
+        "{} of its {} triangles are not certified to be within {} m: {}", open, refined.triangles(),
+        number_text(refining.tolerance),
         refined.out_of_budget ? fmt::format("the budget of {} triangles is spent", refining.budget)
         : std::isfinite(refined.bound) ? "their edges are too short to be split further"
                                        : "some of them have no bound");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/splitting.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/cap_notices.h"
@@ -88,9 +89,9 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
     out.mixed_materials = inside.beside;
     std::ranges::move(notices_of(counts), std::back_inserter(out.notices));
     if (out.split_off > splitting.tolerance)
-        out.notices.push_back(fmt::format("its triangles are up to {:.3g} m from the true walls, "
+        out.notices.push_back(fmt::format("its triangles are up to {} m from the true walls, "
                                           "more than its tolerance",
-                                          out.split_off));
+                                          number_text(out.split_off)));
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/animated_model.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/certificate/places_in_file.h"
@@ -203,9 +204,9 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
     for (std::size_t p = 0; p < claims.size(); ++p)
         if (const double least = 0x1p-21 * far[p];
             claims[p].bound > 0 && !(scene.tolerance > least) && !out.common[p].mesh)
-            throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than the precision of the "
-                                       "coordinates here; use more than {:.3g} m",
-                                       scene.tolerance, least));
+            throw Rejected(fmt::format("a tolerance of {} m is finer than the precision of the "
+                                       "coordinates here; use more than {} m",
+                                       number_text(scene.tolerance), number_text(least)));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_instances.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -61,9 +62,10 @@ private:
             attributes_.fail(fmt::format("'{}' has a number that is not finite", name));
         for (const float value : out.values)
             if (!(std::abs(static_cast<double>(value)) <= most_coordinate))
-                attributes_.fail(fmt::format("'{}' has the number {}, but numbers up to {:g} are "
+                attributes_.fail(fmt::format("'{}' has the number {}, but numbers up to {} are "
                                              "allowed",
-                                             name, value, most_coordinate));
+                                             name, number_text(value),
+                                             number_text(most_coordinate)));
         if (count_.value_or(out.count) != out.count)
             attributes_.fail(fmt::format("'{}' places {} instances, another attribute {}; all must "
                                          "place as many",

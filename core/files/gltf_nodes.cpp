@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_nodes.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,8 +15,8 @@ void check_range(const GltfEntry& node, const char* name, const std::vector<doub
 {
     for (const double value : values)
         if (!(std::abs(value) <= most_coordinate))
-            node.fail(fmt::format("'{}' has the number {}, but numbers up to {:g} are allowed",
-                                  name, value, most_coordinate));
+            node.fail(fmt::format("'{}' has the number {}, but numbers up to {} are allowed", name,
+                                  number_text(value), number_text(most_coordinate)));
 }
 
 glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& values)

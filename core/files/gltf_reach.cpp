@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // This file checks that finite numbers do not move a mesh beyond the largest allowed coordinates.
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/gltf_nodes.h"
@@ -94,11 +95,12 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
         }
         const double far = reaches.of(n);
         throw Rejected(fmt::format(
-            "{}: {} reaches {} from the origin, but coordinates up to {:g} m are allowed; check "
+            "{}: {} reaches {} from the origin, but coordinates up to {} m are allowed; check "
             "its unit and its scale",
             file_name,
             node.name.empty() ? "a mesh" : fmt::format("the mesh of node '{}'", excerpt(node.name)),
-            far < beyond_all ? fmt::format("{:.3g} m", far) : "infinitely far", most_coordinate));
+            far < beyond_all ? number_text(far) + " m" : "infinitely far",
+            number_text(most_coordinate)));
     }
 }
 

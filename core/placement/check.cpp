@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/check.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
@@ -14,8 +15,9 @@ namespace {
 void in_range(double value, double lo, double hi, const char* name)
 {
     if (!(value >= lo && value <= hi))
-        throw Rejected(
-            fmt::format("{} is {:.6g} but must be from {:.6g} to {:.6g}", name, value, lo, hi));
+        throw Rejected(fmt::format("{} is {} but must be from {} to {}", name,
+                                   number_text(value, {.digits = 6}), number_text(lo),
+                                   number_text(hi)));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/height_map.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/placement/profile.h"
 
@@ -90,8 +91,9 @@ void check_height_map(const HeightGrid& grid, const std::string& name)
         for (const double value : row)
             if (!(value >= least_profile && value <= most_profile))
                 throw Rejected(
-                    fmt::format("{} has the factor {:.6g}, but factors must be from {} to {}", name,
-                                value, least_profile, most_profile));
+                    fmt::format("{} has the factor {}, but factors must be from {} to {}", name,
+                                number_text(value, {.digits = 6}), number_text(least_profile),
+                                number_text(most_profile)));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/layout.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/placement/check.h"
 #include "core/placement/contact.h"
@@ -184,9 +185,9 @@ private:
                     length_share(static_cast<double>(i) / static_cast<double>(profile_steps - 1)));
             const double picture = glm::length(camera_.size_px);
             if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
-                throw Rejected(fmt::format("a width of {:.3g} m is more than the picture shows; "
+                throw Rejected(fmt::format("a width of {} m is more than the picture shows; "
                                            "reduce the width or zoom out",
-                                           out.width));
+                                           number_text(out.width)));
             if (sharpest_turn(curve, half_px_) > sharpest)
                 throw Rejected(
                     "the turn is too tight for this width; draw a wider turn or reduce the width");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/placement/placement.h"
 
 #include "core/base/rejected.h"
@@ -24,9 +25,9 @@ void check_reach(const Surface<glm::dvec3>& contact, const View& view, double he
     if (!view.perspective()) return;
     for (const glm::dvec3& p : contact.points)
         if (height > 0.9 * view.project(p).depth_world)
-            throw Rejected(fmt::format("a volume {:.3g} m high would reach the camera; move the "
+            throw Rejected(fmt::format("a volume {} m high would reach the camera; move the "
                                        "camera back or reduce the height",
-                                       height));
+                                       number_text(height)));
 }
 
 bool pierced(const PlacementReport& r, const PlacementParameters& p)
@@ -43,9 +44,9 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                   std::max(1.0, 100 * r.missed_share)));
     constexpr double far_off = 0.5; // share of the length: a longer gap is not bridged
     if (p.springs && r.largest_gap > far_off * r.length_world)
-        out.push_back(fmt::format("it hovers up to {:.2g} m above the surface; lower the "
+        out.push_back(fmt::format("it hovers up to {} m above the surface; lower the "
                                   "stiffness, or let it drop into gaps",
-                                  r.largest_gap));
+                                  number_text(r.largest_gap, {.digits = 2})));
     const auto some = [](int count, const char* one, const char* more) {
         return count == 1 ? std::string(one) : fmt::format("{} {}", count, more);
     };
@@ -61,7 +62,7 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
     if (pierced(r, p)) {
         const double percent = 100 * r.penetration;
         out.push_back(fmt::format("{} % of the height still penetrates the surface{}",
-                                  percent < 1 ? fmt::format("{:.1g}", percent)
+                                  percent < 1 ? number_text(percent, {.digits = 1})
                                               : fmt::format("{:.0f}", percent),
                                   r.folds.empty() ? "; use more control points" : ""));
     }

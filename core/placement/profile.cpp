@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/profile.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/spline/curve.h"
 #include "core/spline/fit.h"
@@ -174,9 +175,9 @@ void check_profile(const std::vector<glm::dvec2>& points, const std::string& nam
     check_places(points, name);
     for (const glm::dvec2& p : points)
         if (!(p.y >= least_profile && p.y <= most_profile))
-            throw Rejected(
-                fmt::format("{} has the factor {:.6g}, but factors must be from {} to {}", name,
-                            p.y, least_profile, most_profile));
+            throw Rejected(fmt::format("{} has the factor {}, but factors must be from {} to {}",
+                                       name, number_text(p.y, {.digits = 6}),
+                                       number_text(least_profile), number_text(most_profile)));
 }
 
 void check_rise(const std::vector<glm::dvec2>& points, const std::string& name)
@@ -187,10 +188,12 @@ void check_rise(const std::vector<glm::dvec2>& points, const std::string& name)
         throw Rejected(name + " must rise from 0 at the bottom to 1 at the top");
     for (std::size_t i = 1; i < points.size(); ++i)
         if (!(points[i].y - points[i - 1].y >= least_rise))
-            throw Rejected(fmt::format("{} goes from {:.6g} to {:.6g} at its point {}, but must "
+            throw Rejected(fmt::format("{} goes from {} to {} at its point {}, but must "
                                        "rise by at least {} from point to point, or the volume "
                                        "would fold",
-                                       name, points[i - 1].y, points[i].y, i + 1, least_rise));
+                                       name, number_text(points[i - 1].y, {.digits = 6}),
+                                       number_text(points[i].y, {.digits = 6}), i + 1,
+                                       number_text(least_rise)));
 }
 
 std::vector<glm::dvec2> brush_profile(const std::vector<StrokeSample>& samples, Brush brush)

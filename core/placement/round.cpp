@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/round.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/placement/embed.h"
 #include "core/placement/finish.h"
@@ -294,8 +295,9 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
     const double scale = std::cbrt(det);
     if (width * Profile(p.width_profile).largest() / scale > 2 * reach_across(band))
-        throw Rejected(fmt::format(
-            "a model {:.3g} m wide would overlap itself; reduce its width or its fill", width));
+        throw Rejected(
+            fmt::format("a model {} m wide would overlap itself; reduce its width or its fill",
+                        number_text(width)));
     const std::array<Knots, 3> axes =
         axes_of(p, band.twisted() ? Closure::twisted : Closure::periodic);
     const Sizes sizes = sizes_of(p, axes[2], width / scale, band.twisted() ? 2 * height : height,

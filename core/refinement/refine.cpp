@@ -2,6 +2,7 @@
 #include "core/refinement/refine.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/refinement/composed_bounds.h"
@@ -124,9 +125,9 @@ void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
     }
     shortest_ = std::max(1e-6 * glm::length(box.size()), 16 * finest);
     if (const double least = misplaced + finest * stretch_; !(options_.tolerance_world > least))
-        throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than the precision of the "
-                                   "coordinates here; use more than {:.3g} m",
-                                   options_.tolerance_world, least));
+        throw Rejected(fmt::format("a tolerance of {} m is finer than the precision of the "
+                                   "coordinates here; use more than {} m",
+                                   number_text(options_.tolerance_world), number_text(least)));
 }
 
 double Refinement::bound(ComposedBounds& bounds, const auto& simplex, double target) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/split_field.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/split/opening_bounds.h"
 
@@ -100,11 +101,12 @@ void give_reaches(std::vector<Opening>& openings)
         };
         if (!fits(opening.kernel)) opening.kernel = SplitKernel::hat;
         if (!fits(opening.kernel))
-            throw Rejected(fmt::format("{} is too near to another obstacle: there are {:.3g} m "
-                                       "between them for the parts, which need {:.3g} m",
-                                       opening.name, std::min(room[0], room[1]),
-                                       std::max(needed_reach(opening, 0, SplitKernel::hat),
-                                                needed_reach(opening, 1, SplitKernel::hat))));
+            throw Rejected(
+                fmt::format("{} is too near to another obstacle: there are {} m "
+                            "between them for the parts, which need {} m",
+                            opening.name, number_text(std::min(room[0], room[1])),
+                            number_text(std::max(needed_reach(opening, 0, SplitKernel::hat),
+                                                 needed_reach(opening, 1, SplitKernel::hat)))));
         for (std::size_t side = 0; side < 2; ++side)
             opening.reach[side] = std::min(
                 room[side],

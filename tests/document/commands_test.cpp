@@ -172,7 +172,7 @@ TEST(Place, TakesAsManyControlPointsAsCanBeLaidAndReadsMore)
         const int most = axis < 2 ? most_along_or_across : most_layers;
         EXPECT_EQ(laid(axis, most), "");
         EXPECT_THAT(laid(axis, most + 1), HasSubstr("must be from 3 to " + std::to_string(most)));
-        EXPECT_THAT(laid(axis, 1024), HasSubstr("is 1024 but must be from 3"));
+        EXPECT_THAT(laid(axis, 1024), HasSubstr("is 1,024 but must be from 3"));
     }
 }
 

@@ -60,14 +60,15 @@ TEST(GltfNumbers, OfPositionsMustBeFiniteAndOthersAreReadAsZero)
 
 TEST(GltfNumbers, ThatPutAMeshOutOfReachAreRefused)
 {
-    EXPECT_THAT(gltf_refusal(with_numbers({0, 0, 0, 3e38f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
-                HasSubstr("a mesh reaches 3e+38 m from the origin, but coordinates up to 1e+15 m"));
+    EXPECT_THAT(
+        gltf_refusal(with_numbers({0, 0, 0, 3e38f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
+        HasSubstr("a mesh reaches 3·10³⁸ m from the origin, but coordinates up to 1·10¹⁵ m"));
     GltfText text = triangle_gltf();
     text["nodes"][0]["scale"] = {1e30, 1, 1};
-    EXPECT_THAT(gltf_refusal(text), HasSubstr("node 0: 'scale' has the number 1e+30"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("node 0: 'scale' has the number 1·10³⁰"));
     text["nodes"] = GltfText::parse(R"([{"children":[1],"scale":[1e9,1,1]},
                                         {"mesh":0,"name":"far","scale":[1e9,1,1]}])");
-    EXPECT_THAT(gltf_refusal(text), HasSubstr("the mesh of node 'far' reaches 1e+18 m"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("the mesh of node 'far' reaches 1·10¹⁸ m"));
 }
 
 TEST(GltfNumbers, OfASkinThatPutItsMeshOutOfReachLeaveTheSkinOut)
