@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/repair.h"
 
-#include "core/base/parallel.h"
+#include "core/mesh/face_edges.h"
+#include "core/mesh/joined_borders.h"
+#include "core/mesh/orientation.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,98 +13,43 @@
 namespace trivar {
 namespace {
 
-// Neighbours are two faces that share an edge with no third face.
-struct Neighbours {
-    std::uint32_t a, b;
-    bool against; // both have the edge in the same direction
-};
-
-std::vector<Neighbours> neighbours(const Mesh& mesh)
+// Chooses the faces that have the places, the direction and the material of an earlier face. Only
+// faces are looked at that are crowded, or all of whose corners lie where other points lie.
+std::vector<bool> doubled_faces(const Mesh& mesh, const FaceEdges& edges)
 {
-    struct Edge {
-        std::uint32_t other, face; // the larger point, and the face
-        bool upward;
-    };
-    // Every edge is filed under its smaller point.
-    const auto each_edge = [&](auto use) {
-        for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-            const std::uint32_t end = mesh.face_begin[f + 1];
-            std::uint32_t a = mesh.point(mesh.corners[end - 1]);
-            for (std::uint32_t c = mesh.face_begin[f]; c < end; ++c) {
-                const std::uint32_t b = mesh.point(mesh.corners[c]);
-                use(std::min(a, b), Edge{std::max(a, b), f, a < b});
-                a = b;
-            }
+    std::vector<std::uint32_t> place = mesh.points;
+    std::vector<bool> looked_at(mesh.face_count(), false);
+    for (const std::uint32_t f : edges.crowded) looked_at[f] = true;
+    if (!mesh.points.empty() && (!edges.border.empty() || edges.parts > 1)) {
+        place = points_by_position(mesh.positions);
+        std::vector<std::uint32_t> point(mesh.vertex_count(), ~0u); // the first at each place
+        std::vector<bool> several(mesh.vertex_count(), false);
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+            std::uint32_t& known = point[place[v]];
+            if (known == ~0u) known = mesh.point(v);
+            if (known != mesh.point(v)) several[place[v]] = true;
         }
-    };
-    const std::size_t points = point_count(mesh);
-    std::vector<std::uint32_t> begin(points + 1, 0);
-    each_edge([&](std::uint32_t low, const Edge&) { ++begin[low + 1]; });
-    for (std::size_t p = 0; p < points; ++p) begin[p + 1] += begin[p];
-    std::vector<Edge> edges(mesh.corners.size());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    each_edge([&](std::uint32_t low, const Edge& edge) { edges[next[low]++] = edge; });
-    parallel_blocks(points, 1 << 14, [&](std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p)
-            std::sort(edges.begin() + begin[p], edges.begin() + begin[p + 1],
-                      [](const Edge& x, const Edge& y) {
-                          return std::pair(x.other, x.face) < std::pair(y.other, y.face);
-                      });
-    });
-    std::vector<Neighbours> result;
-    for (std::size_t p = 0; p < points; ++p)
-        for (std::uint32_t i = begin[p], end; i < begin[p + 1]; i = end) {
-            end = i + 1;
-            while (end < begin[p + 1] && edges[end].other == edges[i].other) ++end;
-            if (end - i == 2 && edges[i].face != edges[i + 1].face)
-                result.push_back(
-                    {edges[i].face, edges[i + 1].face, edges[i].upward == edges[i + 1].upward});
-        }
-    return result;
-}
-
-// Chooses the faces to turn: in each component that can be consistent, the smaller of its two sets.
-std::vector<bool> faces_to_turn(std::size_t faces, const std::vector<Neighbours>& pairs)
-{
-    struct Link {
-        std::uint32_t face;
-        bool against;
-    };
-    std::vector<std::uint32_t> begin(faces + 1, 0);
-    for (const Neighbours& n : pairs) ++begin[n.a + 1], ++begin[n.b + 1];
-    for (std::size_t f = 0; f < faces; ++f) begin[f + 1] += begin[f];
-    std::vector<Link> links(pairs.size() * 2);
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (const Neighbours& n : pairs) {
-        links[next[n.a]++] = {n.b, n.against};
-        links[next[n.b]++] = {n.a, n.against};
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            if (std::all_of(mesh.corners.begin() + mesh.face_begin[f],
+                            mesh.corners.begin() + mesh.face_begin[f + 1],
+                            [&](std::uint32_t v) { return several[place[v]]; }))
+                looked_at[f] = true;
     }
-    std::vector<bool> seen(faces, false), turn(faces, false);
-    std::vector<std::uint32_t> component;
-    for (std::uint32_t start = 0; start < faces; ++start) {
-        if (seen[start]) continue;
-        component.assign(1, start);
-        seen[start] = true;
-        bool orientable = true;
-        for (std::size_t i = 0; i < component.size(); ++i) {
-            const std::uint32_t f = component[i];
-            for (std::uint32_t l = begin[f]; l < begin[f + 1]; ++l) {
-                const bool wanted = turn[f] != links[l].against;
-                if (!seen[links[l].face]) {
-                    seen[links[l].face] = true;
-                    turn[links[l].face] = wanted;
-                    component.push_back(links[l].face);
-                } else if (turn[links[l].face] != wanted) {
-                    orientable = false;
-                }
-            }
-        }
-        const auto turned = static_cast<std::size_t>(
-            std::count_if(component.begin(), component.end(), [&](auto f) { return turn[f]; }));
-        const bool other_party = turned * 2 > component.size();
-        for (const std::uint32_t f : component) turn[f] = orientable && turn[f] != other_party;
+    // The places of each face from the smallest on, its material, and behind them its number
+    std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> faces;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (!looked_at[f]) continue;
+        std::vector<std::uint32_t>& key = faces.emplace_back(std::vector<std::uint32_t>(), f).first;
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
+            key.push_back(place.empty() ? mesh.corners[c] : place[mesh.corners[c]]);
+        std::ranges::rotate(key, std::ranges::min_element(key));
+        key.push_back(mesh.face_material.empty() ? 0 : mesh.face_material[f]);
     }
-    return turn;
+    std::sort(faces.begin(), faces.end());
+    std::vector<bool> doubled(mesh.face_count(), false);
+    for (std::size_t i = 1; i < faces.size(); ++i)
+        doubled[faces[i].second] = faces[i].first == faces[i - 1].first;
+    return doubled;
 }
 
 // Says whether corners, of which no two neighbours are at one point, have three different points.
@@ -114,8 +61,10 @@ bool has_three_points(const Mesh& mesh, const std::uint32_t* begin, const std::u
                        [&](std::uint32_t v) { return mesh.point(v) != a && mesh.point(v) != b; });
 }
 
-// Removes repeated corners, then faces with fewer than three; returns the number of each.
-std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
+// Removes repeated corners, then faces with fewer than three, and the chosen faces; returns the
+// number of the first and the second.
+std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh,
+                                                    const std::vector<bool>& chosen = {})
 {
     std::vector<std::uint32_t> corners, face_begin{0};
     corners.reserve(mesh.corners.size());
@@ -124,6 +73,7 @@ std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const std::size_t first = corners.size();
         const std::uint32_t end = mesh.face_begin[f + 1];
+        if (!chosen.empty() && chosen[f]) continue;
         for (std::uint32_t c = mesh.face_begin[f]; c < end; ++c) {
             const std::uint32_t v = mesh.corners[c];
             if (corners.size() > first && mesh.point(corners.back()) == mesh.point(v)) continue;
@@ -156,7 +106,9 @@ Repairs& Repairs::operator+=(const Repairs& other)
 {
     repeats += other.repeats;
     dropped += other.dropped;
+    doubled += other.doubled;
     turned += other.turned;
+    inside_out += other.inside_out;
     loose += other.loose;
     return *this;
 }
@@ -171,7 +123,11 @@ std::vector<std::string> sentences(const Repairs& repairs)
         "faces had corners that repeat a point; the repeats were left out");
     say(repairs.dropped, "face with fewer than three different corners was left out",
         "faces with fewer than three different corners were left out");
+    say(repairs.doubled, "face lay on another one with the same corners and was left out",
+        "faces lay on others with the same corners and were left out");
     say(repairs.turned, "flipped face was corrected", "flipped faces were corrected");
+    say(repairs.inside_out, "closed part was inside out and was turned",
+        "closed parts were inside out and were turned");
     say(repairs.loose, "vertex that no face uses was left out",
         "vertices that no face uses were left out");
     return said;
@@ -181,15 +137,26 @@ RepairedMesh repaired(Mesh mesh)
 {
     Repairs repairs;
     std::tie(repairs.repeats, repairs.dropped) = drop_degenerate(mesh);
-    const std::vector<Neighbours> pairs = neighbours(mesh);
-    if (std::any_of(pairs.begin(), pairs.end(), [](const Neighbours& n) { return n.against; })) {
-        const std::vector<bool> turn = faces_to_turn(mesh.face_count(), pairs);
-        for (std::size_t f = 0; f < mesh.face_count(); ++f)
-            if (turn[f])
-                std::reverse(mesh.corners.begin() + mesh.face_begin[f] + 1,
-                             mesh.corners.begin() + mesh.face_begin[f + 1]);
-        repairs.turned = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true));
+    FaceEdges edges(mesh);
+    const std::vector<bool> doubled = doubled_faces(mesh, edges);
+    repairs.doubled = static_cast<std::size_t>(std::ranges::count(doubled, true));
+    if (repairs.doubled > 0) {
+        drop_degenerate(mesh, doubled);
+        edges = FaceEdges(mesh);
     }
+    if (!edges.border.empty()) {
+        JoinedBorders joined = with_joined_borders(std::move(mesh), edges.border);
+        mesh = std::move(joined.mesh);
+        if (joined.any) {
+            const auto [repeats, dropped] = drop_degenerate(mesh);
+            repairs.repeats += repeats;
+            repairs.dropped += dropped;
+            edges = FaceEdges(mesh);
+        }
+    }
+    const TurnedFaces turned = orient(mesh, edges);
+    repairs.turned = turned.faces;
+    repairs.inside_out = turned.inside_out;
     repairs.loose = mesh.vertex_count();
     RepairedMesh result{without_loose_vertices(std::move(mesh)), repairs};
     result.repairs.loose -= result.mesh.vertex_count();

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+
+namespace trivar {
+
+// How much is seen of the two sides of a part of a mesh, in pixels of pictures of one scale.
+struct SeenSides {
+    std::uint64_t front = 0, back = 0;
+};
+
+// What is seen of the parts of a mesh from far outside, in 14 directions all round, where all faces
+// hide what is behind them. `part_of` gives the part of each face. Only what is in the box is
+// looked at, with 512 pixels along its diagonal. Where two faces lie in one place that side counts
+// which is a front. O(#C) a direction; the same for any number of threads.
+std::vector<SeenSides> seen_from_outside(const Mesh& mesh,
+                                         const std::vector<std::uint32_t>& part_of,
+                                         std::size_t parts, const Box& box);
+
+} // namespace trivar
