@@ -56,4 +56,10 @@ std::string no_whole_face(const std::string& first, std::size_t vertices)
         counted(vertices, "vertex", "vertices"));
 }
 
+std::string points_alone(const std::string& file)
+{
+    return file + ": it is a point cloud, which is not shown; make a mesh of its points in another "
+                  "program, such as MeshLab (Screened Poisson) or CloudCompare, and open that";
+}
+
 } // namespace trivar

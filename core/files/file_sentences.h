@@ -38,4 +38,7 @@ std::string not_a_number(TextScan scan);
 std::string faces_left_out(std::size_t count, const std::string& first, std::size_t vertices);
 std::string no_whole_face(const std::string& first, std::size_t vertices);
 
+// The sentence for a file that has points and neither faces nor lines.
+std::string points_alone(const std::string& file);
+
 } // namespace trivar

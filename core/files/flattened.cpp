@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/flattened.h"
 
+#include "core/mesh/far_origin.h"
+#include "core/mesh/pose.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace trivar {
 namespace {
 
@@ -18,13 +23,19 @@ void append(std::vector<T>& all, std::size_t before, const std::vector<T>& more,
 
 } // namespace
 
-Mesh flattened(const Model& model)
+glm::dvec3 far_origin(const Model& model)
+{
+    return far_origin(bounding_box(model));
+}
+
+Mesh flattened(const Model& model, const glm::dvec3& origin)
 {
     Mesh all;
+    const glm::dmat4 to_origin = glm::translate(glm::dmat4(1), -origin);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         if (model.nodes[n].mesh < 0) continue;
         Mesh mesh = transformed(*model.meshes.at(static_cast<std::size_t>(model.nodes[n].mesh)),
-                                node_to_model(model, static_cast<int>(n)));
+                                to_origin * node_to_model(model, static_cast<int>(n)));
         if (mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
         const std::size_t before = all.vertex_count(), count = mesh.vertex_count();
         const auto first_corner = all.face_begin.back();
@@ -41,6 +52,16 @@ Mesh flattened(const Model& model)
             all.face_begin.push_back(first_corner + mesh.face_begin[f]);
     }
     return all;
+}
+
+void add_place(fmt::memory_buffer& text, const glm::vec3& p, const glm::dvec3& origin)
+{
+    const auto to = std::back_inserter(text);
+    const glm::dvec3 far = origin + glm::dvec3(p);
+    if (origin == glm::dvec3(0))
+        fmt::format_to(to, "{} {} {}", p.x, p.y, p.z);
+    else
+        fmt::format_to(to, "{} {} {}", far.x, far.y, far.z);
 }
 
 } // namespace trivar

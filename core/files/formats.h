@@ -14,6 +14,9 @@ struct FileText {
     std::string_view bytes;
     std::string name;
     std::string folder; // the folder from which other files may be read; empty: none
+    // Taken from every position before that is rounded to single precision, in the file's axes and
+    // units; formats that store double precision or text keep their detail far from 0 so.
+    glm::dvec3 origin{0};
 };
 
 // There is one reader per format. Each gives positions, faces and attributes as the file has them,

@@ -67,13 +67,20 @@ std::vector<std::string> unsupported_extensions(const GltfEntry& root, const cha
     return out;
 }
 
+// Says whether a file can be read without an extension that it needs: it changes how surfaces look,
+// or lights them, and no shape.
+bool can_be_left_out(std::string_view extension)
+{
+    return extension.starts_with("KHR_materials_") || extension == "KHR_lights_punctual";
+}
+
 void check_extensions(const GltfEntry& root, CountedNotices& notices)
 {
-    const std::vector<std::string> needed = unsupported_extensions(root, "extensionsRequired");
-    if (!needed.empty())
-        root.fail(fmt::format(
-            "it needs the extension {}, which Trivar does not support; export it without",
-            needed.front()));
+    for (const std::string& name : unsupported_extensions(root, "extensionsRequired"))
+        if (!can_be_left_out(name))
+            root.fail(fmt::format(
+                "it needs the extension {}, which Trivar does not support; export it without",
+                name));
     std::vector<std::string> used = unsupported_extensions(root, "extensionsUsed");
     constexpr std::size_t most_listed = 6;
     const std::size_t all = used.size();

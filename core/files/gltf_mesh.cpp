@@ -72,6 +72,7 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
         const std::size_t mode = primitive.size("mode", triangle_list);
         if (mode > triangle_fan)
             primitive.fail(fmt::format("'mode' is {}, but must be from 0 to 6", mode));
+        (mode == point_list ? points_left_out_ : others_) = true;
         if (mode == point_list)
             return notices_.add("one part of a mesh is points and was left out",
                                 "{0} parts of meshes are points and were left out");

@@ -22,6 +22,8 @@ public:
     // Whether a face got the material that follows the file's last one, because it names no
     // material.
     bool uses_plain_material() const { return plain_used_; }
+    // Whether points were all that the meshes have.
+    bool only_points() const { return points_left_out_ && !others_; }
 
 private:
     // A VertexRange is the vertices of a primitive, which are the last ones of the mesh while it is
@@ -53,9 +55,9 @@ private:
     GltfAccessors& accessors_;
     CountedNotices& notices_;
     std::uint32_t material_count_;
-    std::map<int, UvTransforms> transforms_; // by material
-    bool plain_used_ = false;
-    std::size_t line_points_ = 0; // of the meshes so far
+    std::map<int, UvTransforms> transforms_;                             // by material
+    bool plain_used_ = false, points_left_out_ = false, others_ = false; // of primitives
+    std::size_t line_points_ = 0;                                        // of the meshes so far
 };
 
 } // namespace trivar

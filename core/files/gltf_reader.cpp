@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/files/file_sentences.h"
 #include "core/files/gltf_clips.h"
 #include "core/files/gltf_instances.h"
 #include "core/files/gltf_materials.h"
@@ -27,7 +28,7 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
         if (node.mesh >= 0) number[static_cast<std::size_t>(node.mesh)] = 0;
     std::size_t unnamed = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        report(progress, 0.3 + 0.6 * double(i) / double(count), "Reading meshes");
+        report(progress, 0.1 + 0.8 * double(i) / double(count), "Reading meshes");
         if (number[i] < 0) {
             ++unnamed;
             continue;
@@ -82,13 +83,14 @@ Model read_gltf(const FileText& text, bool binary, const Progress& progress)
     GltfNodes nodes = gltf_nodes(file, notices);
     const std::size_t instances = add_gltf_instances(nodes, accessors, notices);
     model.nodes = std::move(nodes.nodes);
-    report(progress, 0.2, "Reading materials");
-    model.materials = gltf_materials(file, notices);
     CountedNotices of_meshes;
     GltfMeshes meshes(accessors, of_meshes);
     add_named_meshes(model, meshes, file, of_meshes, progress);
     check_instances(model, instances, file.name());
+    if (meshes.only_points()) throw Rejected(points_alone(file.name()));
     check_for_faces(model, file, of_meshes.sentences(file.name()));
+    report(progress, 0.9, "Reading materials"); // last: pictures take longest
+    model.materials = gltf_materials(file, notices);
     if (meshes.uses_plain_material() || model.materials.empty()) model.materials.emplace_back();
     add_gltf_skins(model, accessors, nodes.node_of, notices);
     add_gltf_clips(model, accessors, nodes.node_of, notices);

@@ -19,7 +19,7 @@ bool is_face(std::string_view keyword)
 
 class BlockReader {
 public:
-    explicit BlockReader(std::string_view text) : scan_(text) {}
+    BlockReader(std::string_view text, const glm::dvec3& origin) : scan_(text), origin_(origin) {}
 
     ObjBlock read()
     {
@@ -61,14 +61,14 @@ private:
         for (int i = 0; i < most; ++i) {
             const auto value = scan_.number();
             if (!value) return i;
-            to[i] = static_cast<float>(*value);
+            to[i] = static_cast<typename T::value_type>(*value);
         }
         return most;
     }
 
     void read_position()
     {
-        glm::vec3 p;
+        glm::dvec3 p;
         if (const int read = numbers(p, 3); read < 3)
             return fail(fmt::format("the {} of a vertex {}", "xyz"[read], not_a_number(scan_)));
         // Three more numbers are a colour; a single one is a weight, which is ignored for points.
@@ -78,7 +78,7 @@ private:
             block_.colors.resize(block_.v.size(), glm::vec3(1));
             block_.colors.push_back(colored ? glm::clamp(color, 0.0f, 1.0f) : glm::vec3(1));
         }
-        block_.v.push_back(p);
+        block_.v.emplace_back(p - origin_);
     }
 
     // Keeps an invalid element, so that later ones keep their numbers, but no face may use it.
@@ -181,15 +181,16 @@ private:
     }
 
     TextScan scan_;
+    glm::dvec3 origin_;
     const char* line_ = nullptr;
     ObjBlock block_;
 };
 
 } // namespace
 
-ObjBlock read_obj_block(std::string_view text)
+ObjBlock read_obj_block(std::string_view text, const glm::dvec3& origin)
 {
-    return BlockReader(text).read();
+    return BlockReader(text, origin).read();
 }
 
 namespace {

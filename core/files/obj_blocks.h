@@ -50,8 +50,8 @@ struct ObjBlock {
     } error, first_bad; // the line that ended the block; the first of bad_lines
 };
 
-// Reads whole lines up to the first wrong one. Throws nothing.
-ObjBlock read_obj_block(std::string_view text);
+// Reads whole lines up to the first wrong one; positions relative to `origin`. Throws nothing.
+ObjBlock read_obj_block(std::string_view text, const glm::dvec3& origin = glm::dvec3(0));
 
 // The place in the text where a face, or a drawn line, begins; counted from 0.
 const char* line_of_face(std::string_view text, std::size_t face);

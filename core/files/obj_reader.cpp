@@ -44,7 +44,7 @@ std::vector<ObjBlock> read_blocks(const std::vector<std::string_view>& parts,
         const std::size_t count = std::min(batch, parts.size() - first);
         parallel_blocks(count, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                blocks[first + i] = read_obj_block(parts[first + i]);
+                blocks[first + i] = read_obj_block(parts[first + i], file.origin);
         });
         for (std::size_t i = first; i < first + count; ++i)
             if (const ObjBlock::Trouble& error = blocks[i].error; error.at)
@@ -199,6 +199,9 @@ Model read_obj(const FileText& file, const Progress& progress)
     ObjFaces faces = faces_of(blocks, v.size(), vt, vn);
     const ObjLines lines = lines_of(blocks, v.size());
 
+    if (faces.begin.size() == 1 && faces.left_out.count == 0 && lines.lines.count() == 0 &&
+        lines.left_out.count == 0 && !v.empty())
+        throw Rejected(points_alone(file.name));
     Model model;
     model.notices = ObjNotices(blocks, parts, plain, file).of(faces, lines, v.size());
     Mesh mesh;

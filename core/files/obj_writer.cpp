@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/color.h"
+#include "core/files/flattened.h"
 #include "core/files/formats.h"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <set>
 
@@ -20,7 +22,12 @@ std::string plain_name(std::string name, const std::string& otherwise)
 
 class ObjWriter {
 public:
-    ObjWriter(const Model& model, const std::string& stem) : model_(model), stem_(stem) {}
+    ObjWriter(const Model& model, const std::string& stem)
+        : model_(model),
+          stem_(stem),
+          origin_(z_to_y * glm::dvec4(far_origin(model), 1))
+    {
+    }
 
     ObjFiles write()
     {
@@ -30,8 +37,8 @@ public:
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
             const Node& node = model_.nodes[n];
             if (node.mesh < 0 && node.curves < 0) continue;
-            const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
-            const glm::dmat4 matrix = z_to_y * node_to_model(model_, static_cast<int>(n));
+            const glm::dmat4 matrix = glm::translate(glm::dmat4(1), -origin_) * z_to_y *
+                                      node_to_model(model_, static_cast<int>(n));
             fmt::format_to(to(), "o {}\n", plain_name(node.name, fmt::format("object_{}", n)));
             if (node.mesh >= 0)
                 write_mesh(
@@ -65,7 +72,7 @@ private:
             if (known == none || !same(written[known], i)) {
                 known = v_count++;
                 written.push_back(i);
-                fmt::format_to(to(), "v {} {} {}", p.x, p.y, p.z);
+                write_place(p);
                 if (!mesh.colors.empty()) write_color(mesh.colors[i]);
                 fmt::format_to(to(), "\n");
             }
@@ -79,6 +86,12 @@ private:
         v_base_ += v_count;
         vt_base_ += mesh.uvs.empty() ? 0 : mesh.vertex_count();
         vn_base_ += mesh.normals.size();
+    }
+
+    void write_place(const glm::vec3& p)
+    {
+        fmt::format_to(to(), "v ");
+        add_place(out_, p, origin_);
     }
 
     // As most programs read it: behind the position, as it is displayed.
@@ -122,7 +135,7 @@ private:
             const bool closed = end - first > 3 && points[first] == points[end - 1];
             const std::uint32_t written = end - first - (closed ? 1 : 0);
             for (std::uint32_t i = first; i < first + written; ++i)
-                fmt::format_to(to(), "v {} {} {}\n", points[i].x, points[i].y, points[i].z);
+                write_place(points[i]), out_.push_back('\n');
             use_material(curves.material_of(l), material);
             fmt::format_to(to(), "l");
             for (std::uint32_t i = 0; i < end - first; ++i)
@@ -179,8 +192,10 @@ private:
     }
 
     static constexpr std::uint32_t none = ~0u;
+    static constexpr glm::dmat4 z_to_y{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
     const Model& model_;
     const std::string& stem_;
+    glm::dvec3 origin_; // of what is written
     ObjFiles files_;
     fmt::memory_buffer out_;
     std::vector<std::string> material_names_;

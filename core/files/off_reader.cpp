@@ -75,7 +75,7 @@ private:
         for (std::size_t v = 0; v < vertices; ++v) {
             if (v % (1 << 16) == 0)
                 report(progress_, 0.3 * double(v) / double(vertices), "Reading vertices");
-            mesh_.positions.push_back(vector<glm::vec3>(v));
+            mesh_.positions.emplace_back(vector<glm::dvec3>(v) - file_.origin);
             if (normals_) mesh_.normals.push_back(vector<glm::vec3>(v));
             if (colors_) mesh_.colors.push_back(color(v));
             if (uvs_) mesh_.uvs[0].push_back(vector<glm::vec2>(v));
@@ -148,7 +148,7 @@ private:
             skip();
             const auto value = scan_.number();
             if (!value) fail(fmt::format("a number of vertex {} {}", vertex, not_a_number(scan_)));
-            result[i] = static_cast<float>(*value);
+            result[i] = static_cast<typename T::value_type>(*value);
         }
         return result;
     }

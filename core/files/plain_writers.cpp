@@ -31,14 +31,17 @@ std::uint8_t to_byte(float value)
 
 std::string write_ply(const Model& model)
 {
-    const Mesh mesh = flattened(model);
+    const glm::dvec3 origin = far_origin(model);
+    const bool far = origin != glm::dvec3(0);
+    const Mesh mesh = flattened(model, origin);
     std::size_t longest = 0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         longest = std::max<std::size_t>(longest, mesh.face_begin[f + 1] - mesh.face_begin[f]);
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Trivar\n";
     out += fmt::format("element vertex {}\n", mesh.vertex_count());
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-        out += fmt::format("property float {}\n", name);
+    for (const char* name : {"x", "y", "z"})
+        out += fmt::format("property {} {}\n", far ? "double" : "float", name);
+    for (const char* name : {"nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
     if (!mesh.uvs.empty()) out += "property float s\nproperty float t\n";
     if (!mesh.colors.empty())
         for (const char* name : {"red", "green", "blue", "alpha"})
@@ -46,7 +49,10 @@ std::string write_ply(const Model& model)
     out += fmt::format("element face {}\nproperty list {} uint vertex_indices\nend_header\n",
                        mesh.face_count(), longest < 256 ? "uchar" : "uint");
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-        put(out, mesh.positions[v]);
+        if (far)
+            put(out, origin + glm::dvec3(mesh.positions[v]));
+        else
+            put(out, mesh.positions[v]);
         put(out, mesh.normals[v]);
         if (!mesh.uvs.empty()) put(out, mesh.uvs[0][v]);
         if (!mesh.colors.empty()) {
@@ -88,11 +94,15 @@ std::string write_stl(const Model& model)
 
 std::string write_off(const Model& model)
 {
-    const Mesh mesh = flattened(model);
+    const glm::dvec3 origin = far_origin(model);
+    const Mesh mesh = flattened(model, origin);
     fmt::memory_buffer out;
     const auto to = std::back_inserter(out);
     fmt::format_to(to, "OFF\n{} {} 0\n", mesh.vertex_count(), mesh.face_count());
-    for (const glm::vec3& p : mesh.positions) fmt::format_to(to, "{} {} {}\n", p.x, p.y, p.z);
+    for (const glm::vec3& p : mesh.positions) {
+        add_place(out, p, origin);
+        out.push_back('\n');
+    }
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
         fmt::format_to(to, "{}", end - begin);

@@ -27,20 +27,23 @@ std::optional<PlyType> type_named(std::string_view name)
 }
 
 // HeaderLines splits a header into lines. The data after it may be binary, so the first line
-// decides whether '\r' alone ends a line, as on old Macs and in some present programs.
+// decides whether '\r' alone ends a line, as on old Macs and in some present programs, or "\n\r"
+// does.
 class HeaderLines {
 public:
     explicit HeaderLines(std::string_view text) : rest_(text)
     {
         const std::size_t end = text.find_first_of("\r\n");
-        if (end != text.npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n") mark_ = '\r';
+        const std::string_view both = text.substr(std::min(end, text.size()), 2);
+        if (both.starts_with('\r') && both != "\r\n") mark_ = '\r';
+        mark_bytes_ = both == "\n\r" ? 2 : 1;
     }
     bool done() const { return rest_.empty(); }
     std::string_view next()
     {
         const std::size_t end = std::min(rest_.find(mark_), rest_.size());
         const std::string_view line = rest_.substr(0, end);
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        rest_.remove_prefix(std::min(end + mark_bytes_, rest_.size()));
         return line;
     }
     std::size_t left() const { return rest_.size(); }
@@ -48,6 +51,7 @@ public:
 private:
     std::string_view rest_;
     char mark_ = '\n';
+    std::size_t mark_bytes_ = 1;
 };
 
 } // namespace

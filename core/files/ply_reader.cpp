@@ -133,7 +133,7 @@ private:
                 else
                     values_.skip(property);
             }
-            mesh_.positions.emplace_back(v[0], v[1], v[2]);
+            mesh_.positions.emplace_back(glm::dvec3(v[0], v[1], v[2]) - file_.origin);
             if (normals) mesh_.normals.emplace_back(v[3], v[4], v[5]);
             if (colors) mesh_.colors.push_back(color(v, scale));
             if (uvs) mesh_.uvs[0].emplace_back(v[10], v[11]);
@@ -356,7 +356,8 @@ private:
 Model read_ply(const FileText& file, const Progress& progress)
 {
     refuse_wide_text(file.bytes, file.name);
-    const FileText unmarked{without_mark(file.bytes), file.name, file.folder};
+    FileText unmarked = file;
+    unmarked.bytes = without_mark(file.bytes);
     return PlyReader(unmarked, progress).read();
 }
 

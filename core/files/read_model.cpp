@@ -2,16 +2,20 @@
 #include "core/files/read_model.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/plain_text.h"
+#include "core/mesh/far_origin.h"
 #include "core/mesh/repair.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
 namespace {
@@ -53,6 +57,36 @@ void complete_normals(Mesh& mesh)
         t = length > 0 && std::isfinite(length) ? glm::vec4(glm::vec3(t) / length, t.w < 0 ? -1 : 1)
                                                 : glm::vec4(1, 0, 0, 1);
     }
+}
+
+// Reads the file again relative to a point near its model where that is far from 0: whether it is
+// can be told only from all of it. A glTF file has positions in single precision and places in
+// double precision already.
+Model read_near(FileText& file, const std::string& extension, const Progress& progress)
+{
+    constexpr int most_tries = 3; // rounding hides where a model is that is very small there
+    for (int i = 0;; ++i) {
+        Model model = read_format(file, extension, progress);
+        if (extension == ".gltf" || extension == ".glb") return model;
+        Box box;
+        for (const Ref<Mesh>& mesh : model.meshes) box.add(bounding_box(*mesh));
+        for (const Ref<Curves>& curves : model.curves) box.add(bounding_box(*curves->points));
+        const glm::dvec3 further = far_origin(box);
+        if (i == most_tries || further == glm::dvec3(0)) return model;
+        file.origin += further;
+    }
+}
+
+// Puts a model that was read relative to a point where the file has it.
+void put_far(Model& model, const FileText& file, const glm::dmat4& to_world)
+{
+    const glm::dvec3 place(to_world * glm::dvec4(file.origin, 1));
+    for (Node& node : model.nodes)
+        if (node.parent < 0) node.to_parent = glm::translate(glm::dmat4(1), place);
+    model.notices.push_back(
+        fmt::format("{}: it lies {} m from the origin; its place is kept in double precision, "
+                    "apart from its shape, so that it loses no detail",
+                    file.name, number_text(glm::length(place))));
 }
 
 RepairedMesh finished(Mesh mesh, const FileText& file)
@@ -106,20 +140,22 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (!(options.scale >= 1e-9 && options.scale <= 1e9))
         throw Rejected(
             fmt::format("{}: the scale must be between 1e-9 and 1e9, not {}", name, options.scale));
-    const FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
+    FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
     if (bytes.size() > options.max_bytes)
         throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", file.name,
                                    bytes.size(), options.max_bytes));
     if (bytes.empty()) throw Rejected(file.name + ": the file is empty");
     const std::string extension = extension_of(name);
     const bool gltf = extension == ".gltf" || extension == ".glb";
-    Model model = read_format(file, extension, progress);
+    Model model = read_near(file, extension, progress);
 
     report(progress, 0.9, "Checking");
     const glm::dmat4 matrix = to_world(options, gltf || extension == ".obj");
-    std::size_t faces = 0;
+    if (file.origin != glm::dvec3(0)) put_far(model, file, matrix);
+    std::size_t faces = 0, vertices = 0;
     Repairs repairs;
     for (Ref<Mesh>& ref : model.meshes) {
+        vertices += ref->vertex_count();
         RepairedMesh result = finished(*ref, file);
         repairs += result.repairs;
         Mesh mesh = std::move(result.mesh);
@@ -138,9 +174,10 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
         lines += ref->line_count();
     }
     if (faces == 0 && lines == 0)
-        throw Rejected(file.name + (repairs.dropped > 0
-                                        ? ": none of its faces has three different corners"
-                                        : ": it has no faces and no lines"));
+        throw Rejected(repairs.dropped > 0
+                           ? file.name + ": none of its faces has three different corners"
+                       : vertices > 0 ? points_alone(file.name)
+                                      : file.name + ": it has no faces and no lines");
     for (const std::string& sentence : sentences(repairs))
         model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
     if (model.materials.empty()) { // vertex colours are used unchanged

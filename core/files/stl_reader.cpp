@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
@@ -24,12 +25,12 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
         std::memcpy(values, file.bytes.data() + header_bytes + t * triangle_bytes + 12,
                     sizeof values);
         for (std::size_t c = 0; c < 3; ++c) {
-            const glm::vec3 p(values[3 * c], values[3 * c + 1], values[3 * c + 2]);
-            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            const glm::dvec3 p(values[3 * c], values[3 * c + 1], values[3 * c + 2]);
+            if (!finite(p))
                 throw Rejected(fmt::format(
                     "{}: triangle {} of {}, counted from 0: a coordinate is not a finite number",
                     file.name, t, count));
-            corners[3 * t + c] = p;
+            corners[3 * t + c] = glm::vec3(p - file.origin);
         }
     }
     return corners;
@@ -71,15 +72,15 @@ std::vector<glm::vec3> read_text(const FileText& file)
         if (is_keyword(keyword, "endfacet") && in_facet != 3)
             fail(fmt::format("a facet has {} corners instead of 3", in_facet));
         if (is_keyword(keyword, "vertex")) {
-            glm::vec3 p;
+            glm::dvec3 p;
             for (int i = 0; i < 3; ++i) {
                 const auto value = scan.number();
                 if (!value)
                     fail(fmt::format("the {} of a vertex {}", "xyz"[i], not_a_number(scan)));
-                p[i] = static_cast<float>(*value);
+                p[i] = *value;
             }
             if (++in_facet > 3) fail("a facet has more than 3 corners");
-            corners.push_back(p);
+            corners.emplace_back(p - file.origin);
         }
         scan.line();
     }
@@ -116,7 +117,13 @@ Model read_stl(const FileText& file, const Progress& progress)
     mesh.corners = points;
     for (std::size_t c = 3; c <= corners.size(); c += 3)
         mesh.face_begin.push_back(static_cast<std::uint32_t>(c));
-    return single_mesh_model("", std::move(mesh), {unpainted()});
+    Model model = single_mesh_model("", std::move(mesh), {unpainted()});
+    if (!text && !exact)
+        model.notices.push_back(
+            fmt::format("{}: {} left out", file.name,
+                        counted(file.bytes.size() - expected, "byte behind its last triangle was",
+                                "bytes behind its last triangle were")));
+    return model;
 }
 
 } // namespace trivar

@@ -3,6 +3,9 @@
 
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
+#include "core/files/flattened.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
 namespace {
@@ -43,11 +46,14 @@ void check_writable(const Model& model, const std::string& path)
 {
     if (holds_curves(path) && line_count(model) > 0) return;
     // A GLB stores nodes separately from meshes; the other formats store transformed meshes.
-    const bool in_place = extension_of(path) != ".glb";
+    const std::string extension = extension_of(path);
+    const bool in_place = extension != ".glb";
+    const glm::dvec3 origin = !in_place || extension == ".stl" ? glm::dvec3(0) : far_origin(model);
+    const glm::dmat4 to_origin = glm::translate(glm::dmat4(1), -origin);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const int mesh = model.nodes[n].mesh;
         const glm::dmat4 matrix =
-            in_place ? node_to_model(model, static_cast<int>(n)) : glm::dmat4(1);
+            in_place ? to_origin * node_to_model(model, static_cast<int>(n)) : glm::dmat4(1);
         if (mesh >= 0 && has_a_face(*model.meshes[static_cast<std::size_t>(mesh)], matrix)) return;
     }
     throw Rejected(path + ": no face has three different corners, so nothing is written");

@@ -2,10 +2,12 @@
 #include "core/files/write_model.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
+#include "core/files/flattened.h"
 #include "core/files/image.h"
 #include "core/files/writable.h"
 #include "core/mesh/extent.h"
@@ -73,12 +75,20 @@ void check_model_name(const std::string& path)
             fmt::format("{}: models are written as .glb, .obj, .ply, .stl and .off", path));
 }
 
-std::string curves_left_out(const Model& model, const std::string& path)
+std::string what_is_lost(const Model& model, const std::string& path)
 {
-    const std::size_t lines = line_count(model);
-    if (holds_curves(path) || lines == 0) return {};
-    return fmt::format("{} files have no curves, and {} left out; .glb and .obj have them",
-                       extension_of(path), counted(lines, "line was", "lines were"));
+    std::string out;
+    if (const std::size_t lines = line_count(model); !holds_curves(path) && lines > 0)
+        out = fmt::format("{} files have no curves, and {} left out; .glb and .obj have them",
+                          extension_of(path), counted(lines, "line was", "lines were"));
+    if (const glm::dvec3 far = glm::abs(far_origin(model));
+        extension_of(path) == ".stl" && far != glm::dvec3(0))
+        out +=
+            fmt::format("{}so far from the origin .stl files round places to {} m; .obj, .ply and "
+                        ".glb do not",
+                        out.empty() ? "" : "; ",
+                        number_text(0x1p-23 * std::max({far.x, far.y, far.z}), {.digits = 1}));
+    return out;
 }
 
 void write_model(const Model& model, const std::string& path, const SourceFiles& sources,

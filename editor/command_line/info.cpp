@@ -16,6 +16,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -143,7 +144,10 @@ Status run_info(const InfoOptions& options, const Streams& streams)
             for (const auto& [name, value] : facts.items()) {
                 std::string words = name;
                 std::ranges::replace(words, '_', ' ');
-                streams.out << fmt::format("{:<16} {}\n", words, plain(value));
+                // Sentences have a line each
+                for (const Facts& line : name == "repaired" ? value : Facts::array({value}))
+                    streams.out << fmt::format("{:<16} {}\n", std::exchange(words, ""),
+                                               plain(line));
             }
         if (!options.json && path != options.files.back()) streams.out << "\n";
         all.push_back(std::move(facts));

@@ -251,7 +251,7 @@ Status write_all(const ReplayOptions& options, ReplayResult& replayed, const Str
             for (const std::string& words :
                  sentences(written.tiles, options.epsilon.value_or(default_tolerance)))
                 streams.talk << "trivar: " << path << ": " << words << "\n";
-        if (const std::string words = curves_left_out(written.model, path); !words.empty())
+        if (const std::string words = what_is_lost(written.model, path); !words.empty())
             streams.talk << "trivar: " << path << ": " << words << "\n";
     }
     go_on(interrupts);

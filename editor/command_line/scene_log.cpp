@@ -62,8 +62,8 @@ void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Docum
 
 void say_not_whole(const SceneLog& scene, const Streams& streams)
 {
-    streams.talk << fmt::format("trivar: {}: some of its files are missing, so nothing is written; "
-                                "--keep-going leaves them out\n",
+    streams.talk << fmt::format("trivar: {}: it is not whole, for the reasons above, so nothing is "
+                                "written; --keep-going writes what there is\n",
                                 scene.path);
 }
 

@@ -382,7 +382,7 @@ void Files::write_model_to(const std::string& path, bool instances)
              write_model(result.model, path, source_files(exported.document, *assets, exported.log),
                          {exported.instances.has_value()});
              ExportWords words = words_of_export(path, exported.log, result.certificate);
-             if (const std::string out = curves_left_out(result.model, path); !out.empty()) {
+             if (const std::string out = what_is_lost(result.model, path); !out.empty()) {
                  words.kind = ui::NoticeKind::warning;
                  words.body += (words.body.empty() ? "" : " ") + out + ".";
              }

@@ -158,8 +158,8 @@ TEST(Curves, AreLeftOutByFormatsThatHaveNone)
     Model model = box_model();
     model.curves = curves_model().curves;
     model.nodes.front().curves = 0;
-    EXPECT_EQ(curves_left_out(model, "a.glb"), "");
-    EXPECT_EQ(curves_left_out(model, "a.stl"),
+    EXPECT_EQ(what_is_lost(model, "a.glb"), "");
+    EXPECT_EQ(what_is_lost(model, "a.stl"),
               ".stl files have no curves, and 4 lines were left out; .glb and .obj have them");
     EXPECT_THAT([&] { write_model(curves_model(), folder.file("a.ply")); },
                 ::testing::ThrowsMessage<Rejected>(HasSubstr("no faces to write")));

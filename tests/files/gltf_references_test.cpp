@@ -69,8 +69,10 @@ TEST(GltfReferences, ToOptionalExtensionsAreSaidOnce)
     EXPECT_THAT(read_gltf_text(text).notices,
                 ElementsAre("a.gltf: 2 of its extensions are not supported and were left out: "
                             "KHR_materials_ior, KHR_lights_punctual"));
-    text["extensionsRequired"] = {"KHR_lights_punctual"};
-    EXPECT_THAT(gltf_refusal(text), HasSubstr("it needs the extension KHR_lights_punctual"));
+    text["extensionsRequired"] = {"KHR_lights_punctual", "KHR_materials_ior"}; // change no shape
+    EXPECT_EQ(read_gltf_text(text).notices.size(), 1u);
+    text["extensionsRequired"] = {"KHR_lights_punctual", "EXT_meshopt_compression"};
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("it needs the extension EXT_meshopt_compression"));
 }
 
 TEST(GltfReferences, TransformsOfTexturesMoveTheCoordinatesOfTheirOwnFaces)

@@ -77,8 +77,12 @@ TEST(GltfSentences, SayWhyThereAreNoFaces)
 {
     GltfText text = triangle_gltf();
     text["meshes"][0]["primitives"][0]["mode"] = 0;
-    EXPECT_EQ(gltf_refusal(text), "a.gltf: it has no faces and no lines: one part of a "
-                                  "mesh is points and was left out");
+    EXPECT_THAT(gltf_refusal(text),
+                StartsWith("a.gltf: it is a point cloud, which is not shown; make a mesh of"));
+    text["meshes"][0]["primitives"].push_back({{"attributes", {{"NORMAL", 0}}}});
+    EXPECT_EQ(gltf_refusal(text), "a.gltf: it has no faces and no lines: one part of a mesh is "
+                                  "points and was left out; one part of a mesh has no positions "
+                                  "and was left out");
 }
 
 // Whatever stands anywhere in the JSON.

@@ -55,6 +55,37 @@ TEST_P(TextFormats, AreReadWithAnyLineEndAndTheMarkOfUtf8)
         }
 }
 
+TEST(LineEnds, OfTheHeadOfABinaryPlyAreOneOrTwoBytesAndNeverItsData)
+{
+    const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+                             "property float x\nproperty float y\nproperty float z\n"
+                             "element face 1\nproperty list uchar int vertex_indices\n"
+                             "end_header\n";
+    for (const float first : {0.0f, std::bit_cast<float>(0x0a0d0a0du)}) { // ends of lines as data
+        std::string data;
+        const auto put = [&](const auto& value) {
+            data.append(reinterpret_cast<const char*>(&value), sizeof value);
+        };
+        for (const float x : {first, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) put(x);
+        put(std::uint8_t{3});
+        for (const std::int32_t v : {0, 1, 2}) put(v);
+        for (const char* end : {"\n", "\r\n", "\r", "\n\r"}) {
+            const Model read = read_text_model(with_line_ends(head, end) + data, ".ply");
+            EXPECT_EQ(read.meshes[0]->face_count(), 1u);
+            EXPECT_EQ(read.meshes[0]->positions[0].x, first);
+        }
+    }
+}
+
+TEST(LineEnds, OfFilesOfPointsAloneDoNotMatterForWhatIsSaid)
+{
+    TextModel points = square_model();
+    points.faces.clear();
+    for (const char* extension : {".obj", ".ply", ".off"})
+        EXPECT_THAT(refusal_of(with_line_ends(text_of(points, extension), "\r\n"), extension),
+                    HasSubstr("it is a point cloud, which is not shown; make a mesh"));
+}
+
 TEST_P(TextFormats, NameTheSameLineWithAnyLineEnd)
 {
     std::string broken = text;

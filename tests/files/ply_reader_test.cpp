@@ -57,7 +57,7 @@ TEST(PlyReader, BeginsStripsAnewBelowZeroAndLeavesOutTheirTurns)
     const Model turned = read_text_model(with_strips("7 0 1 3 3 3 1 2\n"), ".ply");
     EXPECT_EQ(*turned.meshes[0], expected);
     EXPECT_THAT(turned.notices, IsEmpty());
-    EXPECT_THAT(refusal_of(with_strips("4 0 1 -1 2\n"), ".ply"), HasSubstr("no faces"));
+    EXPECT_THAT(refusal_of(with_strips("4 0 1 -1 2\n"), ".ply"), HasSubstr("point cloud"));
 }
 
 TEST(PlyReader, SplitsVerticesWhereTheCornersOfFacesDifferInTheirTextureCoordinates)

@@ -38,10 +38,11 @@ std::string binary_stl(std::string header, std::uint32_t declared, std::size_t t
 
 TEST(StlReader, ReadsBinaryFilesThatCallThemselvesSolidAndHaveMoreBytesThanTheyNeed)
 {
-    for (const char* more : {"", "\n"})
-        EXPECT_EQ(
-            read_text_model(binary_stl("solid a", 1, 1) + more, ".stl").meshes[0]->face_count(),
-            1u);
+    for (const std::string more : {"", "\n", "three"}) {
+        const Model read = read_text_model(binary_stl("solid a", 1, 1) + more, ".stl");
+        EXPECT_EQ(read.meshes[0]->face_count(), 1u);
+        EXPECT_EQ(read.notices.size(), more.empty() ? 0u : 1u);
+    }
 }
 
 TEST(StlReader, SaysWhatIsWrongAndWhere)
