@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/simplifying.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/simplify/simplify.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -38,6 +40,23 @@ std::size_t triangles_in(const Mesh& mesh)
     return mesh.corners.size() - 2 * mesh.face_count();
 }
 
+// Says where borders and the like keep more triangles than were asked for.
+void tell_of_kept(Stage& stage, const Simplifying& simplifying, std::size_t left_out)
+{
+    const double wanted = simplifying.keep * static_cast<double>(stage.triangles_before),
+                 most = 1.02 * wanted + 2; // less than that is seen by nobody
+    if (simplifying.deviation > 0 || !(static_cast<double>(stage.triangles) > most)) return;
+    std::string why = "borders, creases, seams and colours stay";
+    if (left_out > 0)
+        why += fmt::format(", and {} at edges of more than two faces",
+                           left_out == 1 ? "one triangle" : with_commas(left_out) + " triangles");
+    stage.notices.push_back(fmt::format("it keeps {} of its {} triangles, where {} were asked for: "
+                                        "{}",
+                                        with_commas(stage.triangles),
+                                        with_commas(stage.triangles_before),
+                                        percent_text(simplifying.keep), why));
+}
+
 Stage simplified(const Stage& before, const Simplifying& simplifying, const Progress& progress)
 {
     Stage out = before;
@@ -45,6 +64,7 @@ Stage simplified(const Stage& before, const Simplifying& simplifying, const Prog
     const Poses poses = poses_of(shape);
     // Each mesh is simplified once, also if several nodes have it
     std::map<Ref<Mesh>, SimplifiedMesh> done;
+    std::size_t left_out = 0;
     try {
         for (std::size_t m = 0; m < shape.meshes.size(); ++m) {
             Shape::NodeMesh& hung = shape.meshes[m];
@@ -62,6 +82,7 @@ Stage simplified(const Stage& before, const Simplifying& simplifying, const Prog
             }
             out.triangles_before += found->second.triangles_before;
             out.triangles += found->second.triangles;
+            left_out += found->second.left_out;
             if (hung.posed) hung.posed = posed_later(found->second.mesh, hung.posed->pose);
             hung.rest = found->second.mesh;
         }
@@ -70,6 +91,7 @@ Stage simplified(const Stage& before, const Simplifying& simplifying, const Prog
         out.notices.push_back(std::string("it is not simplified: ") + error.what());
         return out;
     }
+    tell_of_kept(out, simplifying, left_out);
     out.shape = make_ref(std::move(shape));
     return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplify/collapse_cost.h"
 
+#include "core/mesh/barycentric.h"
 #include "core/simplify/alike.h"
 #include "core/simplify/half_edges.h"
 
@@ -15,6 +16,10 @@ constexpr double unseen_share = 1e-3;
 // A triangle is a sliver if twice its area, relative to the square of its longest edge, is below
 // this.
 constexpr double sliver = 1e-3;
+// Black in place of white counts as a movement by this share of the size.
+constexpr double color_share = 0.02;
+// The greatest difference of a removed vertex from the colour that its place gets.
+constexpr double most_color = 0.2;
 constexpr double cos_turned = 0.2; // between the normals of a triangle before and after: 78 degrees
 
 } // namespace
@@ -31,6 +36,9 @@ CollapseCost::CollapseCost(const Mesh& mesh, const Fans& fans, const FanHalfEdge
       rails_(places.size())
 {
     for (std::size_t pose = 0; pose < places.size(); ++pose) take_planes(pose);
+    Box box;
+    for (const glm::dvec3& p : places[0]) box.add(p);
+    color_metres_ = color_share * glm::length(box.size());
 }
 
 void CollapseCost::take_planes(std::size_t pose)
@@ -80,8 +88,61 @@ std::optional<double> CollapseCost::operator()(const Collapse& c, double best) c
         const glm::dvec3 edge = p - places_[pose][from];
         sum += unseen_share * unseen_share * glm::dot(edge, edge) * faces_[pose][from].weight();
     }
+    if (!mesh_.colors.empty() && sum < best) {
+        const double difference = color_difference(c), metres = color_metres_ * difference;
+        if (difference > most_color) return std::nullopt;
+        sum += metres * metres * faces_[0][from].weight();
+    }
     if (!(sum < best) || !keeps_its_sides(c)) return std::nullopt;
     return sum;
+}
+
+// The greatest difference of the colours of the removed vertices, one for each side of a seam, from
+// those that the new triangles have there.
+double CollapseCost::color_difference(const Collapse& c) const
+{
+    const glm::dvec3& p = places_[0][index(c.v0)];
+    struct Side {
+        std::uint32_t vertex = Fans::none;
+        double inside = -1e300; // how far the place is in the triangle that holds it best
+        double difference = 0;
+    };
+    std::array<Side, 4> sides;
+    const auto side_of = [&](std::uint32_t vertex) -> Side& {
+        std::size_t s = 0;
+        while (s + 1 < sides.size() && sides[s].vertex != vertex && sides[s].vertex != Fans::none)
+            ++s;
+        sides[s].vertex = vertex;
+        return sides[s];
+    };
+    const auto differs = [&](std::uint32_t vertex, const glm::dvec4& color) {
+        return glm::length(glm::dvec4(mesh_.colors[vertex]) - color);
+    };
+    for (const auto face : {c.fl, c.fr}) // all that there is where no triangle moves
+        if (face.is_valid()) {
+            const std::uint32_t vertex = surface_.vertex(face, c.v0);
+            side_of(vertex).difference = differs(vertex, mesh_.colors[surface_.vertex(face, c.v1)]);
+        }
+    surface_.each_moved_face(c, [&](std::size_t f, int corner, std::uint32_t goal) {
+        glm::uvec3 v = surface_.vertices()[f], n = surface_.nodes()[f];
+        Side& side = side_of(v[corner]);
+        v[corner] = goal;
+        n[corner] = static_cast<std::uint32_t>(c.v1.idx());
+        const std::array<glm::dvec3, 3> at{places_[0][n.x], places_[0][n.y], places_[0][n.z]};
+        const glm::dvec3 shares = barycentric(p, at);
+        const double inside = std::min({shares.x, shares.y, shares.z});
+        if (!(inside > side.inside)) return true;
+        glm::dvec3 near = glm::max(shares, glm::dvec3(0));
+        near /= near.x + near.y + near.z;
+        glm::dvec4 color(0);
+        for (int i = 0; i < 3; ++i) color += near[i] * glm::dvec4(mesh_.colors[v[i]]);
+        const std::uint32_t removed = surface_.vertices()[f][corner];
+        side = {removed, inside, differs(removed, color)};
+        return true;
+    });
+    double most = 0;
+    for (const Side& side : sides) most = std::max(most, side.difference);
+    return most;
 }
 
 void CollapseCost::after(const Collapse& c)

@@ -32,6 +32,7 @@ private:
     bool turns_over(const std::vector<glm::vec2>& uv, const glm::uvec3& vertices, int corner,
                     std::uint32_t goal) const;
     void take_planes(std::size_t pose);
+    double color_difference(const Collapse& c) const;
 
     const Mesh& mesh_;
     const Fans& fans_;
@@ -40,6 +41,7 @@ private:
     std::vector<double> tolerance_;
     bool any_shared_;
     std::vector<std::vector<Planes>> faces_, rails_; // by pose, by node
+    double color_metres_ = 0; // the movement as which black in place of white counts
 };
 
 } // namespace trivar

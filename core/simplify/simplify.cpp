@@ -103,7 +103,10 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
     const Fans fans = fans_of(*mesh);
     out.left_out = fans.left_out;
     const VertexPlaces places = places_of(*mesh, options);
-    const std::size_t triangles = wanted - std::min(wanted, fans.left_out);
+    // What is left out keeps all its triangles, and the rest its own share of them.
+    const std::size_t rest = before - fans.left_out;
+    const auto triangles = static_cast<std::size_t>(std::ceil(
+        static_cast<double>(wanted) * static_cast<double>(rest) / static_cast<double>(before)));
     const double error = std::max(options.error.value_or(0), rounding_of(*mesh));
     const Decimation left =
         options.error ? decimated_within(error, *mesh, fans, places, triangles, progress)

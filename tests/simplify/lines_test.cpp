@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Borders, seams, creases and the lines between materials stay; so does what a vertex has.
+#include "core/files/read_model.h"
 #include "tests/mesh/edges.h"
 #include "tests/simplify/meshes.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -191,6 +193,43 @@ TEST(SimplifyLines, KeepsWhatBendsInAPose)
     for (std::size_t v = 0; v < arc.size(); ++v)
         target.morph_targets[0].positions.push_back(arc[v] - bar.positions[v]);
     EXPECT_EQ(to_error(target, 0.02).triangles, less.triangles);
+}
+
+// Two patches of one surface, as an OBJ has them whose program wrote the border of each.
+TEST(SimplifyLines, LeavesNoSlitBetweenPatchesOfAFile)
+{
+    std::string text;
+    for (const int side : {0, 1})
+        for (int i = 0; i <= 20; ++i)
+            for (int j = 0; j <= 20; ++j) {
+                const double x = side + i / 20.0, y = j / 20.0;
+                text += fmt::format("v {:.9f} {:.9f} {:.9f}\n", x, y,
+                                    0.1 * std::sin(4 * x) * std::cos(5 * y));
+            }
+    for (const int side : {0, 1})
+        for (int i = 0; i < 20; ++i)
+            for (int j = 0; j < 20; ++j) {
+                const int v = 441 * side + 21 * i + j + 1;
+                text += fmt::format("f {} {} {} {}\n", v, v + 21, v + 22, v + 1);
+            }
+    const Mesh patches = *read_model_bytes(text, "patches.obj", "", {.up = UpAxis::z}).meshes[0];
+    EXPECT_EQ(count_edges(patches).open, 120);
+    for (const std::size_t triangles : {400, 150, 60}) {
+        Mesh less = *to_number(patches, triangles).mesh;
+        less.points = points_by_position(less.positions);
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+        for (const glm::uvec3& t : trivar::triangles(less))
+            for (int i = 0; i < 3; ++i)
+                ++uses[std::minmax(less.point(t[i]), less.point(t[(i + 1) % 3]))];
+        std::vector<glm::vec3> at(less.vertex_count());
+        for (std::size_t v = 0; v < at.size(); ++v) at[less.points[v]] = less.positions[v];
+        for (const auto& [edge, faces] : uses) {
+            const glm::vec3 middle = (at[edge.first] + at[edge.second]) / 2.0f;
+            const bool outline = middle.x < 1e-6f || middle.x > 2 - 1e-6f || middle.y < 1e-6f ||
+                                 middle.y > 1 - 1e-6f;
+            if (!outline) EXPECT_EQ(faces, 2);
+        }
+    }
 }
 
 } // namespace trivar::testing

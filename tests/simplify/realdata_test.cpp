@@ -49,6 +49,23 @@ TEST_P(RealDataSimplify, OfAThousandthOfTheSizeIsNoFurtherAndClosedWhereItWas)
     EXPECT_TRUE(before.open + before.crowded > 0 || after.open + after.crowded == 0);
 }
 
+// Its patches have vertices of their own along the seams between them.
+TEST(RealDataTeapot, HasNoSlitsAtATenthOfItsTriangles)
+{
+    if (real_data_folder().empty()) GTEST_SKIP() << "no folder of real models";
+    const Ref<Mesh> pot = read_model(real_data_folder() + "/meshes/teapot.obj").meshes.front();
+    const std::size_t triangles = trivar::triangles(*pot).size();
+    const auto joined = [](Mesh mesh) {
+        mesh.points = points_by_position(mesh.positions);
+        return count_edges(mesh);
+    };
+    const SimplifiedMesh less = to_number(*pot, triangles / 10);
+    EXPECT_LE(less.triangles, triangles / 5);
+    EXPECT_LE(joined(*less.mesh).open, joined(*pot).open);
+    EXPECT_EQ(joined(*less.mesh).crowded, 0);
+    EXPECT_LE(sampled_distance(*less.mesh, *pot, 4), 0.03 * glm::length(bounding_box(*pot).size()));
+}
+
 INSTANTIATE_TEST_SUITE_P(RealData, RealDataSimplify, ::testing::Values("fandisk.obj", "spot.obj"));
 
 } // namespace trivar::testing
