@@ -13,7 +13,7 @@ namespace {
 
 // At the poles the picture would have no horizon: this near (radians) is near enough.
 constexpr double pole_gap = 0.01;
-constexpr double nearest_world = 1e-4, farthest_world = 1e6;
+constexpr double nearest_world = 1e-8, farthest_world = 1e10; // cells to countries
 
 glm::dvec3 forward_of(const Camera& camera)
 {

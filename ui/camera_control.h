@@ -18,7 +18,7 @@ Camera orbited(const Camera& camera, const glm::dvec3& pivot_world, glm::dvec2 d
 Camera panned(const Camera& camera, const glm::dvec3& anchor_world, glm::dvec2 drag_px);
 
 // Moves the camera nearer (factor below 1) or further away; the anchor keeps its place in the
-// picture. The distance from the target stays between 1e-4 and 1e6 metres.
+// picture. The distance from the target stays between 1e-8 and 1e10 metres.
 Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double factor);
 
 // Keeps the direction and moves the camera so near that the points just fit the picture with a
