@@ -129,8 +129,11 @@ struct Stage : SimplifyingEffects,
     // split.
     const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }
     bool has_no_geometry() const { return parts.empty() && curves.empty(); }
-    // Volume data may be seen by lines and rays alone.
-    bool shows_nothing() const { return has_no_geometry() && !(shape && shape->volume); }
+    // Volume data may be seen by lines and rays alone; tetrahedra are seen by their edges.
+    bool shows_nothing() const
+    {
+        return has_no_geometry() && !tetrahedra && !(shape && shape->volume);
+    }
     // A sentence for the user that says why the stroke gave nothing; the object then stands
     // undeformed where its transform says. A tool shows the sentence and does not commit. Empty:
     // the object is laid, or has no stroke.

@@ -6,6 +6,7 @@
 #include "core/commands/read_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,7 @@ using nlohmann::json;
 
 // A stroke of a thousand samples takes 50 kB. JSON in memory is about thirty times its text.
 constexpr std::size_t longest_line = std::size_t{16} << 20;
+constexpr int largest_frame = 999'999; // as in set_time
 
 void check_header(const json& header)
 {
@@ -48,6 +50,17 @@ std::string taken_digest(json& object, const std::string& name)
     return digest;
 }
 
+std::optional<int> taken_frame(json& object)
+{
+    if (!object.contains("frame")) return {};
+    const double frame = object["frame"].is_number_integer() ? object["frame"].get<double>() : NAN;
+    if (!(std::abs(frame) <= largest_frame))
+        throw Rejected(
+            fmt::format("field \"frame\" must be a whole number from -{0} to {0}", largest_frame));
+    object.erase("frame");
+    return static_cast<int>(frame);
+}
+
 std::string taken_note(json& object)
 {
     if (!object.contains("note")) return {};
@@ -67,6 +80,7 @@ LogLine read_line(json object)
     line.digest = taken_digest(object, "digest");
     line.effects = taken_digest(object, "effects");
     const bool digests = !line.digest.empty() || !line.effects.empty();
+    if (!line.effects.empty() && !object.contains("do")) line.frame = taken_frame(object);
     if (object.contains("do")) {
         line.note = taken_note(object);
         line.what = command_from(object);
@@ -183,12 +197,14 @@ std::string redo_line()
     return "{\"redo\":true}\n";
 }
 
-std::string check_line(const std::string& digest, const std::string& effects)
+std::string check_line(const std::string& digest, const std::string& effects,
+                       std::optional<int> frame)
 {
     std::string fields;
     if (!digest.empty()) fields += "\"digest\":" + json_text(digest);
     if (!effects.empty())
         fields += (fields.empty() ? "" : ",") + ("\"effects\":" + json_text(effects));
+    if (frame) fields += fmt::format(",\"frame\":{}", *frame);
     return "{" + fields + "}\n";
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/scene/history.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,6 +19,7 @@ namespace trivar {
 //   {"undo":true}
 //   {"redo":true}
 //   {"digest":"<of the causes>","effects":"<of what they give>"}     either or both
+//   {"digest":"...","effects":"...","frame":48}                      effects in that frame
 //
 // A command, undo or redo may carry "digest" too: of the causes after it. A command may carry a
 // "note": words of the author, one paragraph, which stay with it.
@@ -31,6 +33,7 @@ struct LogLine {
     int number = 0; // in the file, from 1
     std::variant<Command, UndoLine, RedoLine, CheckLine> what;
     std::string digest, effects; // of the document after this line; empty: not given
+    std::optional<int> frame;    // of the effects; nothing: the scene's first
     std::string note;            // of a command
 };
 struct Log {
@@ -60,7 +63,8 @@ std::string log_header();
 std::string command_line(const Command& command, const std::string& note = {});
 std::string undo_line();
 std::string redo_line();
-std::string check_line(const std::string& digest, const std::string& effects);
+std::string check_line(const std::string& digest, const std::string& effects,
+                       std::optional<int> frame = {});
 
 // The whole text. Either all steps, followed by the undo lines for the undone ones, or only those
 // in force.

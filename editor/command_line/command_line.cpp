@@ -205,8 +205,7 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "proven of each volume: where it folds, and where it meets itself");
     replay
         ->add_flag("--digest", o.digest,
-                   "print the digests as a line that can be appended to the scene")
-        ->excludes("--frame");
+                   "print the digests as a line that can be appended to the scene");
     replay
         ->add_option("--epsilon", o.epsilon,
                      "split the triangles of all bent objects until their surfaces are "

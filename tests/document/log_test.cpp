@@ -192,6 +192,13 @@ TEST(Log, CarriesDigests)
     const Log log = read_log(text, "a.trivar");
     EXPECT_EQ(log.lines.front().digest, std::string(32, 'a'));
     EXPECT_EQ(log.lines.front().effects, std::string(32, 'b'));
+    EXPECT_EQ(log.lines.front().frame, std::nullopt);
+    const std::string in_frame = check_line("", std::string(32, 'b'), -48);
+    EXPECT_EQ(read_log(log_header() + in_frame, "a").lines.front().frame, -48);
+    for (const char* frame : {"1.5", "1e9", "null", "\"1\"", "99999999999999999999"})
+        EXPECT_THAT(line_rejection("{\"effects\":\"" + std::string(32, 'b') +
+                                   "\",\"frame\":" + frame + "}"),
+                    HasSubstr("field \"frame\" must be a whole number"));
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include "gpu/ffd/deform_timer.h"
 #include "gpu/ffd/device_poser.h"
 #include "gpu/renderer.h"
+#include "tests/gallery/scenes.h"
 #include "tests/golden/pictures.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ std::map<std::string, std::string> models_made_here()
 }
 
 const std::string scenes_folder = TRIVAR_SOURCE_DIR "/assets/scenes";
+using testing::every_scene;
 
 Document document_of(const std::string& name)
 {
@@ -63,40 +65,10 @@ Scene replayed(const std::string& name)
 // As a scene is shown: in its first frame, or in the one that says what it is about.
 Scene shown(const std::string& name)
 {
-    constexpr int between_the_cars = 200, grown = 120, half_open = 57, thorny = 96;
-    constexpr int between_the_bars = 44, in_the_tree = 62, round_the_column = 47, sliced_apart = 48;
-    constexpr int round_the_head = 49, in_the_camel = 46, in_rings = 60, quite_open = 48;
-    constexpr int held_open = 24;
-    const std::map<std::string, int> frames{{"bulldozer_parks", between_the_cars},
-                                            {"wreath", grown},
-                                            {"thorn_to_flower", half_open},
-                                            {"face_thorns", thorny},
-                                            {"robot_bars", between_the_bars},
-                                            {"robot_bars_tilted", between_the_bars},
-                                            {"bulldozer_tree", in_the_tree},
-                                            {"sphere_cylinder", round_the_column},
-                                            {"sphere_cylinder_stitched", round_the_column},
-                                            {"sphere_cylinder_ends", round_the_column},
-                                            {"part_profile", round_the_head},
-                                            {"bunny_cylinder", in_the_camel},
-                                            {"sliced", sliced_apart},
-                                            {"pineapple", in_rings},
-                                            {"crossing_cuts", quite_open},
-                                            {"face_incisions", quite_open},
-                                            {"forearm_layers", held_open}};
-    const auto found = frames.find(name);
-    if (found == frames.end()) return replayed(name);
+    const std::optional<int> frame = testing::shown_frame(name);
+    if (!frame) return replayed(name);
     const Document document = document_of(name);
-    return {document_at(document, found->second), evaluator_here()(document, found->second)};
-}
-
-std::vector<std::string> every_scene()
-{
-    std::vector<std::string> out;
-    for (const auto& entry : std::filesystem::directory_iterator(scenes_folder))
-        if (entry.path().extension() == ".trivar") out.push_back(entry.path().stem());
-    std::ranges::sort(out);
-    return out;
+    return {document_at(document, *frame), evaluator_here()(document, *frame)};
 }
 
 class Gallery : public ::testing::TestWithParam<std::string> {};

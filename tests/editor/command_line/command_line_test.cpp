@@ -138,6 +138,45 @@ TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)
     }
 }
 
+TEST(Replay, StoresTheDigestOfTheResultInAFrame)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    const std::string moving =
+        scene_text() + command_line(SetTravel{{2}, {.speed = 1, .ends = Ends::run_on}});
+    write_file(path, moving);
+    const std::string first = run({"replay", path, "--digest"}).out;
+    const std::string later = run({"replay", path, "--digest", "--frame", "48"}).out;
+    EXPECT_NE(first.substr(0, first.size() - 2), later.substr(0, first.size() - 2));
+    EXPECT_THAT(later, HasSubstr(",\"frame\":48}"));
+    write_file(path, moving + first + later);
+    EXPECT_EQ(run({"replay", path, "--check"}).status, Status::done);
+    write_file(path, moving + first.substr(0, first.size() - 2) + ",\"frame\":48}\n");
+    EXPECT_EQ(run({"replay", path, "--check"}).status, Status::check_failed);
+}
+
+TEST(Replay, SaysThatOnlyTheCausesDifferWhereTheResultIsTheSame)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write_file(path, scene_text());
+    std::string line = run({"replay", path, "--digest"}).out;
+    line.replace(line.find(':') + 2, 32, std::string(32, '0'));
+    write_file(path, scene_text() + line);
+    EXPECT_THAT(run({"replay", path, "--check"}).talk, HasSubstr("the result's is the same"));
+}
+
+TEST(Replay, TakesTetrahedraAndTilesBeforeTheyGrowAsWhole)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    AddTetrahedra around;
+    around.objects = {1};
+    write_file(path, log_header() + command_line(AddBox{}) + command_line(around));
+    const Ran ran = run({"replay", path, "--check"});
+    EXPECT_EQ(ran.status, Status::done) << ran.talk;
+}
+
 TEST(Replay, NamesTheFirstLineThatDiffers)
 {
     const TemporaryFolder folder;
