@@ -227,7 +227,9 @@ TEST(SimplifyLines, LeavesNoSlitBetweenPatchesOfAFile)
             const glm::vec3 middle = (at[edge.first] + at[edge.second]) / 2.0f;
             const bool outline = middle.x < 1e-6f || middle.x > 2 - 1e-6f || middle.y < 1e-6f ||
                                  middle.y > 1 - 1e-6f;
-            if (!outline) EXPECT_EQ(faces, 2);
+            if (!outline) {
+                EXPECT_EQ(faces, 2);
+            }
         }
     }
 }
