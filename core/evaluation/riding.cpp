@@ -8,17 +8,6 @@
 namespace trivar {
 namespace {
 
-Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world)
-{
-    ShapedVolume out = shaped;
-    out.placement = make_ref(carried(*shaped.placement, to_world));
-    LaidVolume laid = *shaped.volume;
-    laid.volume = make_ref(mapped(*laid.volume, to_world));
-    laid.as_laid = make_ref(mapped(*laid.as_laid, to_world));
-    out.volume = make_ref(std::move(laid));
-    return make_ref(std::move(out));
-}
-
 // Carries parts in volumes with their hosts, each volume once.
 class CarriedParts {
 public:
@@ -48,6 +37,17 @@ private:
 };
 
 } // namespace
+
+Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world)
+{
+    ShapedVolume out = shaped;
+    out.placement = make_ref(carried(*shaped.placement, to_world));
+    LaidVolume laid = *shaped.volume;
+    laid.volume = make_ref(mapped(*laid.volume, to_world));
+    laid.as_laid = make_ref(mapped(*laid.as_laid, to_world));
+    out.volume = make_ref(std::move(laid));
+    return make_ref(std::move(out));
+}
 
 Placement carried(Placement placement, const glm::dmat4& to_world)
 {

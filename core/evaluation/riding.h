@@ -23,5 +23,6 @@ private:
 // A placement where a matrix takes it that turns, scales evenly and shifts; lengths of its report
 // go with the scale.
 Placement carried(Placement placement, const glm::dmat4& to_world);
+Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world); // likewise
 
 } // namespace trivar

@@ -10,6 +10,23 @@ const Part& innermost(const Part& part)
     return *out;
 }
 
+Part with_innermost(const Part& part, const Ref<Mesh>& mesh)
+{
+    if (!part.bent) return {.rest = mesh, .to_world = part.to_world, .key = part.key};
+    const Ref<Deformation> bent = part.bent;
+    Ref<Part> inner;
+    if (bent->inner) inner = make_ref(with_innermost(*bent->inner, mesh));
+    const Ref<Mesh> before = inner ? inner->mesh() : mesh;
+    Embedding near = bent->embedding;
+    if (part.to_world != glm::dmat4(1)) near.to_rest = glm::inverse(part.to_world) * near.to_rest;
+    const Lazy<Ref<Mesh>> out([=] { return make_ref(deform(*before, near, *bent->volume)); });
+    return {.rest = before,
+            .to_world = part.to_world,
+            .bent = make_ref(Deformation{bent->embedding, bent->volume, out, inner}),
+            .key = part.key,
+            .bounds = part.bounds};
+}
+
 DeformedPoint point_in_world(const Part& part, const glm::dvec3& p_object)
 {
     if (!part.bent)

@@ -14,7 +14,8 @@ struct Part;
 
 // A Deformation says how a mesh lies in a volume, and gives the mesh in the world. The processor
 // computes that when it is first asked for, on any thread, by one deformation of the vertices
-// (core/ffd/deform.h). Where the graphics card draws, nobody asks.
+// (core/ffd/deform.h). Where the graphics card draws, nobody asks. Of a part with a to_world the
+// mesh is before that.
 struct Deformation {
     Embedding embedding;
     Ref<Lattice> volume;
@@ -26,8 +27,10 @@ struct Deformation {
 // A Part is one mesh as it stands in the world: posed by its model's clip, and then deformed by a
 // volume.
 struct Part {
-    LaterMesh rest;         // has the same faces, corners and number of vertices as the result
-    glm::dmat4 to_world{1}; // identity where a volume deforms it
+    LaterMesh rest; // has the same faces, corners and number of vertices as the result
+    // Of mesh(). Where a volume deforms it, whose embedding gives the place in the world, a shift:
+    // the vertices of a part far from the origin are relative to a point near it.
+    glm::dmat4 to_world{1};
     Ref<PosedMesh> posed = nullptr;  // null where no skin and no morph target moves its vertices
     Ref<Deformation> bent = nullptr; // null where no volume does
     PartKey key = {};
@@ -58,6 +61,10 @@ struct Part {
 
 // The part in the first of the volumes that deform it, before all others.
 const Part& innermost(const Part& part);
+
+// The part with another mesh in the first of the volumes that deform it, which is deformed when
+// somebody asks.
+Part with_innermost(const Part& part, const Ref<Mesh>& mesh);
 
 // Where a point of the mesh that the first of them deforms is in the world, after all volumes of
 // the part, and the derivative of that by the point. In double precision.

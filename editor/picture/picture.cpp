@@ -79,7 +79,10 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
                 instance.mesh = part.rest;
                 instance.posed = part.posed;
                 instance.rest = part.before_split;
-                if (part.bent) instance.stages = {{part.bent->volume, part.bent->embedding}};
+                if (part.bent) {
+                    instance.stages = {{part.bent->volume, part.bent->embedding}};
+                    instance.to_world = glm::dmat4(1);
+                }
             } else {
                 instance.mesh = part.mesh();
                 instance.rest = part.before_split;

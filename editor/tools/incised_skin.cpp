@@ -32,21 +32,6 @@ bool turns_inside_out(const glm::dmat4& matrix)
     return glm::determinant(glm::dmat3(matrix)) < 0;
 }
 
-// The part with another mesh before the first of the volumes that deform it.
-Part with_mesh(const Part& part, const Ref<Mesh>& mesh)
-{
-    if (!part.bent) return {.rest = mesh, .to_world = part.to_world, .key = part.key};
-    const Ref<Deformation> bent = part.bent;
-    Ref<Part> inner;
-    if (bent->inner) inner = make_ref(with_mesh(*bent->inner, mesh));
-    const Ref<Mesh> before = inner ? inner->mesh() : mesh;
-    const Lazy<Ref<Mesh>> out(
-        [=] { return make_ref(deform(*before, bent->embedding, *bent->volume)); });
-    return {.rest = before,
-            .bent = make_ref(Deformation{bent->embedding, bent->volume, out, inner}),
-            .key = part.key};
-}
-
 Ref<RayScene> skin_scene(const std::vector<Part>& parts)
 {
     std::vector<RayScene::Entry> entries;
@@ -98,9 +83,9 @@ void IncisedSkin::look(const Session& session, Id object)
             part.posed = *posed_later(part.original, first.posed->pose)->mesh;
         part.mirrors = turns_inside_out(part.shut_to_part);
         parts_.push_back(part);
-        shut_parts_.push_back(
-            with_mesh(all[p], part.mirrors ? make_ref(transformed(*part.posed, part.shut_to_part))
-                                           : part.posed));
+        shut_parts_.push_back(with_innermost(
+            all[p],
+            part.mirrors ? make_ref(transformed(*part.posed, part.shut_to_part)) : part.posed));
     }
     auto trees = std::make_shared<Trees>();
     const auto same = [](const SkinPart& a, const SkinPart& b) {
