@@ -35,7 +35,7 @@ void check_splitting(const Document& document, Id id, const Splitting& splitting
 
 struct ClearSplit {
     static constexpr std::string_view verb = "clear_split",
-                                      summary = "Let objects be parted by nothing any more.";
+                                      summary = "Make objects that obstacles part whole again.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     std::vector<Id> objects;
     bool operator==(const ClearSplit&) const = default;

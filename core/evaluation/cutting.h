@@ -11,9 +11,11 @@ namespace trivar {
 // a bent, posed or tiled model is what is cut. Every piece is a part by itself, so that a gap that
 // opens only moves parts. A layer of tiles is cut with what it is painted on, and then by cuts of
 // its own: tiles that no cut goes through move with their piece or go with it, the others are cut,
-// too. Stage: cut.
+// too. A second such step, after splits, makes the cuts that were drawn over what is parted. Stage:
+// cut.
 class CuttingStep : public Step {
 public:
+    explicit CuttingStep(bool of_parted) : of_parted_(of_parted) {}
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
     // A piece of a part; without a mesh and tiles it is all of the part.
@@ -27,7 +29,8 @@ public:
     struct Pieces {
         std::vector<std::vector<Piece>> of_parts;
         CapCounts caps;
-        double off = 0; // metres
+        double off = 0;                         // metres
+        unsigned goes_through = 0, touches = 0; // something; bit i: cut i
     };
     // What pieces come from; gaps are 0 in `cutting`.
     struct Whole {
@@ -41,6 +44,7 @@ public:
     struct PiecesKey {
         std::vector<Whole> parts;
         Cutting cutting;
+        unsigned made = 0;                         // the cuts that are made; bit i: cut i
         double metres = 1;                         // of a unit of the object's own space
         std::optional<std::uint32_t> material = 0; // of caps; none: that of a part's first face
         bool operator==(const PiecesKey&) const = default;
@@ -58,6 +62,7 @@ public:
     };
 
 private:
+    bool of_parted_;
     std::vector<Known> known_; // of the bases of a layer of tiles, and of its own
 };
 

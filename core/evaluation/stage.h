@@ -86,12 +86,16 @@ struct UnwrappingEffects {
 struct CuttingEffects {
     std::size_t pieces = 0; // into which it is cut; 0: nothing cuts it
     double cut_off = 0;     // metres: bound of the distance of its cuts from curved cut surfaces
+    // How far, in its own space, the part above each of its own cuts stands off its place; the part
+    // below stands off as far the other way.
+    std::vector<glm::dvec3> cuts_open = {};
 };
 
 struct SplittingEffects {
     // The field that parts it, where it stands at this frame; null: it is parted by nothing.
     Ref<SplitField> split_field;
-    double split_off = 0; // metres: bound of the distance of its triangles from the true walls
+    bool split_apart = false; // that moves something of it
+    double split_off = 0;     // metres: bound of the distance of its triangles from the true walls
     std::vector<Part> whole_parts = {}; // as they were before; empty: nothing was cut
 };
 

@@ -2,7 +2,6 @@
 #include "core/evaluation/tile_pieces.h"
 
 #include "core/base/parallel.h"
-#include "core/split/cut_side.h"
 
 #include <map>
 
@@ -10,17 +9,6 @@ namespace trivar {
 namespace {
 
 constexpr unsigned crossed = ~0u; // the sides of a tile that a cut may go through
-
-unsigned sides_of(const Box& hull, const std::vector<CutSheet>& sheets)
-{
-    unsigned out = 0;
-    for (std::size_t i = 0; i < sheets.size(); ++i) {
-        const std::optional<bool> above = side_of(hull, sheets[i]);
-        if (!above) return crossed;
-        out |= (*above ? 1u : 0u) << i;
-    }
-    return out;
-}
 
 // Those of a run that are on the given sides; the run itself where all are.
 PlacedTiles::Run chosen(const PlacedTiles::Run& run, const unsigned* sides, unsigned wanted)
@@ -33,12 +21,13 @@ PlacedTiles::Run chosen(const PlacedTiles::Run& run, const unsigned* sides, unsi
 
 } // namespace
 
-TilePieces tile_pieces(const Ref<TileSet>& set, const std::vector<CutSheet>& sheets, bool alone,
+TilePieces tile_pieces(const Ref<TileSet>& set, bool alone, const SidesOfBox& sides_of,
                        const std::function<bool(unsigned sides)>& kept)
 {
     std::vector<unsigned> sides(set->tiles->size());
     parallel_blocks(sides.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) sides[i] = sides_of(set->extents[i].hull, sheets);
+        for (std::size_t i = begin; i < end; ++i)
+            sides[i] = sides_of(set->extents[i].hull).value_or(crossed);
     });
     std::map<unsigned, PlacedTiles> of;
     for (const unsigned each : sides) of[each];

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/patches/tile_set.h"
-#include "core/split/cut_sheet.h"
 
 #include <functional>
+#include <optional>
 
 namespace trivar {
 
@@ -15,11 +15,14 @@ struct TilePieces {
     Ref<Mesh> crossed; // all tiles that a cut may go through, as one mesh; null: none
 };
 
-// Sorts the tiles by their hulls, which `to_own` takes to the space of the cuts. `kept` says
-// whether what is on some sides is kept. `alone`: the mesh of the set is that of its tiles bent one
-// by one; the mesh of others cannot be taken apart, and is crossed as a whole. Tiles that are not
-// crossed are not bent. 2 microseconds per tile in runs that are divided.
-TilePieces tile_pieces(const Ref<TileSet>& set, const std::vector<CutSheet>& sheets, bool alone,
+// On which sides of cuts all of a box is; none: a cut may go through it.
+using SidesOfBox = std::function<std::optional<unsigned>(const Box&)>;
+
+// Sorts the tiles by their hulls. `kept` says whether what is on some sides is kept. `alone`: the
+// mesh of the set is that of its tiles bent one by one; the mesh of others cannot be taken apart,
+// and is crossed as a whole. Tiles that are not crossed are not bent. 2 microseconds per tile in
+// runs that are divided.
+TilePieces tile_pieces(const Ref<TileSet>& set, bool alone, const SidesOfBox& sides_of,
                        const std::function<bool(unsigned sides)>& kept);
 
 } // namespace trivar

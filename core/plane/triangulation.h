@@ -30,7 +30,7 @@ public:
     JoinResult join(int a, int b);
 
     // Declares as inside the area to the left of these edges, which must stay. Returns whether they
-    // enclose it.
+    // enclose it, once everywhere.
     bool fill(const std::vector<std::pair<int, int>>& edges);
     // Inserts centres of circumscribed circles [1] of triangles inside that have an edge longer
     // than that, as long as one lies, within sight, in a triangle that `may_split`; `added` is told

@@ -3,6 +3,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/split/needed_cut.h"
+#include "core/split/on_cut.h"
 
 namespace trivar {
 
@@ -10,8 +11,9 @@ namespace trivar {
 // in one mesh: faces and vertices that were not cut keep their order, and stand first. Each half
 // has its own copies of the places on the cut, so that the halves can part.
 //
-// A place is a point of the surface on an edge that was cut; places are numbered from 0. Its point
-// in Mesh::points is first_point + 2 place below the cut, and one more above it.
+// A place is a point of the surface on an edge that was cut, or a point of the mesh that lies on
+// the cut; places are numbered from 0. Its point in Mesh::points is first_point + 2 place below the
+// cut, and one more above it.
 struct CutMesh {
     Mesh mesh;               // open along the cut; `points` is never empty where something was cut
     std::vector<char> above; // #V: 1 where the function is not negative
@@ -20,8 +22,8 @@ struct CutMesh {
     // above the cut. They are the edges of the faces above; the faces below run along them the
     // other way.
     std::vector<glm::uvec2> rim;
-    // The edges that were cut, by their vertices: copy 2 e and 2 e + 1 lie on edge e. And one of
-    // the edges of each place.
+    // The edges that were cut, by their vertices: copy 2 e and 2 e + 1 lie on edge e, which is from
+    // a vertex to itself where that lies on the cut. And one of the edges of each place.
     std::vector<glm::uvec2> edges;
     std::vector<std::uint32_t> edge_of_place;
     std::uint32_t first_vertex =
@@ -46,8 +48,10 @@ struct CutMesh {
 // O(#V + #C), and O(k log k) for k faces that are cut. The same bits for any number of threads.
 // `memory` is a result that is not needed any more, of an earlier place of a cut that moves: its
 // memory is used again. `need` says where the halves part: loops beside that are left whole (see
-// needed()); the mesh then consists of triangles. [Schein, thesis, chapter 6]
+// needed()); the mesh then consists of triangles. With `on`, vertices that near lie on the cut, and
+// no height is moved: it goes through them, faces on it are not cut, and what only touches it is
+// not parted, so that nothing is made thinner than that. [Schein, thesis, chapter 6]
 CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory = {},
-            const CutNeed* need = nullptr);
+            const CutNeed* need = nullptr, const OnCut* on = nullptr);
 
 } // namespace trivar

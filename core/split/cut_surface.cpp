@@ -37,7 +37,10 @@ std::vector<Middle> middles(const ObstacleColumns& columns)
     std::vector<Middle> out;
     for (std::size_t k = 0; k < at.size(); ++k)
         if (extents[k]) out.push_back({at[k], (extents[k]->x + extents[k]->y) / 2});
-    if (out.empty()) throw Rejected("the obstacle is too thin to be parted by");
+    if (out.empty())
+        throw Rejected(
+            "is too thin to split round; choose a thicker obstacle, or turn the directions of the "
+            "split");
     return out;
 }
 

@@ -26,8 +26,24 @@ struct PlainCut {
     double eye = 0;
     CutKeep keep = CutKeep::both;
     double gap = 0; // metres in the world between the halves; each moves by half of it
+    // What it was drawn over: how far the part above each earlier cut of the object then stood off
+    // its place, in this space; the part below stood off as far the other way. So it goes through
+    // each piece where it was seen, and a gap that changes later only moves pieces. Missing: 0.
+    std::vector<glm::dvec3> opened = {};
+    // It was drawn over an object that obstacles part, and cuts what they leave of it.
+    bool parted = false;
     bool operator==(const PlainCut&) const = default;
 };
+
+// How far the piece on those sides of the earlier cuts stood off its place when a cut was drawn, in
+// the cut's space. Bit i of `sides`: above cut i; of `made`: there is such a cut.
+inline glm::dvec3 drawn_off(const PlainCut& cut, unsigned sides, unsigned made)
+{
+    glm::dvec3 out(0);
+    for (std::size_t i = 0; i < cut.opened.size(); ++i)
+        if ((made >> i & 1u) != 0) out += (sides >> i & 1u) != 0 ? cut.opened[i] : -cut.opened[i];
+    return out;
+}
 
 // Cutting says where an object is cut, one cut after the other through all pieces.
 struct Cutting {

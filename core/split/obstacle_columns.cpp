@@ -22,7 +22,9 @@ ObstacleColumns::ObstacleColumns(const std::vector<RayScene::Entry>& bodies,
     }
     const glm::dvec3 size = box_.size();
     if (!(size.x > 0 && size.y > 0 && size.z > 0))
-        throw Rejected("the obstacle is flat or empty as seen in the direction of the split");
+        throw Rejected(
+            "is flat or empty as seen along the split; turn it, or the directions of the split, or "
+            "choose an obstacle with a thickness");
 }
 
 std::vector<std::optional<glm::dvec2>> ObstacleColumns::at(std::span<const glm::dvec2> vw) const

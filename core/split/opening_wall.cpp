@@ -12,8 +12,14 @@ namespace {
 constexpr int along = 26;                    // control points by v
 constexpr int fewest = 14, most_across = 72; // by w
 constexpr int grid = 160;                    // columns along either axis
-constexpr double lift_rest = 1e-6;           // metres, added so that the lift ends
 constexpr int most_sweeps = 400;
+
+// Metres that a lift adds so that it ends; less for what is tiny, and as much as numbers can tell.
+double lift_rest(const Box& box)
+{
+    const double size = glm::length(box.size());
+    return std::max(std::min(1e-6, 1e-4 * size), 1e-11 * size);
+}
 
 // A long obstacle has more of them.
 int points_across(const Box& box)
@@ -56,7 +62,7 @@ bool fixed(const Surface<double>& wall, int rows, int i, int j)
 // A sample that is short by r would be lifted enough by r b / sum b^2 alone; the largest of these
 // only adds.
 void lift(Surface<double>& wall, int rows_at_end, const std::vector<Need>& samples,
-          std::size_t side)
+          std::size_t side, double rest)
 {
     struct Row {
         std::array<double, 16> weight;
@@ -70,7 +76,7 @@ void lift(Surface<double>& wall, int rows_at_end, const std::vector<Need>& sampl
             const Basis b = basis(wall.axes[1], samples[s].vw.y);
             Row& row = rows[s];
             row.squares = 0;
-            row.target = samples[s].height[side] + lift_rest;
+            row.target = samples[s].height[side] + rest;
             for (std::size_t k = 0; k < 16; ++k) {
                 const int i = a.first + static_cast<int>(k / 4),
                           j = b.first + static_cast<int>(k % 4);
@@ -88,7 +94,7 @@ void lift(Surface<double>& wall, int rows_at_end, const std::vector<Need>& sampl
             double value = 0;
             for (std::size_t k = 0; k < 16; ++k) value += row.weight[k] * wall.points[row.index[k]];
             const double missing = row.target - value;
-            if (missing <= 1e-9 || row.squares <= 0) continue;
+            if (missing <= 1e-3 * rest || row.squares <= 0) continue;
             short_of = true;
             for (std::size_t k = 0; k < 16; ++k)
                 more[row.index[k]] =
@@ -106,7 +112,8 @@ void certify(const ObstacleColumns& columns, const CutSurface& surface, double c
              OpeningWall& wall, int rows_at_end, std::size_t side)
 {
     constexpr int most_lifts = 8;
-    constexpr double least_clearance = 1e-4; // metres: with less nothing is made certain
+    // metres: with less nothing is made certain
+    const double least_clearance = std::min(1e-4, 1e-2 * glm::length(columns.box().size()));
     if (clearance < least_clearance) return;
     for (int round = 0; round < most_lifts; ++round) {
         const WallCertificate known =
@@ -118,7 +125,7 @@ void certify(const ObstacleColumns& columns, const CutSurface& surface, double c
             const double phi = evaluate(surface, {p.y, p.z}).value;
             samples.push_back({{p.y, p.z}, {phi - p.x + clearance, p.x - phi + clearance}});
         }
-        lift(wall.height, rows_at_end, samples, side);
+        lift(wall.height, rows_at_end, samples, side, lift_rest(columns.box()));
     }
 }
 
@@ -172,7 +179,7 @@ std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const C
                 wall.points[k] = std::max(
                     0.0, (side == 0 ? phi - extents[k]->x : extents[k]->y - phi) + clearance);
             }
-        lift(wall, rows, samples, side);
+        lift(wall, rows, samples, side, lift_rest(box));
         certify(columns, surface, clearance, out[side], rows, side);
         out[side].most = *std::ranges::max_element(wall.points);
     }

@@ -20,7 +20,7 @@ struct OpeningWall {
 // Shares of the length of a shadow that an opening begins before it: so that the round ends of an
 // obstacle, of infinite slope, are cleared as well; so that a skin is drawn in gently; and so that
 // a wall with smooth ends can rise in time.
-constexpr double round_margin = 0.12, sewn_margin = 0.35, smooth_margin = 0.3;
+constexpr double round_margin = 0.12, smooth_margin = 0.3;
 
 // Where an obstacle opens a model: its shadow and, along v, `margin` times the length of that on
 // both sides.

@@ -15,6 +15,9 @@ constexpr double least_room = 0.25, room_share = 0.02;
 // Loops that are nearer to each other than that are sewn at one place: of both heights, and of the
 // height of all
 constexpr double least_gap = 0.25, least_gap_of_all = 0.1;
+// Of the way from an end of the opening to the obstacle, over which it is drawn in: the halves have
+// not parted there, so that no slit comes between them above the seam
+constexpr double drawing_in = 0.6;
 
 // The cubic between two knots.
 struct Piece {
@@ -172,7 +175,7 @@ Seam seam_of(const CutMesh& cut, const SplitField& field, std::size_t opening)
 {
     const Opening& o = field.openings[opening];
     const glm::dvec2 lo = o.walls[0].lo(), hi = o.walls[0].hi();
-    Seam out{{}, {lo.x, hi.x}, o.ends};
+    Seam out{{}, {lo.x, hi.x}, drawing_in * o.ends};
     if (cut.rim.empty()) return out;
     std::vector<glm::dvec2> places;
     for (const glm::vec3& p : cut.places) {
@@ -194,7 +197,7 @@ DrawnIn drawn_in(const SplitField& field, std::span<const Seam> seams, const glm
         const Opening& o = field.openings[i];
         if (!seams[i].draws() || o.beyond_walls(vw)) continue;
         const BicubicCells::Jet phi = o.surface_cells.jet(vw);
-        const double sign = sides[i] ? 1 : -1, reach = o.reach[sides[i] ? 1 : 0];
+        const double sign = sides[i] ? 1 : -1, reach = drawn_reach * o.reach[sides[i] ? 1 : 0];
         const double h = uvw.x - phi.value;
         const double x = on[i] ? 0 : std::max(0.0, sign * h) / reach;
         if (x >= 1) continue;

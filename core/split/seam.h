@@ -8,13 +8,16 @@ namespace trivar {
 
 // A Seam is where the skin beside an opening is drawn in along w, so that the lips of each half
 // meet. With the height h over the cut surface, the share x = |h| / R of the reach, and E(v), which
-// grows from 0 at both ends of the opening to 1 over the obstacle,
+// grows from 0 at both ends of the opening to 1 before its halves part,
 //
 //   w' = w + (1 - x)^2 E(v) (T(w) - w),   u' = h + phi(v, w').
+//
+// R is a share of the opening's reach: the skin is drawn into a hole, not into a trough.
 //
 // T never falls, so no line along w is turned round and nothing folds; and a point stays on its
 // side of the cut surface, as high above it, so that it is parted afterwards like any other.
 // [Schein, thesis, 6.3, where control points of the cut are moved to one w]
+inline constexpr double drawn_reach = 0.3; // R, of the reach of the opening
 struct Seam {
     struct Knot {
         double w, target, slope;

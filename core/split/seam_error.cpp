@@ -72,11 +72,15 @@ SplitError::SideErrors SplitError::drawn_in_by_sides(std::size_t opening,
         const auto& [r, nearest, farthest, kernel, slope, curve] = *in_reach;
         const JetBound wall = bounds.walls[side].over(from, to);
         // It fades like the square of what is between these
-        const double far = 1 - nearest, near = std::max(0.0, 1 - farthest);
+        const double far = std::max(0.0, 1 - nearest / drawn_reach);
+        const double near = std::max(0.0, 1 - farthest / drawn_reach);
+        const double q = drawn_reach * r;
         for (std::size_t i = 0; i < 3; ++i) {
             // The change of the distance from the surface along the edge
             const double a = std::abs(heights[(i + 1) % 3] - heights[i]) + phi_ee;
-            const EdgeMotion fading{2 * far * a / r, 2 * a * a / (r * r) + 2 * far * phi_ee / r};
+            const EdgeMotion fading =
+                far == 0 ? EdgeMotion{}
+                         : EdgeMotion{2 * far * a / q, 2 * a * a / (q * q) + 2 * far * phi_ee / q};
             const EdgeMotion w = drawn_w(e[i], seam, share, near * near, far * far, fading);
             const EdgeMotion wall_w = motion_of(wall, std::abs(e[i].x), w);
             const double u = phi_ee + motion_of(phi, std::abs(e[i].x), w).second +

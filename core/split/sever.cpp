@@ -2,11 +2,15 @@
 #include "core/split/sever.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/adjacency.h"
+#include "core/mesh/joined_borders.h"
 #include "core/split/cap.h"
 #include "core/split/halve_edges.h"
+#include "core/split/rim_loops.h"
 #include "core/split/split_error.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace trivar {
@@ -14,7 +18,8 @@ namespace {
 
 constexpr std::size_t heights_per_turn = 1 << 12;
 constexpr int most_edge_halvings = 16;
-constexpr double share_of_tolerance = 0.8; // of the surface; the rest is for CutMesh::moved
+constexpr double share_of_tolerance = 0.8;
+constexpr double least_thickness = 1e-6; // of the mesh's size
 
 // Heights of the vertices that have none yet.
 void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& sheet)
@@ -26,6 +31,36 @@ void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& she
                         for (std::size_t v = first + begin; v < first + end; ++v)
                             heights[v] = sheet.height(sheet.uvw(glm::dvec3(mesh.positions[v])));
                     });
+}
+
+// How near to the surface a vertex lies on it, in units of the cut's space: nearer than that none
+// can be told from one on it, as after a turn that was rounded.
+double on_surface(const Mesh& mesh, const CutSheet& sheet)
+{
+    const Box box = bounding_box(mesh);
+    if (box.empty()) return 0;
+    Box there;
+    double furthest = 0;
+    for (const glm::dvec3& corner : box.corners()) {
+        there.add(sheet.uvw(corner));
+        for (int i = 0; i < 3; ++i) furthest = std::max(furthest, std::abs(corner[i]));
+    }
+    const double unit = glm::length(there.size()) / glm::length(box.size());
+    return std::max(least_thickness * glm::length(there.size()),
+                    double{std::numeric_limits<float>::epsilon()} * furthest * unit);
+}
+
+// Joins corners of a mesh that are all but at one place; false: there are none.
+bool join_borders(Mesh& mesh)
+{
+    const Adjacency adjacency(mesh);
+    std::vector<std::uint32_t> border;
+    for (std::size_t e = 0; e < adjacency.edge_count(); ++e)
+        if (adjacency.is_border(e))
+            border.insert(border.end(), {adjacency.edges()[e].x, adjacency.edges()[e].y});
+    JoinedBorders joined = with_joined_borders(std::move(mesh), std::move(border));
+    mesh = std::move(joined.mesh);
+    return joined.any;
 }
 
 // Halves edges of triangles through which a curved surface goes, until all are fine enough.
@@ -118,25 +153,37 @@ Mesh half_of(const CutMesh& cut, bool above)
 } // namespace
 
 std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const SeverOptions& options,
-                             bool& above)
+                             Unsevered& unsevered)
 {
     std::vector<double> heights;
     measure(heights, given, sheet);
-    const auto is_above = [](double height) { return height >= 0; };
-    const bool none = std::ranges::none_of(heights, is_above);
-    above = !none;
+    const OnCut on{on_surface(given, sheet), [&](const glm::dvec3& p) {
+                       const glm::dvec3 uvw = sheet.uvw(p);
+                       return sheet.normal({uvw.y, uvw.z});
+                   }};
+    const auto [least, most] = std::ranges::minmax(heights);
+    unsevered = {least >= -on.within, least <= on.within && most >= -on.within};
     // Between vertices on one side a curved surface may still go through
-    if (sheet.is_flat() && (none || std::ranges::all_of(heights, is_above))) return std::nullopt;
+    if (sheet.is_flat() && (unsevered.above || most <= on.within)) return std::nullopt;
 
     Mesh mesh = given;
     mesh.creases.clear();
     if (mesh.points.empty()) mesh.points = points_by_position(mesh.positions);
     Severed out;
     if (!sheet.is_flat()) out.off = make_fine(mesh, heights, sheet, options);
-    CutMesh cut_mesh = cut(mesh, heights);
-    if (!cut_mesh.moved.empty()) out.off += std::ranges::max(cut_mesh.moved);
-    if (cut_mesh.rim.empty() && (none || std::ranges::all_of(heights, is_above)))
-        return std::nullopt;
+    CutMesh cut_mesh = cut(mesh, heights, {}, nullptr, &on);
+    if (!loops_of(cut_mesh.rim, cut_mesh.places.size()).open.empty() && join_borders(mesh)) {
+        heights.clear();
+        measure(heights, mesh, sheet);
+        cut_mesh = cut(mesh, heights, {}, nullptr, &on);
+    }
+    if (cut_mesh.rim.empty()) {
+        std::array<bool, 2> any{};
+        for (std::size_t f = 0; f < cut_mesh.mesh.face_count(); ++f)
+            any[cut_mesh.above[cut_mesh.mesh.corners[cut_mesh.mesh.face_begin[f]]] ? 1 : 0] = true;
+        unsevered.above = any[1];
+        if (!any[0] || !any[1]) return std::nullopt;
+    }
     if (options.capped) {
         CapOptions closing;
         for (const glm::vec3& place : cut_mesh.places) {

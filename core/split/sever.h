@@ -24,11 +24,18 @@ struct Severed {
     double off = 0; // units of the cut's space: bound of the distance of the cut from the surface
 };
 
+// Where a mesh is that a surface does not part.
+struct Unsevered {
+    bool above = true;
+    bool touched = false; // a face, an edge or a corner of it lies on the surface
+};
+
 // Cuts a mesh along a surface and closes both halves. A curved surface is met by triangles that are
-// fine enough there. Vertices that are not on the cut keep their bits and their order. Morph
-// targets go along; those of caps come from their rims. None: all of the mesh is on one side, that
-// of `above`.
+// fine enough there. What is no further from the surface than a millionth of the mesh's size, or
+// than its numbers can tell, lies on it: a face there belongs to one side, and no half is thinner.
+// Vertices that are not on the cut keep their bits and their order. Morph targets go along; those
+// of caps come from their rims. None: all of the mesh is on one side, which `unsevered` tells.
 std::optional<Severed> sever(const Mesh& mesh, const CutSheet& sheet, const SeverOptions& options,
-                             bool& above);
+                             Unsevered& unsevered);
 
 } // namespace trivar

@@ -55,13 +55,13 @@ void add_split_actions(std::vector<Action>& actions)
                                e.session.run(*wish);
                        },
                        {[](const Editor& e) { return split_wish(e.session).has_value(); },
-                        "select the obstacles and, last, what is to be parted by them"}});
+                        "select the obstacles and, last, the object to split"}});
     actions.push_back({"Tools",
                        "Clear split",
                        {},
                        [](Editor& e) { e.session.run(ClearSplit{selected_parted(e)}); },
                        {[](const Editor& e) { return !selected_parted(e).empty(); },
-                        "select an object that is parted by obstacles first"}});
+                        "select an object that is split first"}});
     actions.push_back({"Tools",
                        "Clear cuts",
                        {},

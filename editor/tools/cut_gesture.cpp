@@ -27,8 +27,18 @@ bool CutGesture::begin(Session& session, const ViewportInput& input, bool straig
     object_ = id;
     under_ = input.under;
     straight_ = straight;
-    way_ = DrawnWay{
-        {}, session.view.camera, shown->second->own_to_world, shown->second->bounds->center()};
+    const std::optional<Cutting>& known = object(session.committed(), id).cutting;
+    const EvaluatedObject& seen = *shown->second;
+    way_ = DrawnWay{{}, session.view.camera, seen.own_to_world, seen.bounds->center()};
+    way_->parted = seen.split_apart;
+    if (known) {
+        // In the order in which they are made: nothing that parted pieces are cut by comes before
+        way_->parted |= std::ranges::any_of(known->cuts, &PlainCut::parted);
+        way_->opened = seen.cuts_open;
+        way_->opened.resize(std::min(way_->opened.size(), known->cuts.size()));
+        if (std::ranges::all_of(way_->opened, [](auto& off) { return off == glm::dvec3(0); }))
+            way_->opened.clear();
+    }
     session.notices.forget(of_a_step);
     return true;
 }

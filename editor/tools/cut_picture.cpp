@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/cut_picture.h"
 
-#include "core/split/cut_sheet.h"
+#include "editor/tools/shown_cut.h"
 
 namespace trivar {
 namespace {
@@ -10,16 +10,15 @@ constexpr int ways = 96, depths = 8; // of the grid on a sheet
 constexpr double margin = 0.06;      // of what the object fills
 
 // The points of a grid over a sheet, in the world, rows along the stroke.
-std::vector<glm::dvec3> grid_on(const PlainCut& cut, const EvaluatedObject& object)
+std::vector<glm::dvec3> grid_on(const Cutting& cutting, std::size_t number,
+                                const EvaluatedObject& object)
 {
-    const CutSheet sheet(cut, glm::inverse(object.own_to_world));
-    const Box& box = *object.bounds;
+    if (!(glm::length(cutting.cuts[number].normal) > 1e-9)) return {}; // keys took it away
+    const glm::dvec3 beside = shown_cut(cutting, number, object).beside;
+    const CutSheet sheet(cutting.cuts[number], glm::inverse(object.own_to_world));
     glm::dvec2 lo(1e300), hi(-1e300);
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner((i & 1) != 0 ? box.hi.x : box.lo.x,
-                                (i & 2) != 0 ? box.hi.y : box.lo.y,
-                                (i & 4) != 0 ? box.hi.z : box.lo.z);
-        const glm::dvec3 uvw = sheet.uvw(corner);
+    for (const glm::dvec3& corner : object.bounds->corners()) {
+        const glm::dvec3 uvw = sheet.uvw(corner - beside);
         lo = glm::min(lo, glm::dvec2(uvw.y, uvw.z));
         hi = glm::max(hi, glm::dvec2(uvw.y, uvw.z));
     }
@@ -27,9 +26,10 @@ std::vector<glm::dvec3> grid_on(const PlainCut& cut, const EvaluatedObject& obje
     std::vector<glm::dvec3> out;
     for (int j = 0; j <= depths; ++j)
         for (int i = 0; i <= ways; ++i)
-            out.push_back(sheet.point(glm::mix(
-                lo - more, hi + more,
-                glm::dvec2(static_cast<double>(i) / ways, static_cast<double>(j) / depths))));
+            out.push_back(beside +
+                          sheet.point(glm::mix(lo - more, hi + more,
+                                               glm::dvec2(static_cast<double>(i) / ways,
+                                                          static_cast<double>(j) / depths))));
     return out;
 }
 
@@ -39,10 +39,11 @@ std::vector<gpu::Translucent> sheets_of(const EvaluatedObject& object, const Cut
                                         const ui::Theme& theme)
 {
     std::vector<gpu::Translucent> out;
-    for (const PlainCut& cut : cutting.cuts) {
+    for (std::size_t k = 0; k < cutting.cuts.size(); ++k) {
         gpu::Translucent veil;
         veil.colors = {ui::linear_light(ui::faded(theme.color.incision, 0.14f))};
-        for (const glm::dvec3& p : grid_on(cut, object)) veil.points.emplace_back(p);
+        for (const glm::dvec3& p : grid_on(cutting, k, object)) veil.points.emplace_back(p);
+        if (veil.points.empty()) continue;
         for (std::uint32_t j = 0; j < depths; ++j)
             for (std::uint32_t i = 0; i < ways; ++i) {
                 const std::uint32_t a = j * (ways + 1) + i, b = a + 1, c = a + ways + 1, d = c + 1;
@@ -58,8 +59,9 @@ std::vector<gpu::Line> borders_of(const EvaluatedObject& object, const Cutting& 
 {
     std::vector<gpu::Line> out;
     const glm::vec4 color = ui::linear_light(theme.color.incision);
-    for (const PlainCut& cut : cutting.cuts) {
-        const std::vector<glm::dvec3> grid = grid_on(cut, object);
+    for (std::size_t k = 0; k < cutting.cuts.size(); ++k) {
+        const std::vector<glm::dvec3> grid = grid_on(cutting, k, object);
+        if (grid.empty()) continue;
         gpu::Line line{{}, color, theme.line(1.4f)};
         const auto add = [&](int i, int j) {
             line.points.emplace_back(grid[static_cast<std::size_t>(j * (ways + 1) + i)]);

@@ -16,9 +16,9 @@ constexpr int smoothings = 24;
 constexpr double knot_px = 16; // between the points of a cut, about
 constexpr int most_knots = 48;
 
-glm::dvec3 rounded_to(const glm::dvec3& p, int digits)
+glm::dvec3 rounded_each(const glm::dvec3& p, const auto& round)
 {
-    return {rounded(p.x, digits), rounded(p.y, digits), rounded(p.z, digits)};
+    return {round(p.x), round(p.y), round(p.z)};
 }
 
 // The plane, in the object's own space, in which a stroke is taken to lie: through the middle, and
@@ -54,7 +54,13 @@ public:
         out.point = origin_;
         out.along = along;
         out.normal = glm::normalize(glm::cross(along, away_));
+        out.opened = way_.opened;
+        out.parted = way_.parted;
         return out;
+    }
+    double pixel(const glm::dvec2& a_px, const glm::dvec2& b_px) const
+    {
+        return glm::distance(at(a_px), at(b_px)) / glm::distance(a_px, b_px);
     }
     double eye() const { return way_.camera.perspective ? glm::distance(eye_, origin_) : 0; }
 
@@ -111,13 +117,20 @@ bool is_short(const DrawnWay& way, std::string* why)
     return true;
 }
 
-void round_numbers(PlainCut& cut)
+// Rounds directions to six digits, and places so that none of them moves by a hundredth of a pixel,
+// which has that size in the object's space.
+void round_numbers(PlainCut& cut, double pixel)
 {
-    cut.point = rounded_to(cut.point, 5);
-    cut.normal = rounded_to(cut.normal, 6);
-    cut.along = rounded_to(cut.along, 6);
-    cut.eye = rounded(cut.eye, 5);
-    for (glm::dvec2& p : cut.stroke) p = {rounded(p.x, 5), rounded(p.y, 5)};
+    if (!(pixel > 0)) return;
+    const double unit = std::pow(10, std::floor(std::log10(pixel / 100)));
+    const auto place = [&](double x) { return rounded_to(unit, x); };
+    const auto share = [](double x) { return rounded(x, 6); };
+    cut.point = rounded_each(cut.point, place);
+    cut.normal = rounded_each(cut.normal, share);
+    cut.along = rounded_each(cut.along, share);
+    cut.eye = place(cut.eye);
+    for (glm::dvec2& p : cut.stroke) p = {place(p.x), place(p.y)};
+    for (glm::dvec3& off : cut.opened) off = rounded_each(off, place);
 }
 
 } // namespace
@@ -126,8 +139,9 @@ std::optional<PlainCut> cut_along_line(const DrawnWay& way, std::string* why)
 {
     if (is_short(way, why)) return {};
     const glm::dvec2 a = way.points_px.front(), b = way.points_px.back();
-    PlainCut out = StrokePlane(way, (a + b) / 2.0).cut_through(a, b);
-    round_numbers(out);
+    const StrokePlane plane(way, (a + b) / 2.0);
+    PlainCut out = plane.cut_through(a, b);
+    round_numbers(out, plane.pixel(a, b));
     return out;
 }
 
@@ -153,7 +167,7 @@ std::optional<PlainCut> cut_along_way(const DrawnWay& way, std::string* why)
             out.stroke.emplace_back(glm::dot(p - out.point, out.along),
                                     glm::dot(p - out.point, out.normal));
         }
-        round_numbers(out);
+        round_numbers(out, plane.pixel(a, b));
     }
     if (heights.empty() || !stroke_trouble(out.stroke).empty()) {
         if (why)
@@ -164,13 +178,16 @@ std::optional<PlainCut> cut_along_way(const DrawnWay& way, std::string* why)
     return out;
 }
 
-PlainCut flipped(PlainCut cut)
+Cutting flipped(Cutting cutting, std::size_t number)
 {
+    PlainCut& cut = cutting.cuts.at(number);
     cut.normal = -cut.normal;
     cut.along = -cut.along;
     std::ranges::reverse(cut.stroke);
     for (glm::dvec2& p : cut.stroke) p = -p;
-    return cut;
+    for (PlainCut& each : cutting.cuts)
+        if (number < each.opened.size()) each.opened[number] = -each.opened[number];
+    return cutting;
 }
 
 } // namespace trivar

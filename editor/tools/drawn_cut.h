@@ -15,6 +15,9 @@ struct DrawnWay {
     Camera camera;
     glm::dmat4 own_to_world{1}; // of the object
     glm::dvec3 middle{0};       // of the object, in the world: where the stroke is taken to lie
+    // What it was drawn over, as in PlainCut.
+    std::vector<glm::dvec3> opened = {};
+    bool parted = false;
 };
 
 // The cut through all that is seen under a straight line from the first point to the last one, or
@@ -23,7 +26,7 @@ struct DrawnWay {
 std::optional<PlainCut> cut_along_line(const DrawnWay& way, std::string* why = nullptr);
 std::optional<PlainCut> cut_along_way(const DrawnWay& way, std::string* why = nullptr);
 
-// The same surface with above and below exchanged.
-PlainCut flipped(PlainCut cut);
+// The same surfaces with above and below of one exchanged.
+Cutting flipped(Cutting cutting, std::size_t number);
 
 } // namespace trivar

@@ -46,19 +46,18 @@ std::vector<gpu::Line> lines_of(const SplitField& field, const ui::Theme& theme)
     std::vector<gpu::Line> out;
     const glm::vec4 color = ui::linear_light(theme.color.incision);
     for (const Opening& opening : field.openings) {
-        for (const double side : {-1.0, 0.0, 1.0}) // the way along the walls, and the cut between
-            for (const double height : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                gpu::Line line{{}, color, theme.line(side == 0 ? 1.0f : 1.6f)};
-                for (int i = 0; i <= columns; ++i)
-                    line.points.emplace_back(
-                        point_on(field, opening, side, {i / double{columns}, height}));
-                out.push_back(std::move(line));
-            }
-        for (const double end : {0.0, 1.0}) {
-            gpu::Line line{{}, color, theme.line(1.6f)};
-            for (int j = 0; j <= rows; ++j)
-                line.points.emplace_back(point_on(field, opening, 0, {end, j / double{rows}}));
+        // The way along both walls at half their height, and the border of the cut between them
+        const auto add = [&](double side, const glm::dvec2& from, const glm::dvec2& to) {
+            gpu::Line line{{}, color, theme.line(side == 0 ? 1.0f : 1.6f)};
+            for (int i = 0; i <= columns; ++i)
+                line.points.emplace_back(
+                    point_on(field, opening, side, glm::mix(from, to, i / double{columns})));
             out.push_back(std::move(line));
+        };
+        for (const double side : {-1.0, 1.0}) add(side, {0, 0.5}, {1, 0.5});
+        for (const double end : {0.0, 1.0}) {
+            add(0, {0, end}, {1, end});
+            add(0, {end, 0}, {end, 1});
         }
     }
     return out;

@@ -98,6 +98,103 @@ TEST(Cutting, SaysSoWhereItKeepsNothing)
               *shown_first(one_ball())->parts.at(0).mesh());
 }
 
+TEST(Cutting, CutsNothingOffAlongAFaceAndSaysSo)
+{
+    for (const double size : {1e-3, 1.0, 1e4}) {
+        const Document box =
+            after(Document{}, AddBox{.shape = {.size = glm::dvec3(size), .segments = {1, 1, 1}}});
+        for (const CutKeep keep : {CutKeep::both, CutKeep::below, CutKeep::above}) {
+            CutThrough command = across(0.05 * size, keep);
+            command.cutting.cuts[0].point = {0, 0, size / 2};
+            const Ref<EvaluatedObject> shown = shown_first(after(box, command));
+            ASSERT_FALSE(shown->notices.empty());
+            EXPECT_THAT(shown->notices[0], HasSubstr("only touches"));
+            if (keep == CutKeep::above) {
+                EXPECT_TRUE(shown->parts.empty());
+                EXPECT_THAT(shown->notices.back(), HasSubstr("keep nothing"));
+            } else {
+                ASSERT_EQ(shown->parts.size(), 1u);
+                EXPECT_EQ(shown->parts[0].mesh()->face_count(), 6u);
+            }
+        }
+    }
+}
+
+TEST(Cutting, CutsWhatIsTinyAndWhatIsHuge)
+{
+    for (const double size : {1e-6, 1e7}) {
+        const Document ball =
+            after(Document{}, AddSphere{.shape = {.radius = size, .segments = 48, .rings = 24}});
+        CutThrough command = across(size / 2);
+        PlainCut& cut = command.cutting.cuts[0];
+        cut.point *= size;
+        for (int i = -8; i <= 8; ++i)
+            cut.stroke.emplace_back(0.15 * i * size, 0.1 * size * std::sin(i));
+        command.cutting.tolerance = 1e-3 * size;
+        const Ref<EvaluatedObject> shown = shown_first(after(ball, command));
+        EXPECT_TRUE(shown->notices.empty());
+        ASSERT_EQ(shown->parts.size(), 2u);
+        double sum = 0;
+        for (const Part& part : shown->parts) {
+            EXPECT_TRUE(is_closed_body(*part.mesh()));
+            sum += volume_of_part(part);
+        }
+        const double whole = volume_of_part(shown_first(ball)->parts.at(0));
+        EXPECT_NEAR(sum / whole, 1, 1e-4);
+    }
+}
+
+// The ball cut in two across z, half a metre apart, and then again.
+CutThrough drawn_over_two(const PlainCut& second)
+{
+    CutThrough out = across(0.5);
+    out.cutting.cuts.push_back(second);
+    return out;
+}
+
+TEST(Cutting, GoesThroughEachPieceWhereItStoodWhenTheCutWasDrawn)
+{
+    // A slanted plane through both pieces, which stood 0.25 m off their places along z
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 0, 0.7)), point(0.1, 0, 0);
+    const PlainCut second{.point = point, .normal = normal, .opened = {{0, 0, 0.25}}};
+    for (const double gap : {0.5, 0.1, 0.0}) {
+        CutThrough command = drawn_over_two(second);
+        command.cutting.cuts[0].gap = gap;
+        const Ref<EvaluatedObject> ball = shown_first(after(one_ball(), command));
+        ASSERT_EQ(ball->parts.size(), 4u);
+        std::size_t on_plane = 0;
+        for (const Part& part : ball->parts) {
+            EXPECT_TRUE(is_closed_body(*part.mesh()));
+            const bool upper = bounds_in_world(part).center().z > 0.2;
+            // As it stood then
+            const glm::dvec3 off(0, 0, upper ? 0.25 - gap / 2 : -0.25 + gap / 2);
+            double least = 1e300, most = -1e300;
+            for (const glm::vec3& p : part.mesh()->positions) {
+                const glm::dvec3 at(part.to_world * glm::dvec4(glm::dvec3(p), 1));
+                const double height = glm::dot(at + off - point, normal);
+                least = std::min(least, height);
+                most = std::max(most, height);
+                on_plane += std::abs(height) < 1e-5;
+            }
+            EXPECT_TRUE(least > -1e-5 || most < 1e-5);
+        }
+        EXPECT_GT(on_plane, 40u);
+    }
+    // Where nothing is said of that, it goes straight through the pieces at their own places
+    CutThrough old = drawn_over_two({.point = point, .normal = normal});
+    old.cutting.cuts[0].gap = 0;
+    const Ref<EvaluatedObject> as_before = shown_first(after(one_ball(), old));
+    for (const Part& part : as_before->parts) {
+        double least = 1e300, most = -1e300;
+        for (const glm::vec3& p : part.mesh()->positions) {
+            const double height = glm::dot(glm::dvec3(p) - point, normal);
+            least = std::min(least, height);
+            most = std::max(most, height);
+        }
+        EXPECT_TRUE(least > -1e-5 || most < 1e-5);
+    }
+}
+
 TEST(Cutting, CrossesCuts)
 {
     CutThrough command = across(0.2);
@@ -248,6 +345,54 @@ TEST(Cutting, TakesTilesAlongWithWhatTheyArePaintedOn)
     EXPECT_GT(drawn_as_tiles, whole->painted * 3 / 4);
 }
 
+TEST(Cutting, TakesTilesAlongWithPiecesThatWereCutWhereTheyStood)
+{
+    const PlainCut second{
+        .point = {0.1, 0, 0}, .normal = {1, 0, 0.7}, .gap = 0.2, .opened = {{0, 0, 0.25}}};
+    const Document document = tiled_ball();
+    const Ref<EvaluatedObject> whole = shown_tiles(document),
+                               tiles = shown_tiles(after(document, drawn_over_two(second)));
+    EXPECT_NEAR(volume_of(*tiles), volume_of(*whole), 1e-5);
+    const glm::dvec3 normal = glm::normalize(second.normal);
+    for (const Part& part : tiles->parts) {
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        double least = 1e300, most = -1e300;
+        for (const glm::vec3& p : part.mesh()->positions) {
+            const glm::dvec3 at(part.to_world * glm::dvec4(glm::dvec3(p), 1));
+            const double height = glm::dot(at - second.point, normal);
+            least = std::min(least, height);
+            most = std::max(most, height);
+        }
+        EXPECT_TRUE(least > 0.0999 || most < -0.0999); // half of its gap
+    }
+}
+
+TEST(Cutting, CutsWhatAnObstacleLeavesWhereItWasDrawnOverThat)
+{
+    Document document = after(one_ball(), AddCylinder{.shape = {.radius = 0.2, .height = 4}});
+    document = after(document, Split{{1}, {.obstacles = {{.object = 2}}, .opening = {1, 0, 0}}});
+    CutThrough command{{1}, {.cuts = {{.point = {0.5, 0, 0}, .normal = {1, 0.3, 0}}}}};
+    command.cutting.cuts[0].parted = true;
+    const Ref<EvaluatedObject> ball = shown_first(after(document, command));
+    EXPECT_TRUE(ball->notices.empty());
+    ASSERT_EQ(ball->parts.size(), 2u);
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 0.3, 0));
+    std::size_t on_plane = 0;
+    for (const Part& part : ball->parts) {
+        EXPECT_TRUE(is_closed_body(*part.mesh()));
+        double least = 1e300, most = -1e300;
+        for (const glm::vec3& p : part.mesh()->positions) {
+            const double height = glm::dot(glm::dvec3(p) - glm::dvec3(0.5, 0, 0), normal);
+            least = std::min(least, height);
+            most = std::max(most, height);
+            on_plane += std::abs(height) < 1e-5;
+        }
+        EXPECT_TRUE(least > -1e-5 || most < 1e-5);
+    }
+    EXPECT_GT(on_plane, 20u);
+    EXPECT_NEAR(volume_of(*ball), volume_of(*shown_first(document)), 1e-4);
+}
+
 TEST(Cutting, AddsTheCutsOfALayerToThoseOfItsBase)
 {
     CutThrough own = across(0.2);
@@ -362,6 +507,9 @@ TEST(Cutting, IsTakenBack)
     EXPECT_NE(digest(document), digest(before));
     EXPECT_EQ(digest(after(document, ClearCuts{{1}})), digest(before));
     EXPECT_EQ(digest(after(document, RemoveCut{1, 1})), digest(before));
+    const Document two = after(before, drawn_over_two({.opened = {{0, 0, 0.25}}}));
+    EXPECT_TRUE(object(after(two, RemoveCut{1, 1}), 1).cutting->cuts.at(0).opened.empty());
+    EXPECT_EQ(digest(after(two, RemoveCut{1, 2})), digest(document));
 }
 
 TEST(Cutting, KeepsTheKeysOfOtherCutsWhenOneIsRemoved)
@@ -406,6 +554,9 @@ TEST(Cutting, RefusesWhatCutsNothing)
     command.cutting.cuts[0].stroke = {{0, 0}, {1, 1}};
     command.cutting.cuts[0].along = {0, 0, 2};
     refused(command, "two different directions");
+    command = across(0);
+    command.cutting.cuts[0].opened = {{0, 0, 1}};
+    refused(command, "only 0 cuts before it");
     command = across(0);
     command.cutting.cuts.resize(most_cuts + 1);
     refused(command, "at most");

@@ -211,6 +211,24 @@ TEST(Splitting, SaysWhereThereIsTooLittleRoom)
     EXPECT_THAT(ball->notices[0], HasSubstr("too near to another obstacle"));
 }
 
+TEST(Splitting, PartsWhatIsTinyAndWhatIsHuge)
+{
+    for (const double size : {1e-6, 1e7}) {
+        Document document =
+            after(Document{}, AddSphere{.shape = {.radius = size, .segments = 48, .rings = 24}});
+        document =
+            after(document, AddCylinder{.shape = {.radius = 0.2 * size, .height = 4 * size}});
+        Split command{{1}, {.obstacles = {{.object = 2, .clearance = 0.01 * size}}}};
+        command.splitting.tolerance = 2e-3 * size;
+        const Ref<EvaluatedObject> ball = shown_ball(after(document, command));
+        EXPECT_TRUE(ball->notices.empty());
+        ASSERT_TRUE(ball->split_apart);
+        for (const Part& part : ball->parts)
+            for (const glm::vec3& p : part.mesh()->positions)
+                EXPECT_GT(glm::length(glm::dvec2(p.x, p.y)), 0.2 * 0.998 * size);
+    }
+}
+
 TEST(Splitting, KeepsItsFieldWhileTheObstacleMoves)
 {
     const Document document = after(ball_and_pillar(0), by_the_pillar());

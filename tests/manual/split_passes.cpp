@@ -298,7 +298,7 @@ void pass(const std::vector<Model>& all, unsigned seed, SplitClosing closing, in
              between(random, 0, 0.5),
              kernel,
              {},
-             closing == SplitClosing::stitched ? sewn_margin : round_margin});
+             round_margin});
     }
     const glm::dmat3 model_turn = any_rotation(random);
     const glm::dvec3 beside(between(random, -0.3, 0.3), 0, between(random, -0.3, 0.3));

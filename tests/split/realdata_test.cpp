@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/read_model.h"
+#include "core/split/sever.h"
 #include "core/split/split.h"
 #include "tests/split/bodies.h"
 #include "tests/support/fixtures.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
+#include <random>
 #include <set>
 
 namespace trivar::testing {
@@ -121,6 +123,41 @@ TEST_P(RealDataSplit, IsTheSameBeforeAndBehindATube)
 {
     const SplitField field = by_a_tube();
     for (const double y : {-1.2, 1.2}) EXPECT_FALSE(split(at(y), field, {})); // nothing is moved
+}
+
+TEST_P(RealDataSplit, IsCutThroughItsCornersInClosedPiecesThatAddUp)
+{
+    std::mt19937 random(7);
+    for (int round = 0; round < 12; ++round) {
+        std::vector<Mesh> pieces{model};
+        for (int k = 0; k < 3; ++k) { // three planes, one after the other
+            const auto corner = [&] {
+                return glm::dvec3(model.positions[random() % model.vertex_count()]);
+            };
+            const glm::dvec3 a = corner(), b = corner(), c = corner();
+            if (!(glm::length(glm::cross(b - a, c - a)) > 1e-3)) continue;
+            const CutSheet sheet({.point = a, .normal = glm::cross(b - a, c - a)}, glm::dmat4(1));
+            std::vector<Mesh> next;
+            for (Mesh& piece : pieces) {
+                Unsevered where;
+                std::optional<Severed> made = sever(piece, sheet, {}, where);
+                if (!made) {
+                    next.push_back(std::move(piece));
+                    continue;
+                }
+                EXPECT_EQ(made->gaps + made->open, 0u);
+                for (Mesh& half : made->halves) next.push_back(std::move(half));
+            }
+            pieces = std::move(next);
+        }
+        double sum = 0;
+        for (const Mesh& piece : pieces) {
+            EXPECT_EQ(closedness(piece).unequal, 0u);
+            EXPECT_GT(volume(piece), 0);
+            sum += volume(piece);
+        }
+        EXPECT_NEAR(sum, volume(model), 1e-5);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(RealData, RealDataSplit,

@@ -18,8 +18,8 @@ std::optional<Severed> severed(const Mesh& mesh, const PlainCut& cut,
                                const SeverOptions& options = {},
                                const glm::dmat4& to_own = as_it_is)
 {
-    bool above = false;
-    return sever(mesh, CutSheet(cut, to_own), options, above);
+    Unsevered side;
+    return sever(mesh, CutSheet(cut, to_own), options, side);
 }
 
 void expect_solid_halves(const Mesh& mesh, const Severed& made)
@@ -64,10 +64,11 @@ TEST(Sever, SaysOnWhichSideABodyIsThatItMisses)
 {
     const Mesh body = ball({0, 0, 0}, 1, 24);
     for (const bool up : {false, true}) {
-        bool above = !up;
+        Unsevered side{.above = !up, .touched = true};
         const CutSheet sheet({.point = {0, 0, up ? -2.0 : 2.0}}, as_it_is);
-        EXPECT_FALSE(sever(body, sheet, {}, above));
-        EXPECT_EQ(above, up);
+        EXPECT_FALSE(sever(body, sheet, {}, side));
+        EXPECT_EQ(side.above, up);
+        EXPECT_FALSE(side.touched);
     }
 }
 
@@ -127,6 +128,32 @@ TEST(Sever, TurnsCapsOutwardsInAMirroredMesh)
         ASSERT_TRUE(made);
         expect_solid_halves(body, *made);
     }
+}
+
+TEST(Sever, ClosesABodyWithinABodyTwice)
+{
+    Mesh both = ball({0, 0, 0}, 0.6, 24);
+    const Mesh inner = ball({0.02, 0.01, 0}, 0.3, 24);
+    const auto vertices = static_cast<std::uint32_t>(both.vertex_count());
+    const auto points = static_cast<std::uint32_t>(point_count(both));
+    both.normals.clear();
+    both.uvs.clear();
+    both.positions.insert(both.positions.end(), inner.positions.begin(), inner.positions.end());
+    for (const std::uint32_t p : inner.points) both.points.push_back(points + p);
+    for (std::size_t f = 0; f < inner.face_count(); ++f) {
+        std::vector<std::uint32_t> corners;
+        for (std::uint32_t c = inner.face_begin[f]; c < inner.face_begin[f + 1]; ++c)
+            corners.push_back(vertices + inner.corners[c]);
+        add_face(both, corners);
+    }
+    const auto made = severed(both, {.point = {0, 0, 0.1}, .normal = {0.1, 0.2, 1}});
+    ASSERT_TRUE(made);
+    double sum = 0;
+    for (const Mesh& half : made->halves) {
+        EXPECT_TRUE(is_closed_body(half));
+        sum += volume(half);
+    }
+    EXPECT_NEAR(sum, volume(both), 1e-5);
 }
 
 TEST(CutSheet, GoesThroughItsPointsAndStraightOn)

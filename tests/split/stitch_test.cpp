@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
+#include "core/split/lean.h"
 #include "core/split/seam.h"
 #include "core/split/split.h"
 #include "tests/split/bodies.h"
@@ -22,7 +23,6 @@ SplitObstacle sewn_round(Mesh mesh, double clearance = 0.01)
     out.name = "obstacle";
     out.bodies = {{std::make_shared<const RayMesh>(make_ref(std::move(mesh))), glm::dmat4(1), 1}};
     out.clearance = clearance;
-    out.margin = sewn_margin;
     return out;
 }
 
@@ -124,6 +124,23 @@ TEST(Stitch, ClosesEveryFrameAndClearsTheObstacle)
             for (const glm::vec3& n : parted->mesh.normals) EXPECT_NEAR(glm::length(n), 1, 1e-4);
         }
     }
+}
+
+TEST(Stitch, DrawsInAlongABarThatLeans)
+{
+    for (const double lean : {-0.8, 0.0, 0.3, 1.0}) {
+        const SplitObstacle obstacle =
+            sewn_round(bar([=](double s) { return (4 * s - 2) * glm::dvec3(0.1, lean, 1); }, 0.2));
+        const SplitFrame frame = along_obstacles({obstacle}, {});
+        EXPECT_EQ(frame.axes[0], glm::dvec3(1, 0, 0));
+        EXPECT_NEAR(glm::determinant(frame.axes), 1, 1e-12);
+        EXPECT_LT(glm::distance(frame.axes[2], glm::normalize(glm::dvec3(0, lean, 1))), 0.02);
+    }
+    const auto kept = [](Mesh mesh) {
+        return along_obstacles({sewn_round(std::move(mesh))}, {}) == SplitFrame{};
+    };
+    EXPECT_TRUE(kept(ball({0, 0, 0}, 0.5, 24)));
+    EXPECT_TRUE(kept(bar([](double s) { return glm::dvec3(0, 4 * s, 0.1 * s); }, 0.2)));
 }
 
 TEST(Stitch, MakesARingOfABallRoundABar)

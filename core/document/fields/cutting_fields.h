@@ -32,7 +32,14 @@ template <> struct FieldsOf<PlainCut> {
         field("keep", c.keep, "what stays: both parts, the part above or the part below",
               any_value.called("Keep"));
         field("gap", c.gap, "metres between the halves, each of which moves by half of it",
-              in_range(-10000, 10000).called("Gap").in(Unit::metres));
+              any_value.called("Gap").in(Unit::metres));
+        field("opened", c.opened,
+              "how far the part above each earlier cut stood off its place when this one was drawn "
+              "over it, in the object's own space; the part below stood off as far the other way",
+              later.without_keys());
+        field("parted", c.parted,
+              "it cuts what obstacles leave of the object, as it was drawn over that",
+              later.without_keys());
     }
 };
 
@@ -46,7 +53,7 @@ template <> struct FieldsOf<Cutting> {
         inside_field(c.inside, field);
         field("tolerance", c.tolerance,
               "metres; triangles are split until a curved cut is nowhere further from its stroke",
-              in_range(1e-6, 1000).called("Tolerance").in(Unit::metres));
+              in_range(1e-12, 1e9).called("Tolerance").in(Unit::metres));
     }
 };
 

@@ -11,6 +11,10 @@ inline constexpr std::array<std::string_view, 4> choice_names<SplitKernel>{"quad
                                                                            "gaussian", "hat"};
 
 template <>
+inline constexpr std::array<std::string_view, 4> choice_words<SplitKernel>{"soft", "smooth",
+                                                                           "sharp", "linear"};
+
+template <>
 inline constexpr std::array<std::string_view, 3> choice_names<SplitClosing>{"open", "capped",
                                                                             "stitched"};
 template <> inline constexpr bool was_switch<SplitClosing> = true;
@@ -24,11 +28,11 @@ template <> struct FieldsOf<ObstacleUse> {
     {
         field("object", o.object, "id of what parts it", required);
         field("clearance", o.clearance, "metres that stay free round the obstacle, at least",
-              in_range(0, 1000).called("Clearance").in(Unit::metres));
+              not_negative.called("Clearance").in(Unit::metres));
         field("reach", o.reach,
               "metres over which the opening fades away; widened to what is needed",
-              in_range(0, 100000).called("Reach").in(Unit::metres).zero_is("as needed"));
-        field("kernel", o.kernel, "how the opening fades", any_value.called("Fades"));
+              not_negative.called("Reach").in(Unit::metres).zero_is("as needed"));
+        field("kernel", o.kernel, "how the opening fades", any_value.called("Falloff"));
     }
 };
 
@@ -49,7 +53,7 @@ template <> struct FieldsOf<Splitting> {
         inside_field(s.inside, field);
         field("tolerance", s.tolerance,
               "metres; its triangles are split until none is further from the true walls",
-              in_range(1e-6, 1000).called("Tolerance").in(Unit::metres));
+              in_range(1e-12, 1e9).called("Tolerance").in(Unit::metres));
         field("ends", s.ends,
               "how it opens before an obstacle and closes behind it: sharply, close to it; or "
               "smoothly, over a longer way",

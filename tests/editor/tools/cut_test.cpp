@@ -145,7 +145,8 @@ TEST(DrawnCut, IsFlippedWithoutMoving)
 {
     PlainCut cut{.point = {0, 0, 0.2}, .normal = {0, 0, 1}, .along = {1, 0, 0}, .eye = 3};
     cut.stroke = {{-1, 0}, {0.2, 0.3}, {1, 0.1}};
-    const CutSheet one(cut, glm::dmat4(1)), other(flipped(cut), glm::dmat4(1));
+    const Cutting turned = flipped({.cuts = {cut}}, 0);
+    const CutSheet one(cut, glm::dmat4(1)), other(turned.cuts[0], glm::dmat4(1));
     for (const glm::dvec3& p : {glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(-0.5, 1, 0.6)})
         EXPECT_NEAR(one.height(one.uvw(p)), -other.height(other.uvw(p)), 1e-12);
 }
