@@ -12,6 +12,7 @@
 #include "core/commands/place.h"
 #include "core/commands/play.h"
 #include "core/commands/refine.h"
+#include "core/commands/shade.h"
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
 #include "core/commands/split.h"
@@ -67,6 +68,7 @@ struct CopiedObject {
     std::optional<Refining> refining;
     std::optional<Simplifying> simplifying;
     std::optional<Unwrapping> unwrapping = {};
+    std::optional<FaceShading> shading = {};
     std::optional<Incising> incising = {};
     std::vector<KnownObject> blades = {}; // of its incisions
     std::optional<CopiedTiling> tiling = {};
@@ -126,6 +128,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("refining", c.refining, "how finely its triangles are split");
         field("simplifying", c.simplifying, "how its triangles are reduced");
         field("unwrapping", c.unwrapping, "how its texture coordinates are made");
+        field("shading", c.shading, "where it looks smooth and where it shows edges", later);
         field("incising", c.incising, "where its skin is cut open");
         field("blades", c.blades,
               "the blades of its incisions: other copies, or objects of the scene", later);

@@ -96,6 +96,15 @@ struct Unwrapping {
     bool operator==(const Unwrapping&) const = default;
 };
 
+// A FaceShading says where a shape looks smooth and where it shows edges: as its file has it
+// (`own`), or by its faces (core/mesh/shading.h).
+enum class ShadingWay { own, smooth, by_angle, flat };
+struct FaceShading {
+    ShadingWay way = ShadingWay::own;
+    double angle_deg = 35; // by_angle: faces that meet at more have an edge between them
+    bool operator==(const FaceShading&) const = default;
+};
+
 // A MixedTile is another object whose copies stand among the tiles of a layer.
 struct MixedTile {
     Id object = 0;
@@ -134,6 +143,7 @@ struct Object {
     std::optional<Refining> refining = {}; // only for an object on a stroke
     std::optional<Simplifying> simplifying = {};
     std::optional<Unwrapping> unwrapping = {};
+    std::optional<FaceShading> shading = {}; // never `own`
     std::optional<Incising> incising = {};
     std::optional<Tiling> tiles = {}; // not for an object on a stroke
     std::optional<Cutting> cutting = {};

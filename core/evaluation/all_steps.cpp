@@ -7,6 +7,7 @@
 #include "core/evaluation/moving.h"
 #include "core/evaluation/refining.h"
 #include "core/evaluation/riding.h"
+#include "core/evaluation/shading_step.h"
 #include "core/evaluation/simplifying.h"
 #include "core/evaluation/splitting.h"
 #include "core/evaluation/tetrahedra.h"
@@ -38,6 +39,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     std::vector<std::unique_ptr<Step>> steps;
     steps.push_back(std::make_unique<SimplifyingStep>());
     steps.push_back(std::make_unique<UnwrappingStep>());
+    steps.push_back(std::make_unique<ShadingStep>());
     steps.push_back(std::make_unique<IncisingStep>());
     const auto carriages = std::make_shared<Carriages>();
     steps.push_back(std::make_unique<Laying>(carriages));
@@ -49,8 +51,9 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
     steps.push_back(std::make_unique<RefiningStep>());
-    steps.push_back(std::make_unique<CuttingStep>());
+    steps.push_back(std::make_unique<CuttingStep>(false));
     steps.push_back(std::make_unique<SplittingStep>());
+    steps.push_back(std::make_unique<CuttingStep>(true));
     return steps;
 }
 

@@ -5,16 +5,18 @@
 
 namespace trivar {
 
-inline constexpr double default_tolerance = 1e-3; // metres
+inline constexpr double default_tolerance = 1e-3; // metres; also of instances
 
 // An AnimatedScene says which scene is exported, and how.
 struct AnimatedScene {
     Document document;
     FrameRange frames;
-    double tolerance = default_tolerance; // metres
-    std::string log;                      // the scene's file; empty: the scene has no name
-    bool whole = false;                   // a scene that lacks something throws IncompleteScene
-    bool instances = false;               // of tiles and copies, in a .usda
+    // metres; 0: the default one, or where things move too fast for that the least of 2 mm, 5 mm,
+    // 1 cm and so on that can be certified between the moments
+    double tolerance = 0;
+    std::string log;        // the scene's file; empty: the scene has no name
+    bool whole = false;     // a scene that lacks something throws IncompleteScene
+    bool instances = false; // of tiles and copies, in a .usda
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

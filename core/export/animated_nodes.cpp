@@ -3,12 +3,22 @@
 
 #include "core/certificate/keys.h"
 #include "core/certificate/motion_bound.h"
+#include "core/document/parameters.h"
 #include "core/mesh/mesh_materials.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
+
+std::vector<bool> shown_at(const FilmStrip& strip)
+{
+    std::vector<bool> shown;
+    for (const Part* part : strip.shown) shown.push_back(part != nullptr);
+    return shown;
+}
 
 AnimatedNodes::AnimatedNodes(const Film& film, const Document& document, const AssetStore& assets,
                              std::vector<float> times_s, double tolerance)
@@ -39,16 +49,23 @@ int AnimatedNodes::group(Id id)
     return groups_[id] = node(each.name, parent);
 }
 
-int AnimatedNodes::holder(const FilmStrip& strip)
+int AnimatedNodes::home(Id id)
 {
-    std::vector<bool> shown;
-    for (const Part* part : strip.shown) shown.push_back(part != nullptr);
-    return holder(strip.object, strip.name, shown);
+    const auto parts = std::ranges::equal_range(film_.strips, id, {}, &FilmStrip::object);
+    return group(parts.size() > 1 ? id : object(document_, id).parent);
 }
 
-int AnimatedNodes::holder(Id of, const std::string& name, const std::vector<bool>& shown)
+std::string AnimatedNodes::name_of(const FilmStrip& strip) const
 {
-    const int parent = group(object(document_, of).parent);
+    const auto first = std::ranges::find_if(strip.shown, std::identity());
+    const Evaluation& then = film_.evaluated[static_cast<std::size_t>(first - strip.shown.begin())];
+    const Object& source = object(document_, strip.object);
+    return name_of_part(*then.objects.at(strip.object), source, strip.key) +
+           strip.name.substr(source.name.size());
+}
+
+int AnimatedNodes::holder(int parent, const std::string& name, const std::vector<bool>& shown)
+{
     if (std::ranges::find(shown, false) == shown.end()) return parent;
     const int out = node(name + " shown", parent);
     Channel channel;
@@ -133,12 +150,13 @@ bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClai
     } else if (strip.posed()) {
         return false;
     }
+    const int parent = home(strip.object);
     const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
     Mesh mesh = *strip.first().rest;
     mesh.influences.clear();
     mesh.morph_targets.clear();
-    const int at = node(strip.name, holder(strip));
+    const int at = node(name_of(strip), holder(parent, name_of(strip), shown_at(strip)));
     if (!add_motion(at, each_moment<glm::dmat4>(strip, [](const Part& p) { return p.to_world; }),
                     bounding_box(mesh), claim)) {
         model_ = before;
@@ -157,7 +175,8 @@ bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClai
 void AnimatedNodes::add_targets(const FilmStrip& strip, TargetKeys&& keys,
                                 FilmCertificate::PartClaim& claim)
 {
-    const int at = node(strip.name, holder(strip));
+    const int at =
+        node(name_of(strip), holder(home(strip.object), name_of(strip), shown_at(strip)));
     claim.node = at;
     claim.keys = static_cast<int>(keys.keys.size());
     claim.way = keys.weights.times_s.empty() ? "still" : "targets";
@@ -174,6 +193,7 @@ bool AnimatedNodes::add_curves(const CurveStrip& strip)
 {
     const CurvePart& first = strip.first();
     if (!strip.rests() && !strip.is_rigid()) return false;
+    const int parent = home(strip.object);
     const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
     std::vector<bool> shown;
@@ -185,7 +205,7 @@ bool AnimatedNodes::add_curves(const CurveStrip& strip)
         matrices.push_back(last->points.to_world);
     }
     Curves curves{first.points.mesh(), first.curves->begin, first.curves->material};
-    const int at = node(strip.name, holder(strip.object, strip.name, shown));
+    const int at = node(strip.name, holder(parent, strip.name, shown));
     FilmCertificate::PartClaim nobody_reads;
     if (strip.rests()) {
         model_.nodes[static_cast<std::size_t>(at)].to_parent = first.points.to_world;
@@ -200,6 +220,32 @@ bool AnimatedNodes::add_curves(const CurveStrip& strip)
     model_.nodes[static_cast<std::size_t>(at)].curves = static_cast<int>(model_.curves.size());
     model_.curves.push_back(make_ref(std::move(curves)));
     return true;
+}
+
+std::string AnimatedNodes::add_camera()
+{
+    const auto camera = document_.kept_views.find("picture");
+    if (camera == document_.kept_views.end()) return {};
+    const int at = node("Render camera", 0);
+    model_.nodes[static_cast<std::size_t>(at)].camera = 0;
+    std::vector<glm::dmat4> matrices;
+    Box seen; // from the eye to the picture's corners where it looks: these stay in their places
+    seen.add(glm::dvec3(0));
+    bool zooms = false;
+    for (const double moment : film_.moments) {
+        const Camera now = document_at(document_, moment).kept_views.at("picture");
+        if (matrices.empty()) model_.cameras = {now};
+        matrices.push_back(glm::inverse(view_matrix(now)));
+        const double away = glm::distance(now.eye, now.target);
+        const double half = now.perspective ? away * std::tan(now.fov_y / 2) : now.height_world / 2;
+        for (const double sign : {-1.0, 1.0}) seen.add({sign * half, sign * half, -away});
+        const Camera& first = model_.cameras.front();
+        zooms |= now.fov_y != first.fov_y || now.height_world != first.height_world;
+    }
+    FilmCertificate::PartClaim nobody_reads;
+    add_motion(at, matrices, seen, nobody_reads);
+    return zooms ? "the render camera keeps the angle of its first frame: glTF has no keys for it"
+                 : "";
 }
 
 Model AnimatedNodes::finished()

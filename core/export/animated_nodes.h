@@ -8,6 +8,9 @@
 
 namespace trivar {
 
+// By moment: whether the part is shown.
+std::vector<bool> shown_at(const FilmStrip& strip);
+
 // AnimatedNodes puts strips into a model, each at a node of its own, and says how near the model is
 // to the scene.
 class AnimatedNodes {
@@ -21,14 +24,19 @@ public:
     void add_targets(const FilmStrip& strip, TargetKeys&& keys, FilmCertificate::PartClaim& claim);
     // Adds curves that rest or move as a whole; false where they do neither.
     bool add_curves(const CurveStrip& strip);
+    // Adds the render camera, if the scene has one. Returns a sentence on what of its motion the
+    // format cannot hold; empty: nothing.
+    std::string add_camera();
     Model finished();
 
 private:
     int node(const std::string& name, int parent);
     int group(Id id);
-    // The node for a part of an object that is shown only at some moments.
-    int holder(Id object, const std::string& name, const std::vector<bool>& shown);
-    int holder(const FilmStrip& strip);
+    // The node that holds the parts of an object: its own, or if it has only one part, its group's.
+    int home(Id object);
+    std::string name_of(const FilmStrip& strip) const; // its node's
+    // The node for something that is shown only at some moments; or else the parent.
+    int holder(int parent, const std::string& name, const std::vector<bool>& shown);
     std::uint32_t first_material(const Ref<std::vector<Material>>& materials);
     int mesh(const FilmStrip& strip, Mesh mesh);
     // A Tree is the nodes of an object's model below one node for the object, with the same
@@ -63,7 +71,7 @@ private:
     double tolerance_;
     Model model_;
     Clip clip_;
-    std::map<Id, int> groups_;
+    std::map<Id, int> groups_; // and of objects with several parts
     std::map<Id, Tree> trees_;
     std::map<Ref<std::vector<Material>>, std::uint32_t> first_material_; // looked up only
 };

@@ -32,9 +32,10 @@ AnimatedNodes::Tree& AnimatedNodes::tree(const FilmStrip& strip)
     if (!from || (from->nodes.size() < 2 && from->clips.empty() && !strip.posed())) return tree;
     tree.from = from;
     tree.claim.object = strip.object;
+    const int parent = group(source.parent);
     const Model before = model_; // cheap: references are shared
     const std::size_t channels = clip_.channels.size();
-    tree.object = node(source.name, holder(strip));
+    tree.object = node(source.name, holder(parent, source.name, shown_at(strip)));
     if (!add_motion_of_object(tree, strip)) {
         model_ = before;
         clip_.channels.resize(channels);

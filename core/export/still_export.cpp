@@ -4,6 +4,7 @@
 #include "core/base/finite.h"
 #include "core/commands/refine.h"
 #include "core/document/document_digest.h"
+#include "core/document/parameters.h"
 #include "core/evaluation/pattern_colors.h"
 #include "core/files/repeated_nodes.h"
 
@@ -105,6 +106,14 @@ Export export_of(const Evaluation& evaluated, const ExportedScene& scene)
     }
     out.model = model_of(written.evaluated, scene.document);
     if (scene.instances) out.model = with_repeated_last(std::move(out.model));
+    if (const auto camera = scene.document.kept_views.find("picture");
+        camera != scene.document.kept_views.end()) {
+        out.model.cameras = {document_at(scene.document, scene.frame).kept_views.at("picture")};
+        out.model.nodes.push_back(
+            {.name = "Render camera",
+             .to_parent = glm::inverse(view_matrix(out.model.cameras.front())),
+             .camera = 0});
+    }
     const bool refining = std::ranges::any_of(evaluated.objects, [&](const auto& each) {
         return object(scene.document, each.first).refining.has_value();
     });

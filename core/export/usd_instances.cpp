@@ -51,8 +51,10 @@ FilmStrip with_part(const FilmStrip& strip, const Part& part)
     return out;
 }
 
-void add_tiles(InstancedFilm& out, RigidCount& counts, const FilmStrip& strip, double tolerance,
-               const Progress& progress)
+// Adds the tiles of a strip that stay bent, and puts the places of the others into `made`, which is
+// the instancer of all strips of one part.
+void add_tiles(InstancedFilm& out, UsdInstancer& made, RigidCount& counts, const FilmStrip& strip,
+               double tolerance, const Progress& progress)
 {
     const std::size_t count = strip.first().tiles->tiles->size();
     std::vector<double> off(count, 0);
@@ -74,8 +76,8 @@ void add_tiles(InstancedFilm& out, RigidCount& counts, const FilmStrip& strip, d
         double& most = is_rigid(each) ? counts.off : counts.off_bent;
         if (std::isfinite(each)) most = std::max(most, each);
     }
-    counts.instances += rigid;
-    counts.bent += count - rigid;
+    counts.instances = std::max(counts.instances, rigid); // tiles that grow come one after another
+    counts.bent = std::max(counts.bent, count - rigid);
     if (rigid < count) {
         FilmStrip bent = strip;
         for (std::size_t i = 0; i < strip.shown.size(); ++i) {
@@ -88,24 +90,24 @@ void add_tiles(InstancedFilm& out, RigidCount& counts, const FilmStrip& strip, d
             std::vector<PlacedTile> those;
             for (std::size_t t = 0; t < count; ++t)
                 if (!is_rigid(off[t])) those.push_back((*part->tiles->tiles)[t]);
-            Part& made = out.parts.emplace_back();
-            made.rest = make_ref(bent_tiles(*part->tiles->model->mesh, those));
-            made.to_world = part->to_world;
-            made.key = part->key;
-            bent.shown[i] = &made;
+            Part& made_of_them = out.parts.emplace_back();
+            made_of_them.rest = make_ref(bent_tiles(*part->tiles->model->mesh, those));
+            made_of_them.to_world = part->to_world;
+            made_of_them.key = part->key;
+            bent.shown[i] = &made_of_them;
         }
         out.strips.push_back(std::move(bent));
     }
-    if (rigid == 0) return;
-    Part& unit = out.parts.emplace_back();
-    unit.rest = strip.first().tiles->model->mesh;
-    UsdInstancer made{with_part(strip, unit), {}};
-    for (const std::vector<RigidTile>& there : tiles) {
-        std::vector<UsdPlace>& places = made.places.emplace_back();
-        for (std::size_t t = 0; t < there.size(); ++t)
-            if (is_rigid(off[t])) places.push_back(usd_place(there[t].parts.front()));
-    }
-    out.instancers.push_back(std::move(made));
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        for (std::size_t t = 0; t < tiles[i].size(); ++t)
+            if (is_rigid(off[t])) made.places[i].push_back(usd_place(tiles[i][t].parts.front()));
+}
+
+// Whether two strips repeat one tile, and belong to one part: its number of tiles changes in time.
+bool continues(const FilmStrip& strip, const FilmStrip& next)
+{
+    return next.object == strip.object && next.key == strip.key && repeats_a_tile(next) &&
+           next.first().tiles->model == strip.first().tiles->model;
 }
 
 // The places of a strip that moves as a whole and is always shown, by moment; empty if it does not,
@@ -154,15 +156,29 @@ InstancedFilm instanced(const Film& film, double tolerance, const Progress& prog
     }
     for (std::size_t s = 0; s < film.strips.size(); ++s) {
         const FilmStrip& strip = film.strips[s];
-        const auto done = static_cast<double>(s);
         if (repeats_a_tile(strip)) {
             if (strip.object == layer)
                 ++out.counts.back().meshes;
             else
                 out.counts.push_back({.name = strip.name});
             layer = strip.object;
-            add_tiles(out, out.counts.back(), strip, tolerance,
-                      part_of(progress, done / count, (done + 1) / count));
+            RigidCount counts;
+            Part& unit = out.parts.emplace_back();
+            unit.rest = strip.first().tiles->model->mesh;
+            UsdInstancer made{with_part(strip, unit), {}};
+            made.places.resize(film.moments.size());
+            for (;; ++s) {
+                const auto at = static_cast<double>(s);
+                add_tiles(out, made, counts, film.strips[s], tolerance,
+                          part_of(progress, at / count, (at + 1) / count));
+                if (s + 1 == film.strips.size() || !continues(strip, film.strips[s + 1])) break;
+            }
+            RigidCount& all = out.counts.back();
+            all.instances += counts.instances;
+            all.bent += counts.bent;
+            all.off = std::max(all.off, counts.off);
+            all.off_bent = std::max(all.off_bent, counts.off_bent);
+            if (counts.instances > 0) out.instancers.push_back(std::move(made));
             continue;
         }
         const std::vector<std::size_t>& same = places[s].empty()
@@ -191,24 +207,23 @@ void begin_instancer(GrowingFile& file, const Film& film, const UsdInstancer& of
     while (of.places[first].empty()) ++first;
     file.append(fmt::format("    def PointInstancer \"{}\"\n    {{\n", name));
     line(fmt::format("rel prototypes = </Scene/{0}/{0}>", name));
-    line("int[] protoIndices = " +
-         usd_list(std::vector<std::uint32_t>(of.places[first].size(), 0)));
     const auto attribute = [&](const std::string& type, const auto& text) {
-        const auto list = [&](std::size_t moment) {
-            std::string out = "[";
-            for (const UsdPlace& each : of.places[moment])
-                out += (out.size() > 1 ? ", " : "") + text(each);
-            return out + "]";
-        };
-        if (std::ranges::all_of(of.places, [&](const std::vector<UsdPlace>& there) {
-                return there.empty() || there == of.places[first];
+        std::vector<std::string> lists; // by moment; empty where it is not shown
+        for (const std::vector<UsdPlace>& there : of.places) {
+            std::string& list = lists.emplace_back();
+            for (const UsdPlace& each : there) list += (list.empty() ? "[" : ", ") + text(each);
+            if (!there.empty()) list += "]";
+        }
+        if (std::ranges::all_of(lists, [&](const std::string& list) {
+                return list.empty() || list == lists[first];
             }))
-            return line(type + " = " + list(first));
+            return line(type + " = " + lists[first]);
         line(type + ".timeSamples = {");
-        for (std::size_t i = 0; i < of.places.size(); ++i)
-            if (!of.places[i].empty()) line("    " + usd_time(film, i) + ": " + list(i) + ",");
+        for (std::size_t i = 0; i < lists.size(); ++i)
+            if (!lists[i].empty()) line("    " + usd_time(film, i) + ": " + lists[i] + ",");
         line("}");
     };
+    attribute("int[] protoIndices", [](const UsdPlace&) { return std::string("0"); });
     attribute("point3f[] positions", [](const UsdPlace& p) { return usd_tuple(p.position); });
     attribute("quath[] orientations", [](const UsdPlace& p) { // the real part comes first
         return fmt::format("({}, {}, {}, {})", usd_number(p.turn.w), usd_number(p.turn.x),

@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/model.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -24,7 +25,12 @@ struct FileText {
 // face has at most this many corners: cutting concave ones is quadratic.
 inline constexpr std::size_t max_face_corners = 8192;
 
-Model read_obj(const FileText& file, const Progress& progress);
+// A Model whose file may say where its only mesh is smooth: by face the smoothing group, 0: none.
+struct ObjModel {
+    Model model;
+    std::vector<std::uint32_t> smoothing; // #F, or empty: it does not say
+};
+ObjModel read_obj(const FileText& file, const Progress& progress);
 Model read_ply(const FileText& file, const Progress& progress);
 Model read_stl(const FileText& file, const Progress& progress);
 Model read_off(const FileText& file, const Progress& progress);
@@ -47,7 +53,15 @@ struct ObjFiles {
     std::string obj, mtl, mtl_name; // the last one: of the file that the OBJ names
     std::vector<std::pair<std::string, Ref<Image>>> images; // file name to picture
 };
-ObjFiles write_obj(const Model& model, const std::string& stem);
+// Pictures that came from files keep their names where `is_free` lets them; others get the stem and
+// a number.
+using IsFree = std::function<bool(const std::string& name, const Image& image)>;
+ObjFiles write_obj(const Model& model, const std::string& stem, const IsFree& is_free = {});
+// Whether a picture is written as the file from which it came.
+inline bool as_it_came(const Image& image)
+{
+    return !image.source_bytes.empty() && (image.mime == "image/png" || image.mime == "image/jpeg");
+}
 std::string write_ply(const Model& model);
 std::string write_stl(const Model& model);
 std::string write_off(const Model& model);

@@ -39,7 +39,8 @@ int GlbAccessors::add_differences(const std::vector<glm::vec3>& values)
     std::vector<std::uint32_t> where;
     std::vector<glm::vec3> what;
     for (std::size_t v = 0; v < values.size(); ++v)
-        if (values[v] != glm::vec3(0)) {
+        // One is written even of zeros: some programs read no accessor without a buffer.
+        if (values[v] != glm::vec3(0) || (where.empty() && v + 1 == values.size())) {
             where.push_back(static_cast<std::uint32_t>(v));
             what.push_back(values[v]);
         }
@@ -47,15 +48,15 @@ int GlbAccessors::add_differences(const std::vector<glm::vec3>& values)
     if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
         add(values, "VEC3");
     } else {
-        GlbEntries accessor{{"componentType", float32}, {"count", values.size()}, {"type", "VEC3"}};
-        if (!where.empty()) {
-            const int indices = add_view(where.data(), where.size() * 4, 0);
-            accessor["sparse"] = {
-                {"count", where.size()},
-                {"indices", {{"bufferView", indices}, {"componentType", uint32}}},
-                {"values", {{"bufferView", add_view(what.data(), what.size() * 12, 0)}}}};
-        }
-        json["accessors"].push_back(std::move(accessor));
+        const int indices = add_view(where.data(), where.size() * 4, 0);
+        json["accessors"].push_back(
+            {{"componentType", float32},
+             {"count", values.size()},
+             {"type", "VEC3"},
+             {"sparse",
+              {{"count", where.size()},
+               {"indices", {{"bufferView", indices}, {"componentType", uint32}}},
+               {"values", {{"bufferView", add_view(what.data(), what.size() * 12, 0)}}}}}});
     }
     set_range(values);
     return static_cast<int>(json["accessors"].size()) - 1;

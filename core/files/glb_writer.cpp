@@ -34,6 +34,7 @@ public:
         for (const Ref<Curves>& curves : model_.curves)
             curves_index.push_back(write_curves(*curves));
         write_nodes(mesh_index, curves_index);
+        for (const Camera& camera : model_.cameras) json_["cameras"].push_back(written(camera));
         for (const Skin& skin : model_.skins) write_skin(skin);
         for (const Clip& clip : model_.clips) write_clip(clip);
         if (!model_.extras.empty()) json_["extras"] = Json::parse(model_.extras);
@@ -132,11 +133,12 @@ private:
         json_["skins"].push_back(std::move(written));
     }
 
-    // Adds an accessor once per content: many channels share their times, and channels of morph
-    // targets their weights.
-    int shared_accessor(const std::vector<float>& values, const char* type, std::size_t components)
+    // Adds an accessor once per use and content: many channels share their times, and channels of
+    // morph targets their weights. Times and weights are never one, even if they are equal.
+    int shared_accessor(const char* use, const std::vector<float>& values, const char* type,
+                        std::size_t components)
     {
-        const auto [known, fresh] = shared_.try_emplace({type, values}, 0);
+        const auto [known, fresh] = shared_.try_emplace({use, values}, 0);
         if (!fresh) return known->second;
         known->second = out_.add(values, type, 0);
         json_["accessors"].back()["count"] = values.size() / components;
@@ -152,7 +154,7 @@ private:
         for (const Channel& channel : clip.channels) {
             const auto of = static_cast<std::size_t>(channel.of);
             const bool weights = channel.of == Channel::Of::morph_weights;
-            const int times = shared_accessor(channel.times_s, "SCALAR", 1);
+            const int times = shared_accessor("times", channel.times_s, "SCALAR", 1);
             json_["accessors"][static_cast<std::size_t>(times)]["min"] = {
                 plain(channel.times_s.front())};
             json_["accessors"][static_cast<std::size_t>(times)]["max"] = {
@@ -161,8 +163,8 @@ private:
                                 {"target", {{"node", number(channel.node)}, {"path", paths[of]}}}});
             samplers.push_back(
                 {{"input", times},
-                 {"output",
-                  shared_accessor(channel.values, types[of], weights ? 1 : channel.components)},
+                 {"output", shared_accessor(paths[of], channel.values, types[of],
+                                            weights ? 1 : channel.components)},
                  {"interpolation", ways[static_cast<std::size_t>(channel.interpolation)]}});
         }
         if (channels.empty()) return;
@@ -192,7 +194,8 @@ private:
         Json primitives = Json::array();
         for (const auto& [material, indices] : by_material) {
             Json primitive{{"attributes", shared}, {"indices", add_indices(indices)}};
-            if (material < model_.materials.size()) primitive["material"] = material;
+            if (material < model_.materials.size())
+                primitive["material"] = material_on(material, mesh.uvs.size());
             if (!all_targets.empty()) primitive["targets"] = all_targets;
             primitives.push_back(std::move(primitive));
         }
@@ -205,6 +208,9 @@ private:
     {
         Json primitives = curve_primitives(out_, curves, model_.materials.size());
         if (primitives.empty()) return -1;
+        for (Json& primitive : primitives)
+            if (primitive.contains("material"))
+                primitive["material"] = material_on(primitive["material"], 0);
         json_["meshes"].push_back({{"primitives", std::move(primitives)}});
         return static_cast<int>(json_["meshes"].size()) - 1;
     }
@@ -306,6 +312,7 @@ private:
                 }
                 name_mesh(mesh, node.name);
             }
+            if (node.camera >= 0) written["camera"] = node.camera;
             const int curves =
                 node.curves < 0 ? -1 : curves_index.at(static_cast<std::size_t>(node.curves));
             if (curves >= 0) name_mesh(curves, node.name);
@@ -328,6 +335,41 @@ private:
         json_["nodes"] = std::move(nodes);
         json_["scenes"] = {{{"nodes", std::move(roots)}}};
         json_["scene"] = 0;
+    }
+
+    static Json written(const Camera& camera)
+    {
+        const double aspect = camera.size_px.x / camera.size_px.y;
+        const double away = std::max(glm::distance(camera.eye, camera.target), 1e-3);
+        const double near = away / 1000, far = away * 1000, half = camera.height_world / 2;
+        if (camera.perspective)
+            return {{"type", "perspective"},
+                    {"perspective",
+                     {{"aspectRatio", aspect},
+                      {"yfov", camera.fov_y},
+                      {"znear", near},
+                      {"zfar", far}}}};
+        return {{"type", "orthographic"},
+                {"orthographic",
+                 {{"xmag", half * aspect}, {"ymag", half}, {"znear", near}, {"zfar", far}}}};
+    }
+
+    // The number in the file of a material on vertices with that many sets of texture coordinates:
+    // textures that need others are left out there, as glTF allows none.
+    std::size_t material_on(std::size_t number, std::size_t uv_sets)
+    {
+        Material shown = model_.materials[number];
+        bool all = true;
+        for (Texture* texture :
+             {&shown.base_color_texture, &shown.metallic_roughness_texture, &shown.normal_texture,
+              &shown.occlusion_texture, &shown.emissive_texture})
+            if (texture->image && static_cast<std::size_t>(texture->uv_set) >= uv_sets) {
+                *texture = {};
+                all = false;
+            }
+        if (all) return number;
+        const Json entry = written(shown);
+        return index_of("materials", entry);
     }
 
     Json written(const Material& m)
@@ -392,13 +434,12 @@ private:
     {
         const auto [at, added] = images_.emplace(image.get(), images_.size());
         if (!added) return at->second;
-        const bool as_it_came = !image->source_bytes.empty() &&
-                                (image->mime == "image/png" || image->mime == "image/jpeg");
-        const std::string bytes = as_it_came ? image->source_bytes : encoded_image(*image, ".png");
+        const bool kept = as_it_came(*image);
+        const std::string bytes = kept ? image->source_bytes : encoded_image(*image, ".png");
         Json entry;
         if (!image->name.empty()) entry["name"] = image->name;
         entry["bufferView"] = out_.add_view(bytes.data(), bytes.size(), 0);
-        entry["mimeType"] = as_it_came ? image->mime : "image/png";
+        entry["mimeType"] = kept ? image->mime : "image/png";
         json_["images"].push_back(std::move(entry));
         return at->second;
     }

@@ -47,6 +47,7 @@ private:
         if (keyword == "o") return add_event(Kind::object);
         if (keyword == "mtllib") return add_event(Kind::library);
         if (keyword == "t") return add_event(Kind::tag);
+        if (keyword == "s") return add_event(Kind::smoothing);
         if (keyword == "l") return read_line_element();
         if (keyword == "p") ++block_.points;
         if (keyword == "curv" || keyword == "curv2" || keyword == "surf") ++block_.free_forms;

@@ -22,7 +22,7 @@ struct ObjCorner {
 
 // An ObjEvent is a statement that sets something for the faces and lines after it.
 struct ObjEvent {
-    enum class Kind { object, group, material, library, tag } kind;
+    enum class Kind { object, group, material, library, tag, smoothing } kind;
     std::uint32_t face, line; // the numbers of faces and lines of the block before it
     std::string_view text;
 };

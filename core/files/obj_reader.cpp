@@ -183,7 +183,7 @@ private:
 
 } // namespace
 
-Model read_obj(const FileText& file, const Progress& progress)
+ObjModel read_obj(const FileText& file, const Progress& progress)
 {
     PlainText plain(file.bytes, file.name);
     plain.join_lines();
@@ -211,16 +211,16 @@ Model read_obj(const FileText& file, const Progress& progress)
     mesh.corners = std::move(vertices.corners);
 
     report(progress, 0.85, "Reading materials");
-    std::vector<std::uint32_t> line_material =
+    ObjAttributes attributes =
         add_obj_statements(model, mesh, blocks, vertices.first_of, file, plain);
     model.meshes = {make_ref(std::move(mesh))};
     model.nodes = {Node{"", -1, glm::dmat4(1), 0}};
-    if (lines.lines.count() == 0) return model;
+    if (lines.lines.count() == 0) return {std::move(model), std::move(attributes.smoothing)};
     Curves curves = lines.lines.curves(v, linear_colors(colors));
-    curves.material = std::move(line_material);
+    curves.material = std::move(attributes.line_material);
     model.curves = {make_ref(std::move(curves))};
     model.nodes.front().curves = 0;
-    return model;
+    return {std::move(model), std::move(attributes.smoothing)};
 }
 
 } // namespace trivar

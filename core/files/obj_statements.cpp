@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace trivar {
@@ -67,8 +68,8 @@ public:
         go_on(faces, count(block.face_end), lines, count(block.line_end));
     }
 
-    // Completes the mesh and returns the materials of the lines.
-    std::vector<std::uint32_t> finish()
+    ObjAttributes finish() // completes the mesh
+
     {
         const auto unset = [](std::uint32_t i) { return i == none; };
         const auto plain = static_cast<std::uint32_t>(model_.materials.size());
@@ -97,7 +98,7 @@ public:
                 "{} left out; the first, on line {}, {}",
                 counted(bad_tags_, "crease or corner tag was", "crease and corner tags were"),
                 first_bad_line_, first_bad_tag_));
-        return std::move(line_material_);
+        return {std::move(line_material_), std::move(smoothing_of_)};
     }
 
 private:
@@ -126,6 +127,7 @@ private:
             mesh_.face_material.push_back(material_);
             mesh_.face_group.push_back(group_);
         }
+        if (smoothing_) smoothing_of_.resize(mesh_.face_material.size(), *smoothing_);
         while (lines.at < line_end)
             if (lines.next_is_there()) line_material_.push_back(material_);
     }
@@ -165,6 +167,11 @@ private:
             group_ = none;
         }
         if (event.kind == Kind::tag) add_tag(event.text);
+        if (event.kind == Kind::smoothing) {
+            smoothing_of_.resize(mesh_.face_material.size(), 0);
+            const double number = TextScan(event.text).number().value_or(0); // none: "off"
+            smoothing_ = static_cast<std::uint32_t>(std::clamp(number, 0.0, 4294967295.0));
+        }
     }
 
     std::uint32_t material(const std::string& name)
@@ -223,7 +230,7 @@ private:
     static constexpr std::uintmax_t max_mtl_bytes = 64 << 20;
     Model& model_;
     Mesh& mesh_;
-    std::vector<std::uint32_t> line_material_;
+    std::vector<std::uint32_t> line_material_, smoothing_of_; // by line, by face
     const std::vector<std::uint32_t>& first_of_;
     const FileText& file_;
     const PlainText& plain_;
@@ -233,6 +240,7 @@ private:
     NameList undefined_;
     std::uint32_t material_ = none, group_ = none;
     std::string group_name_;
+    std::optional<std::uint32_t> smoothing_; // group; before the first one faces have none: 0
     bool group_named_ = false;
     std::size_t bad_tags_ = 0, first_bad_line_ = 0;
     const char* first_bad_tag_ = "";
@@ -240,10 +248,9 @@ private:
 
 } // namespace
 
-std::vector<std::uint32_t> add_obj_statements(Model& model, Mesh& mesh,
-                                              const std::vector<ObjBlock>& blocks,
-                                              const std::vector<std::uint32_t>& first_of,
-                                              const FileText& file, const PlainText& plain)
+ObjAttributes add_obj_statements(Model& model, Mesh& mesh, const std::vector<ObjBlock>& blocks,
+                                 const std::vector<std::uint32_t>& first_of, const FileText& file,
+                                 const PlainText& plain)
 {
     ObjStatements statements(model, mesh, first_of, file, plain);
     statements.read_libraries(blocks);

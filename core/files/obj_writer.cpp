@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/color.h"
+#include "core/files/file_bytes.h"
 #include "core/files/flattened.h"
 #include "core/files/formats.h"
 
@@ -12,19 +13,40 @@
 namespace trivar {
 namespace {
 
-// Makes a name that a line of the format can hold.
-std::string plain_name(std::string name, const std::string& otherwise)
+// Makes a name that a line of the format can hold. Materials may have blanks in it; other names end
+// there for some programs.
+std::string plain_name(std::string name, const std::string& otherwise, bool blanks = false)
 {
-    for (char& c : name)
-        if (static_cast<unsigned char>(c) <= ' ') c = '_';
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool inside = i > 0 && i + 1 < name.size() && blanks;
+        const auto c = static_cast<unsigned char>(name[i]);
+        if (c < ' ' || (c == ' ' && !inside)) name[i] = '_';
+        if (c == '\\' && i + 1 == name.size()) name[i] = '_'; // or it would go on in the next line
+    }
     return name.empty() ? otherwise : name;
+}
+
+// The name of the file from which a picture came, with the ending of what it is; empty where it
+// cannot be the name of a file beside an OBJ.
+std::string own_name(const Image& image)
+{
+    constexpr std::size_t longest = 100;
+    std::string name = image.name.substr(image.name.find_last_of("/\\") + 1);
+    if (name.empty() || name.size() > longest || name.front() == '-' || name.front() == '.' ||
+        name.find('#') != name.npos || name != plain_name(name, "", true))
+        return {};
+    const std::string ending = extension_of(name);
+    const bool jpeg = image.mime == "image/jpeg";
+    if (jpeg ? ending == ".jpg" || ending == ".jpeg" : ending == ".png") return name;
+    return name + (jpeg ? ".jpg" : ".png");
 }
 
 class ObjWriter {
 public:
-    ObjWriter(const Model& model, const std::string& stem)
+    ObjWriter(const Model& model, const std::string& stem, const IsFree& is_free)
         : model_(model),
           stem_(stem),
+          is_free_(is_free),
           origin_(z_to_y * glm::dvec4(far_origin(model), 1))
     {
     }
@@ -157,7 +179,7 @@ private:
         std::set<std::string> taken;
         for (std::size_t i = 0; i < model_.materials.size(); ++i) {
             const Material& m = model_.materials[i];
-            std::string name = plain_name(m.name, fmt::format("material_{}", i));
+            std::string name = plain_name(m.name, fmt::format("material_{}", i), true);
             if (!taken.insert(name).second) {
                 name += fmt::format("_{}", i);
                 taken.insert(name);
@@ -183,19 +205,30 @@ private:
         if (!texture.image) return;
         const auto [at, added] = image_names_.emplace(texture.image.get(), "");
         if (added) {
-            const bool jpeg = texture.image->mime == "image/jpeg";
-            at->second = fmt::format("{}_{}.{}", plain_name(stem_, "model"), files_.images.size(),
-                                     jpeg ? "jpg" : "png");
+            at->second = file_name(*texture.image);
             files_.images.emplace_back(at->second, texture.image);
         }
         files_.mtl += fmt::format("{} {}\n", keyword, at->second);
+    }
+
+    std::string file_name(const Image& image)
+    {
+        if (as_it_came(image))
+            if (std::string own = own_name(image);
+                !own.empty() && (!is_free_ || is_free_(own, image)) && taken_.insert(own).second)
+                return own;
+        const bool jpeg = image.mime == "image/jpeg";
+        return fmt::format("{}_{}.{}", plain_name(stem_, "model"), files_.images.size(),
+                           jpeg ? "jpg" : "png");
     }
 
     static constexpr std::uint32_t none = ~0u;
     static constexpr glm::dmat4 z_to_y{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
     const Model& model_;
     const std::string& stem_;
-    glm::dvec3 origin_; // of what is written
+    const IsFree& is_free_;
+    std::set<std::string> taken_; // names of pictures
+    glm::dvec3 origin_;           // of what is written
     ObjFiles files_;
     fmt::memory_buffer out_;
     std::vector<std::string> material_names_;
@@ -205,9 +238,9 @@ private:
 
 } // namespace
 
-ObjFiles write_obj(const Model& model, const std::string& stem)
+ObjFiles write_obj(const Model& model, const std::string& stem, const IsFree& is_free)
 {
-    return ObjWriter(model, stem).write();
+    return ObjWriter(model, stem, is_free).write();
 }
 
 } // namespace trivar

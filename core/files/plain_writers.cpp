@@ -96,17 +96,23 @@ std::string write_off(const Model& model)
 {
     const glm::dvec3 origin = far_origin(model);
     const Mesh mesh = flattened(model, origin);
+    // Without normals and the like nothing tells two vertices at one place apart.
+    const std::vector<std::uint32_t> points = points_by_position(mesh.positions);
+    std::vector<glm::vec3> places;
+    for (std::size_t v = 0; v < points.size(); ++v)
+        if (points[v] == places.size()) places.push_back(mesh.positions[v]);
     fmt::memory_buffer out;
     const auto to = std::back_inserter(out);
-    fmt::format_to(to, "OFF\n{} {} 0\n", mesh.vertex_count(), mesh.face_count());
-    for (const glm::vec3& p : mesh.positions) {
+    fmt::format_to(to, "OFF\n{} {} 0\n", places.size(), mesh.face_count());
+    for (const glm::vec3& p : places) {
         add_place(out, p, origin);
         out.push_back('\n');
     }
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
         fmt::format_to(to, "{}", end - begin);
-        for (std::uint32_t c = begin; c < end; ++c) fmt::format_to(to, " {}", mesh.corners[c]);
+        for (std::uint32_t c = begin; c < end; ++c)
+            fmt::format_to(to, " {}", points[mesh.corners[c]]);
         fmt::format_to(to, "\n");
     }
     return fmt::to_string(out);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/files/color.h"
-#include "core/files/corner_uvs.h"
 #include "core/files/file_lines.h"
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/plain_text.h"
 #include "core/files/ply_header.h"
 #include "core/files/ply_values.h"
+#include "core/mesh/split_vertices.h"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,10 @@ public:
         // Vertices that only edges use are not reported as damage.
         if (curves.line_count() > 0 && corner_uvs_.empty())
             mesh_ = without_loose_vertices(std::move(mesh_));
-        if (!corner_uvs_.empty()) mesh_ = with_corner_uvs(mesh_, corner_uvs_);
+        if (!corner_uvs_.empty()) {
+            mesh_.uvs.clear(); // those by corner are meant
+            mesh_.uvs = {split_vertices(mesh_, corner_uvs_, glm::vec2(0))};
+        }
         // The format marks a seam only by two vertices at one place.
         mesh_.points = points_by_position(mesh_.positions);
         say_what_was_left_out();

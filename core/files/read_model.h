@@ -16,6 +16,8 @@ enum class UpAxis { automatic, y, z }; // automatic: glTF and OBJ are Y up, the 
 struct ReadOptions {
     UpAxis up = UpAxis::automatic;
     double scale = 1; // file units to metres
+    // Whether meshes get the normals that their file does not give, which may split vertices.
+    bool normals_of_faces = true;
     std::uintmax_t max_bytes = std::uintmax_t{4} << 30;
 };
 

@@ -43,23 +43,44 @@ void check_finite(const Model& model, const std::string& path)
                                        path, printable(m.name)));
 }
 
+// Whether a file can be read and has just these bytes.
+bool holds(const std::string& path, const std::string& bytes)
+{
+    std::error_code unknown;
+    if (std::filesystem::file_size(path, unknown) != bytes.size()) return false;
+    try {
+        return read_bytes(path, bytes.size()) == bytes;
+    } catch (const Rejected&) {
+        return false;
+    }
+}
+
 // Writes the files that the OBJ names before it, so that it never names a missing file.
 void write_obj_files(const Model& model, const std::string& path, const SourceFiles& sources)
 {
     const std::filesystem::path target(path);
-    const ObjFiles files = write_obj(model, target.stem().string());
     const auto beside = [&](const std::string& name) {
         return (target.parent_path() / name).string();
     };
+    // A picture of the same name that is there may be another one.
+    const auto is_there = [&](const std::string& name, const Image& image) {
+        return as_it_came(image) && holds(beside(name), image.source_bytes);
+    };
+    const ObjFiles files =
+        write_obj(model, target.stem().string(), [&](const std::string& name, const Image& image) {
+            std::error_code unknown;
+            return !std::filesystem::exists(beside(name), unknown) || is_there(name, image);
+        });
     if (!files.mtl.empty()) sources.check(beside(files.mtl_name));
-    for (const auto& [name, image] : files.images) sources.check(beside(name));
-    for (const auto& [name, image] : files.images) {
-        const std::string picture = beside(name);
-        const bool as_it_came = !image->source_bytes.empty() && image->mime == "image/jpeg";
-        if (as_it_came)
-            write_bytes(picture, image->source_bytes);
+    std::vector<std::pair<std::string, Ref<Image>>> missing;
+    for (const auto& [name, image] : files.images)
+        if (!is_there(name, *image)) missing.emplace_back(name, image);
+    for (const auto& [name, image] : missing) sources.check(beside(name));
+    for (const auto& [name, image] : missing) {
+        if (as_it_came(*image))
+            write_bytes(beside(name), image->source_bytes);
         else
-            write_image(*image, picture);
+            write_image(*image, beside(name));
     }
     if (!files.mtl.empty()) write_bytes(beside(files.mtl_name), files.mtl);
     write_bytes(path, files.obj);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/camera.h"
 #include "core/base/ref.h"
 #include "core/mesh/clip.h"
 #include "core/mesh/curves.h"
@@ -67,6 +68,7 @@ struct Node {
     int skin = -1;                         // index into Model::skins, or none: of the mesh
     std::vector<float> morph_weights = {}; // of the mesh's targets; missing ones are 0
     int curves = -1;                       // index into Model::curves, or none; no skin moves them
+    int camera = -1;                       // index into Model::cameras, or none
     // Where a clip moves the node, to_parent is outer times the matrix that the clip makes of
     // `rest`.
     glm::dmat4 outer{1};
@@ -85,6 +87,8 @@ struct Model {
     std::vector<Node> nodes;
     std::vector<Ref<Mesh>> meshes;
     std::vector<Ref<Curves>> curves;
+    // Of those that hang on a node only the angle and the size count; they look along its -Z.
+    std::vector<Camera> cameras;
     std::vector<Material> materials; // at least one
     std::vector<Skin> skins;
     std::vector<Clip> clips;

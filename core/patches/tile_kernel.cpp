@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/patches/tile_kernel.h"
 
+#include "core/patches/pinch.h"
+
 #include <algorithm>
 
 // This file is compiled once for each instruction set, each time in a namespace of its own; the
@@ -83,13 +85,13 @@ HWY_INLINE Tile prepared(const TilePowers& powers, const glm::vec3& offset)
     return out;
 }
 
-// The vertices of one register from `i` on, to arrays that have room for all of it.
-HWY_INLINE void bend_register(const TileVertices& vertices, const Tile& tile, std::size_t i,
-                              float* positions, float* normals, float* tangents)
+// T' with its derivatives.
+struct BentPoint {
+    Triple p, x, y, z;
+};
+
+HWY_INLINE BentPoint bent_point(const Tile& tile, Vec x, Vec y, Vec z)
 {
-    const Tag d;
-    const Vec x = at(vertices.position[0], i), y = at(vertices.position[1], i),
-              z = at(vertices.position[2], i);
     Vec t[3], a[3], b[3], c[3];
     HWY_UNROLL(3)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -99,11 +101,39 @@ HWY_INLINE void bend_register(const TileVertices& vertices, const Tile& tile, st
         b[k] = hn::MulAdd(z, n.y, p.y);
         c[k] = n.value;
     }
+    return {{t[0], t[1], t[2]}, {a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
+}
+
+HWY_INLINE Triple where(hn::Mask<Tag> chosen, const Triple& one, const Triple& other)
+{
+    return {hn::IfThenElse(chosen, one.x, other.x), hn::IfThenElse(chosen, one.y, other.y),
+            hn::IfThenElse(chosen, one.z, other.z)};
+}
+
+// The vertices of one register from `i` on, to arrays that have room for all of it.
+HWY_INLINE void bend_register(const TileVertices& vertices, const Tile& tile, std::size_t i,
+                              float* positions, float* normals, float* tangents)
+{
+    const Tag d;
+    const Vec x = at(vertices.position[0], i), y = at(vertices.position[1], i),
+              z = at(vertices.position[2], i);
+    const BentPoint there = bent_point(tile, x, y, z);
     const Vec scale = hn::Set(d, tile.scale);
-    hn::StoreInterleaved3(hn::MulAdd(scale, t[0], hn::Set(d, tile.offset.x)),
-                          hn::MulAdd(scale, t[1], hn::Set(d, tile.offset.y)),
-                          hn::MulAdd(scale, t[2], hn::Set(d, tile.offset.z)), d, positions);
-    const Triple by_x{a[0], a[1], a[2]}, by_y{b[0], b[1], b[2]}, by_z{c[0], c[1], c[2]};
+    hn::StoreInterleaved3(hn::MulAdd(scale, there.p.x, hn::Set(d, tile.offset.x)),
+                          hn::MulAdd(scale, there.p.y, hn::Set(d, tile.offset.y)),
+                          hn::MulAdd(scale, there.p.z, hn::Set(d, tile.offset.z)), d, positions);
+    Triple by_x = there.x, by_y = there.y, by_z = there.z;
+    const Vec xx = dot(by_x, by_x), yy = dot(by_y, by_y);
+    const auto none =
+        hn::Lt(hn::Min(xx, yy), hn::Mul(hn::Set(d, pinched * pinched), hn::Max(xx, yy)));
+    if (!hn::AllFalse(d, none)) { // a side of the patch has no length there
+        const Vec share = hn::Set(d, pinch_inside), half = hn::Set(d, 0.5f);
+        const BentPoint inside = bent_point(tile, hn::MulAdd(share, hn::Sub(half, x), x),
+                                            hn::MulAdd(share, hn::Sub(half, y), y), z);
+        by_x = where(none, inside.x, by_x);
+        by_y = where(none, inside.y, by_y);
+        by_z = where(none, inside.z, by_z);
+    }
     if (normals != nullptr) {
         const Triple n = unit_or_up(combine(cross(by_y, by_z), at(vertices.normal[0], i),
                                             cross(by_z, by_x), at(vertices.normal[1], i),

@@ -13,9 +13,9 @@
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
 #include "editor/actions/split_actions.h"
+#include "editor/actions/surface_actions.h"
 #include "editor/actions/tile_actions.h"
 #include "editor/actions/time_actions.h"
-#include "editor/actions/unwrap_actions.h"
 #include "editor/actions/view_actions.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
@@ -51,7 +51,7 @@ std::vector<Action> all_actions()
     add_file_actions(a);
     add_edit_actions(a);
     add_tile_actions(a);
-    add_unwrap_actions(a);
+    add_surface_actions(a);
     add_split_actions(a);
     add_mask_actions(a);
     add_selection_actions(a);

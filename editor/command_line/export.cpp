@@ -60,12 +60,10 @@ Status run_export(const ExportOptions& options, const Streams& streams)
     History history;
     for (const LogLine& line : log.lines) apply(history, line, log.name);
     check_relinked(options.scene, history.document());
-    AnimatedScene scene{history.document(),
-                        frame_range(options.frames, history.document().time),
-                        options.epsilon.value_or(default_tolerance),
-                        options.scene.path,
-                        !options.scene.keep_going,
-                        options.instances};
+    AnimatedScene scene{
+        history.document(),          frame_range(options.frames, history.document().time),
+        options.epsilon.value_or(0), options.scene.path,
+        !options.scene.keep_going,   options.instances};
     const Ref<AssetStore> assets = asset_store(options.scene);
     const SourceFiles sources = kept_sources(options.scene, scene.document, *assets);
     try {

@@ -11,8 +11,8 @@ namespace trivar {
 struct ExportPlan {
     std::string file; // its ending decides what it is
     int first = 1, last = 1;
-    double tolerance = default_tolerance; // metres; of a .glb, and of instances
-    bool instances = false;               // in a .usda
+    double tolerance = 0;   // metres; of a .glb, and of instances; as AnimatedScene::tolerance
+    bool instances = false; // in a .usda
     bool operator==(const ExportPlan&) const = default;
 };
 

@@ -54,6 +54,18 @@ vec3 unit_or_up(vec3 v)
 // The factor of the colour, and the share by which it takes the place of that of the vertex.
 vec4 tile_tint() { return texelFetch(tile_patches, 26 * int(tile) + 25); }
 
+// The derivatives of T by x and y, without the factor of the tile.
+void tile_directions(int first, vec3 p, out vec3 by_x, out vec3 by_y, out vec3 by_z)
+{
+    for (int k = 0; k < 3; ++k) {
+        vec3 base = tile_component(first + 1 + 4 * k, p.xy);
+        vec3 up = tile_component(first + 13 + 4 * k, p.xy);
+        by_x[k] = base.y + p.z * up.y;
+        by_y[k] = base.z + p.z * up.z;
+        by_z[k] = up.x;
+    }
+}
+
 TileVertex tile_vertex(vec3 p, vec3 normal, vec3 tangent)
 {
     int first = 26 * int(tile);
@@ -87,6 +99,10 @@ TileVertex tile_vertex(vec3 p, vec3 normal, vec3 tangent)
     TileVertex v;
     PRECISE vec3 position = place.xyz + place.w * there;
     v.position = position;
+    // Where a side of the patch has no length: core/patches/pinch.h.
+    float xx = dot(by_x, by_x), yy = dot(by_y, by_y);
+    if (min(xx, yy) < 1e-8 * max(xx, yy))
+        tile_directions(first, vec3(mix(at, vec2(0.5), 1.0 / 64.0), p.z), by_x, by_y, by_z);
     v.normal = unit_or_up(normal.x * cross(by_y, by_z) + normal.y * cross(by_z, by_x) +
                           normal.z * cross(by_x, by_y));
     v.tangent = unit_or_up(tangent.x * by_x + tangent.y * by_y + tangent.z * by_z);

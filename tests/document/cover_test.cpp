@@ -98,6 +98,34 @@ std::size_t open_edges(const Evaluation& evaluation)
         std::ranges::count_if(uses, [](const auto& edge) { return edge.second != 2; }));
 }
 
+// The poles of a ball are triangles: there a side of a cell has no length.
+TEST(CoversOfTriangles, HaveNormalsThatGoWithTheFacesOfTheTiles)
+{
+    Document document =
+        after(Document{}, AddSphere{.shape = {.radius = 1, .segments = 8, .rings = 4}});
+    document = after(document, AddBox{.shape = {{1, 1, 0.2}, {2, 2, 1}}});
+    for (const double size : {0.2, 1.0}) {
+        CoverWithTiles cover = cover_by(TilePattern::grid, size);
+        cover.cover.even_height = true;
+        const Evaluation covered = evaluation_of(after(document, cover));
+        std::size_t looked_at = 0;
+        for (const Part& part : covering_in(covered).parts) {
+            const Mesh& mesh = *part.mesh();
+            for (const glm::uvec3& t : triangles(mesh)) {
+                const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]),
+                    c(mesh.positions[t.z]), across = glm::cross(b - a, c - a);
+                const double longest =
+                    std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+                if (glm::length(across) < 1e-3 * longest * longest) continue;
+                for (const std::uint32_t v : {t.x, t.y, t.z})
+                    EXPECT_GT(glm::dot(glm::normalize(across), glm::dvec3(mesh.normals[v])), 0.8);
+                ++looked_at;
+            }
+        }
+        EXPECT_GT(looked_at, 500u);
+    }
+}
+
 TEST(Covers, LieAllOverTheFacesOfTheirBaseAndFollowIt)
 {
     const Document document = after(

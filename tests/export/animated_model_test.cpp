@@ -46,6 +46,33 @@ TEST_F(AnimatedExports, GiveARigidObjectKeysOfItsNodeAndNoTargets)
     expect_holds(document, made);
 }
 
+TEST_F(AnimatedExports, WithoutAToleranceAreWithinAMillimetreOrWhatTheirMotionAllows)
+{
+    for (const double speed : {1.5, 60.0}) {
+        const Document document =
+            travelling(laid(), {.speed = speed, .ends = Ends::back_and_forth});
+        const AnimatedExport made = exported(document, 0);
+        EXPECT_EQ(made.certificate.tolerance > default_tolerance, speed > 50) << speed;
+        EXPECT_GE(made.certificate.tolerance, default_tolerance);
+        EXPECT_LE(made.certificate.bound, made.certificate.tolerance);
+        // Whoever verifies it writes it again with the tolerance that it tells.
+        EXPECT_EQ(write_glb(exported(document, made.certificate.tolerance).model),
+                  write_glb(made.model));
+    }
+}
+
+TEST_F(AnimatedExports, TellTheirProgressOnce)
+{
+    const Document document =
+        travelling(laid(), {.speed = 20, .ends = Ends::back_and_forth, .ease_in = 0.1});
+    std::vector<double> told;
+    animated_export({document, {1, 7}, 0, "a.trivar"}, assets_,
+                    [&](double done, std::string_view) { told.push_back(done); });
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_LE(told.back(), 1);
+    EXPECT_GT(told.size(), 10u);
+}
+
 TEST_F(AnimatedExports, KeepTheSkinOfWhatLiesInNoVolume)
 {
     for (const char* clip : {"bend", "swell"}) {

@@ -10,7 +10,9 @@
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <set>
 #include <sstream>
 
 namespace trivar {
@@ -264,6 +266,46 @@ TEST(Instances, OfUsdLeaveAsMeshesWhatIsFurtherThanTheTolerance)
     EXPECT_THAT(made.tiles, ::testing::ElementsAre(HasSubstr("stay bent")));
     for (const char* part : {"float3[] scales.timeSamples", "def Mesh \"Stud_"})
         EXPECT_TRUE(holds(text, part)) << part << " " << made.tiles.front();
+}
+
+TEST(Instances, OfUsdAreOneInstancerWhereTilesGrow)
+{
+    const TemporaryFolder folder;
+    Document document = studded();
+    document.time = {.first_frame = 1, .last_frame = 6, .frames_per_second = 24};
+    Animate grow;
+    grow.of.push_back({stud,
+                       {{.parameter = "tiles.growth",
+                         .keys = {{.frame = 1, .value = 0}, {.frame = 6, .value = 1}}}}});
+    document = after(document, grow);
+    const AnimatedFile made = write_animated(
+        {.document = document, .frames = {1, 6}, .tolerance = 0.01, .log = {}, .instances = true},
+        std::make_shared<const AssetStore>(""), folder.file("a.usda"));
+    const std::string text = read_text_file(folder.file("a.usda"));
+    const std::size_t first = text.find("def PointInstancer \"Stud_");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(text.find("def PointInstancer", first + 1), std::string::npos);
+    EXPECT_FALSE(holds(text, "from frame"));
+    // As many at each time as the scene has then.
+    const std::size_t kinds = text.find("int[] protoIndices.timeSamples", first);
+    ASSERT_NE(kinds, std::string::npos);
+    std::set<std::size_t> counts;
+    for (int frame = 2; frame <= 6; ++frame) {
+        const std::vector<Part> parts = shown(document, frame).objects.at(stud)->parts;
+        const std::size_t count = parts.empty() ? 0 : parts.front().tiles->tiles->size();
+        counts.insert(count);
+        if (count == 0) continue;
+        const std::size_t at = text.find(fmt::format("    {}: [", frame), kinds);
+        const std::size_t end = text.find(']', at);
+        EXPECT_EQ(std::count(text.begin() + static_cast<long>(at),
+                             text.begin() + static_cast<long>(end), ','),
+                  static_cast<long>(count) - 1)
+            << frame;
+    }
+    EXPECT_GT(counts.size(), 2u);
+    EXPECT_THAT(made.tiles,
+                ::testing::ElementsAre(HasSubstr(fmt::format("{} of its {} tiles are instances",
+                                                             *counts.rbegin(), *counts.rbegin()))));
 }
 
 TEST(Instances, AreInHalfPrecisionWhereUsdTurnsThem)

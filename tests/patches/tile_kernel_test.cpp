@@ -89,6 +89,39 @@ TEST(TileKernel, GivesEveryVertexByItself)
     }
 }
 
+// A cell over a triangle: the whole side y = 1 is one point. All of it is flat.
+PlacedTile tile_over_a_triangle()
+{
+    const glm::dvec3 a(2, 1, 0), b(3, 1, 1), c(2.3, 2, 0.5);
+    PlacedTile out;
+    for (std::size_t k = 0; k < 16; ++k) {
+        const double u = static_cast<double>(k % 4) / 3, v = static_cast<double>(k / 4) / 3;
+        out.patch.p[k] = (1 - v) * ((1 - u) * a + u * b) + v * c;
+        out.patch.n[k] = glm::normalize(glm::cross(b - a, c - a));
+    }
+    return out;
+}
+
+TEST(TileKernel, GivesNormalsTheirLimitWhereASideOfThePatchHasNoLength)
+{
+    const PlacedTile tile = tile_over_a_triangle();
+    const glm::dvec3 up = tile.patch.n[0];
+    Mesh box = box_mesh({1, 1, 0.2}, {3, 3, 1});
+    box.tangents.assign(box.vertex_count(), {1, 0, 0, 1});
+    for (glm::vec3& p : box.positions) p += glm::vec3(0.5f, 0.5f, 0.1f);
+    const std::vector<glm::vec3> normals = bent_by_kernel(box, tile).normals;
+    std::size_t pinches = 0;
+    for (std::size_t v = 0; v < box.vertex_count(); ++v) {
+        pinches += box.positions[v].y == 1;
+        if (std::abs(box.normals[v].z) == 1) {
+            EXPECT_GT(glm::dot(glm::dvec3(normals[v]), double(box.normals[v].z) * up), 0.9999);
+        } else {
+            EXPECT_LT(std::abs(glm::dot(glm::dvec3(normals[v]), up)), 1e-3);
+        }
+    }
+    EXPECT_GT(pinches, 8u);
+}
+
 TEST(TileKernel, GivesFlatTilesNormalsThatPointUp)
 {
     PlacedTile flat;

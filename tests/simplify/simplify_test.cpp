@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/mesh/shading.h"
 #include "tests/mesh/edges.h"
 #include "tests/simplify/meshes.h"
 
@@ -85,6 +86,19 @@ TEST(Simplify, KeepsABoxABoxOfTwelveTriangles)
             EXPECT_NEAR(glm::dot(glm::dvec3(less.mesh->normals[less.mesh->corners[c]]),
                                  glm::normalize(area_normal(*less.mesh, f))),
                         1, 1e-6);
+}
+
+TEST(Simplify, ReachesItsShareWhereFacetsOfNoiseAreHardEdges)
+{
+    Mesh scan = bumpy_torus({80, 40});
+    for (std::size_t v = 0; v < scan.vertex_count(); ++v) // rough as the noise of a scanner
+        scan.positions[v] += 0.03f * float(std::sin(12.9898 * scan.points[v])) * scan.normals[v];
+    const Mesh facets = shaded(scan, 0);
+    const std::size_t third = triangles(scan).size() / 3;
+    const SimplifiedMesh less = to_number(facets, third);
+    EXPECT_LE(less.triangles, third);
+    EXPECT_EQ(euler(*less.mesh), 0);
+    EXPECT_EQ(shading_of(*less.mesh), 0.0f);
 }
 
 TEST(Simplify, LeavesPolygonsThatAreNotTouchedAsTheyAre)

@@ -11,6 +11,7 @@
 #include "core/document/fields/playing_fields.h"
 #include "core/document/fields/primitive_fields.h"
 #include "core/document/fields/refining_fields.h"
+#include "core/document/fields/shading_fields.h"
 #include "core/document/fields/shaping_fields.h"
 #include "core/document/fields/simplex_sheet_fields.h"
 #include "core/document/fields/simplifying_fields.h"
@@ -79,6 +80,8 @@ template <> struct FieldsOf<Object> {
         field("simplifying", o.simplifying, "how its triangles are reduced",
               any_value.counts(Counting::marked).without_keys());
         field("unwrapping", o.unwrapping, "how its texture coordinates are made",
+              any_value.counts(Counting::marked).without_keys());
+        field("shading", o.shading, "where it looks smooth and where it shows edges",
               any_value.counts(Counting::marked).without_keys());
         field("incising", o.incising, "where its skin is cut open",
               any_value.counts(Counting::marked));

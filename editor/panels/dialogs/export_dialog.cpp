@@ -60,11 +60,12 @@ bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Document& documen
         ui::check_box(theme, "instances", plan.instances, tiles_as_instances);
     }
     const std::string help = "Largest distance of a GLB, or of an instance, from the scene at any "
-                             "time. Else each frame is exact.";
+                             "time. Auto: 1 mm, or more where it moves too fast for that.";
     if (kind != 0 && !(asks && plan.instances))
         ui::fact_row(theme, "Tolerance", "none: each frame is exact", theme.color.text_3, help);
     else
-        ui::number_field(theme, "tolerance", plan.tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"},
+        ui::number_field(theme, "tolerance", plan.tolerance,
+                         {.lo = 0, .hi = 1e3, .unit = "m", .zero = "auto"},
                          ui::label_row(theme, "Tolerance", false, help).width);
     return browsed;
 }

@@ -86,6 +86,8 @@ const std::vector<InspectorSection>& inspector_sections()
                                        Id id) { draw_refinement(editor, theme, {id}); }},
         {always, draw_transform},
         {always, draw_material},
+        {has_triangles,
+         [](Editor& editor, const ui::Theme& theme, Id id) { draw_shading(editor, theme, {id}); }},
         {has_triangles, draw_simplify},
         {has_triangles, draw_unwrap},
         {has_triangles, draw_line_drawing},

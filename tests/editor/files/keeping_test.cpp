@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of work that is let go, and what the window says of it.
+#include "core/files/write_model.h"
+#include "core/mesh/primitives.h"
 #include "core/scene/log.h"
 #include "editor/session/recovery.h"
 #include "editor/session/scene_facts.h"
@@ -284,6 +286,27 @@ TEST(Keeping, AModelAHundredTimesTheSceneIsSaidAndScaledWhereThatIsWanted)
     const auto scale = notices[0].actions[0].act;
     scale();
     EXPECT_EQ(object(rig.editor.session.document(), 2).transform.scale, glm::dvec3(0.01));
+}
+
+TEST(Keeping, AScanInFacetsIsSaidAndShadedByAngleWhereThatIsWanted)
+{
+    const testing::TemporaryFolder folder;
+    write_model(single_mesh_model("scan", sphere_mesh(1, 80, 40)), folder.file("scan.stl"));
+    write_model(single_mesh_model("part", box_mesh({1, 1, 1}, {20, 20, 20})),
+                folder.file("part.stl"));
+    Rig rig;
+    for (const char* name : {"part.stl", "scan.stl"}) {
+        rig.editor.files.import(folder.file(name));
+        rig.wait();
+        rig.frames();
+    }
+    const auto& notices = rig.editor.session.notices.all();
+    ASSERT_EQ(notices.size(), 1u);
+    EXPECT_EQ(notices[0].title, "Scan is shaded flat");
+    ASSERT_EQ(notices[0].actions.size(), 1u);
+    const auto shade = notices[0].actions[0].act;
+    shade();
+    EXPECT_EQ(object(rig.editor.session.document(), 2).shading->way, ShadingWay::by_angle);
 }
 
 } // namespace

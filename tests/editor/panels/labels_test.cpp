@@ -33,6 +33,7 @@ TEST(Labels, OfRowsFitTheirColumn)
         expect_labels_fit<Refining>(theme);
         expect_labels_fit<Simplifying>(theme);
         expect_labels_fit<Unwrapping>(theme);
+        expect_labels_fit<FaceShading>(theme);
         expect_labels_fit<Travel>(theme);
         expect_labels_fit<Playing>(theme);
         expect_labels_fit<HeightShape>(theme);
