@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::ui {
 namespace fs = std::filesystem;
@@ -28,6 +29,21 @@ bool is_folder(const fs::path& path)
     return fs::is_directory(path, ignored);
 }
 
+// Lets typing replace the name and keep its extension; false: the field has no keyboard yet.
+bool select_stem(const std::string& name)
+{
+    ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetActiveID());
+    if (!state) return false;
+    const fs::path path(name);
+    const auto letters_before = [&](std::size_t end) {
+        return ImTextCountCharsFromUtf8(name.data(), name.data() + end);
+    };
+    const std::size_t file = name.size() - path.filename().string().size();
+    state->Stb.select_start = letters_before(file);
+    state->Stb.select_end = state->Stb.cursor = letters_before(file + path.stem().string().size());
+    return true;
+}
+
 } // namespace
 
 void FileDialog::open(FileRequest request, const fs::path& start)
@@ -36,6 +52,7 @@ void FileDialog::open(FileRequest request, const fs::path& start)
     open_ = just_opened_ = true;
     focus_ = Focus::field;
     typed_ = request_.name;
+    select_stem_ = request_.saving;
     std::error_code ignored;
     fs::path folder = is_folder(start) ? start : next_folder_;
     if (!is_folder(folder)) folder = fs::current_path(ignored);
@@ -91,6 +108,7 @@ std::optional<std::string> FileDialog::take(const std::string& typed, bool repla
     if (is_folder(path)) {
         enter(path);
         typed_.clear();
+        just_opened_ = true; // what is typed next is a path
         return std::nullopt;
     }
     path = with_extension(std::move(path));
@@ -157,7 +175,8 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
         ImGui::PushID(i);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const Rect row = rect_at({at.x, at.y}, {ImGui::GetContentRegionAvail().x, theme.px(28)});
-        const bool pressed = ImGui::InvisibleButton("entry", {row.width(), row.height()});
+        const bool pressed =
+            ImGui::InvisibleButton("entry", {row.width(), row.height()}) && !entered_;
         const Rect band = {row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)};
         if (i == selected_)
             paint_box(band, c.row_selected, theme.size.rounding_small);
@@ -182,9 +201,11 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
         }
         if (twice) {
             chosen = entry.name;
+            entered_ = true;
             break; // taking it may change the list
         }
     }
+    if (!chosen && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) entered_ = false;
     if (count == 0) {
         const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         empty_state(theme, rect_at({at.x, at.y}, {size.x, size.y}), icon::folder, "Nothing here",
@@ -255,9 +276,13 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
         selected_ = -1;
     }
     ImGui::PopAllowKeyboardFocus();
+    if (select_stem_ && select_stem(typed_)) select_stem_ = false;
     y += theme.px(32);
-    paint_text(theme.font.small, {{left, y}, {rect.hi.x - pad, y + theme.px(20)}}, theme.color.warn,
-               problem_);
+    for (const std::string& line : wrapped(theme.font.small, problem_, width)) {
+        paint_text(theme.font.small, {{left, y}, {rect.hi.x - pad, y + theme.px(16)}},
+                   theme.color.warn, line);
+        y += theme.px(16);
+    }
     const bool replacing = replaces();
     const std::string action = replacing ? "Replace" : request_.action;
     const float ok = button_width(theme, action), no = button_width(theme, "Cancel");

@@ -52,6 +52,8 @@ private:
     enum class Focus { field, option, cancel, agree };
     Focus focus_ = Focus::field;
     bool open_ = false, just_opened_ = false;
+    bool select_stem_ = false; // of the suggested name, once its field has the keyboard
+    bool entered_ = false;     // a folder, by a press that is still held
     FileRequest request_;
     std::filesystem::path folder_;      // listed
     std::filesystem::path next_folder_; // where the next dialog begins

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/height_field.h"
 
+#include "core/base/number_text.h"
 #include "ui/held_value.h"
 
 #include <algorithm>
@@ -138,7 +139,7 @@ void paint_heights(const Theme& theme, const Rect& box, const HeightPlot& plot, 
                       faded(style.color, 0.42f));
             if (lit || hot)
                 paint_rim(cell, lit ? c.accent : c.text_2, 0, std::max(1.0f, 1.5f * theme.scale));
-            const std::string number = fmt::format("{:.2g}", value);
+            const std::string number = number_text(value, {.digits = 2});
             if (text_width(font, number) + theme.px(6) < cell.width() &&
                 cell.height() >= theme.px(16))
                 paint_text(font, cell, c.text, number, Align::center);

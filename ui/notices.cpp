@@ -19,7 +19,8 @@ constexpr std::size_t most_shown = 3;
 // Longer where there is something to press.
 double lifetime_s(const Notices::Notice& notice)
 {
-    if (notice.kind == NoticeKind::error || notice.stays) return 1e300;
+    if (notice.stays) return 1e300;
+    if (notice.kind == NoticeKind::error) return notice.actions.empty() ? 30 : 1e300;
     return notice.actions.empty() ? notice.kind == NoticeKind::good ? 4 : 10 : 20;
 }
 

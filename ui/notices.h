@@ -14,8 +14,9 @@ namespace trivar::ui {
 enum class NoticeKind { good, warning, error };
 
 // Notices are sentences for the user that appear at the lower right and leave again: success after
-// 4 s, warnings after 10 s, errors and kept ones when they are closed. A repeated sentence is
-// counted; a sentence on a topic replaces the earlier one on that topic.
+// 4 s, warnings after 10 s, errors after 30 s; errors with a remedy and kept ones when they are
+// closed. A repeated sentence is counted; a sentence on a topic replaces the earlier one on that
+// topic.
 class Notices {
 public:
     // An Action is a remedy on a button; the notice leaves when the button is pressed.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/expression.h"
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "ui/input.h"
@@ -80,27 +81,6 @@ double round_step(double start, const NumberStyle& style)
     return std::pow(10, std::floor(std::log10(size)) - 1);
 }
 
-// Without the zeros of an exponent: 1e-9, not 1e-09.
-std::string without_zeros(std::string text)
-{
-    const std::size_t e = text.find('e');
-    if (e == text.npos) return text;
-    if (text[e + 1] == '+') text.erase(e + 1, 1);
-    const std::size_t digits = text[e + 1] == '-' ? e + 2 : e + 1;
-    while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
-    return text;
-}
-
-// Rounded to so many significant digits, those before the point always among them.
-std::string number_of_digits(double value, int digits)
-{
-    const double size = std::abs(value);
-    if (size != 0 && (size < 1e-3 || size >= 1e6))
-        return without_zeros(fmt::format("{:.{}g}", value, digits));
-    const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-    return fmt::format("{:.{}f}", value, std::max(0, digits - before));
-}
-
 void paint_number(const Theme& theme, const Rect& r, double value, const NumberStyle& style,
                   bool hot)
 {
@@ -127,25 +107,24 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         text.hi.x += theme.px(3);
     }
     const bool word = !style.words.empty() || (value == 0 && !style.zero.empty());
-    const bool whole = style.step >= 1 && value == std::round(value);
-    std::string shown = word    ? style.words.empty() ? style.zero : style.words
-                        : whole ? fmt::format("{:.0f}", value + 0.0) // of 0, not of -0
-                                : short_number(value);
-    const auto room_for = [&](float taken) {
-        return text_width(theme.font.body, shown) <= text.width() - taken;
+    const ImFont* font = theme.font.body;
+    const auto fits = [&](const std::string& shown) {
+        return text_width(font, shown) <= text.width();
     };
+    std::string shown = word ? style.words.empty() ? style.zero : style.words
+                             : number_in_field(value, style.step, fits);
+    if (word && !fits(shown)) shown = "–";
+    if (!fits(shown)) {
+        font = theme.font.small;
+        shown = number_in_field(value, style.step, fits);
+    }
     const float unit_width = text_width(theme.font.small, style.unit);
-    if (!style.unit.empty() && !word && text.width() > unit_width + theme.px(34) &&
-        room_for(unit_width + theme.px(6))) {
+    if (!style.unit.empty() && style.words.empty() && text.width() > unit_width + theme.px(34) &&
+        text_width(font, shown) + unit_width + theme.px(6) <= text.width()) {
         paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
         text.hi.x -= unit_width + theme.px(6);
     }
-    if (word && !room_for(0)) shown = "–";
-    // A narrow field says it less exactly rather than in part.
-    for (int digits = 4; digits > 0 && !word && !room_for(0); --digits)
-        shown = number_of_digits(value, digits);
-    paint_text(theme.font.body, text, word ? c.text_2 : c.text,
-               elided(theme.font.body, shown, text.width()));
+    paint_text(font, text, word ? c.text_2 : c.text, elided(font, shown, text.width()));
 }
 
 Measure measure_of(const NumberStyle& style)
@@ -168,6 +147,7 @@ void pass_on_typing()
 bool takes_typing()
 {
     if (ImGui::GetStateStorage()->GetInt(tab_key(), -1) < ImGui::GetFrameCount()) return false;
+    if ((GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0) return false; // it is greyed
     ImGui::GetStateStorage()->SetInt(tab_key(), -1);
     return true;
 }
@@ -179,7 +159,8 @@ constexpr float keyboard_comes = 2;
 std::string typed_text(double value)
 {
     const double clean = rounded(value, 12);
-    return shortest(std::abs(clean - value) <= 1e-12 * std::abs(value) ? clean : value);
+    return number_text(std::abs(clean - value) <= 1e-12 * std::abs(value) ? clean : value,
+                       {.digits = 0, .commas = false});
 }
 
 // Why this value may not be; empty: it may.
@@ -307,29 +288,50 @@ void type_next_number()
     ImGui::GetStateStorage()->SetInt(tab_key(), ImGui::GetFrameCount() + 1);
 }
 
-std::string with_commas(std::size_t number)
+std::string number_in_field(double value, double step,
+                            const std::function<bool(const std::string&)>& fits)
 {
-    std::string digits = std::to_string(number);
-    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
-    return digits;
+    constexpr int most = 6, usual = 4; // digits: of what was typed, and of what was computed
+    if (step >= 1 && value == std::round(value))
+        return number_text(value, {.digits = 0, .commas = false});
+    const bool typed = std::abs(value - rounded(value, most)) <= 1e-9 * std::abs(value);
+    const auto of_digits = [&](int digits) {
+        return number_text(value, {.digits = digits, .decimals = 2, .commas = false});
+    };
+    std::string shown = of_digits(typed ? most : usual);
+    for (int digits = most - 1; digits > 0 && !fits(shown); --digits) {
+        if (typed || digits < usual) shown = of_digits(digits);
+    }
+    // Small ones have more zeros than fit, large ones digits.
+    for (int digits = 3; digits > 0 && !fits(shown); --digits)
+        shown = number_text(value, {.digits = digits, .power = true});
+    return shown;
 }
 
 std::string short_number(double value)
 {
-    if (value == 0) return "0";
-    const double size = std::abs(value);
-    if (!std::isfinite(value) || size < 1e-3 || size >= 1e6)
-        return without_zeros(fmt::format("{:.3g}", value));
-    const int digits = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
-    std::string text = fmt::format("{:.{}f}", value, digits);
-    // 0.400 says no more than 0.4, but 0.42 and 0.40 beside each other are easier to compare.
-    while (digits > 2 && text.ends_with('0') && text[text.size() - 3] != '.') text.pop_back();
-    return text;
+    return number_text(value, {.decimals = 2});
+}
+
+NumberStyle percent_style(double lo, double hi)
+{
+    return {.lo = lo, .hi = hi, .bar_hi = lo >= 0 ? hi : -1e300, .unit = "%", .factor = 100};
 }
 
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width)
 {
+    if (style.factor != 1) {
+        NumberStyle shown = style;
+        for (double* each :
+             {&shown.lo, &shown.hi, &shown.bar_hi, &shown.step, &shown.stop, &shown.usual})
+            *each *= style.factor;
+        shown.factor = 1;
+        double number = value * style.factor;
+        const Edit edit = number_field(theme, id, number, shown, width);
+        if (edit == Edit::changed || edit == Edit::cancelled) value = number / style.factor;
+        return edit;
+    }
     ImGui::PushID(id.c_str());
     const Memory memory{ImGui::GetID("number")};
     Edit edit = Edit::none;

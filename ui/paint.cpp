@@ -183,7 +183,7 @@ Rect paint_chip(const Theme& theme, glm::vec2 at, const Chip& chip)
     paint_box(rect, theme.color.chip, theme.size.rounding);
     float x = rect.lo.x + theme.px(8);
     if (chip.dot) {
-        // A chip is dark in every theme, a dot's colour is not light in every one.
+        // A dot's colour need not stand out from the chip's.
         paint_dot({x + theme.px(4), rect.center().y}, theme.px(4), chip.dot, theme.color.chip_text,
                   1.2f * theme.scale);
         x += theme.px(14);

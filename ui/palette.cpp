@@ -125,6 +125,8 @@ Palette light_palette()
     c.contact = rgb(0x005043);
     c.cpu = rgb(0x2F6FDE);
     c.gpu = rgb(0xB86A00);
+    c.chip = rgb(0xF6F7F8, 0.88f);
+    c.chip_text = rgb(0x1A1D21);
     c.grid = rgb(0x000000, 0.07f);
     c.grid_major = rgb(0x000000, 0.14f);
     return c;

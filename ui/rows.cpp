@@ -19,6 +19,11 @@ Rect row_rect(float height)
     return rect_at({left, at.y}, {ImGui::GetWindowWidth(), height});
 }
 
+bool is_greyed()
+{
+    return (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
+
 ImGuiID reset_key()
 {
     return ImHashStr("the frame in which rows are reset");
@@ -38,7 +43,8 @@ bool section(const Theme& theme, const std::string& title, bool open_at_first,
     const Rect r = row_rect(theme.size.group);
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(title.c_str());
-    const bool open = storage.GetBool(id, open_at_first);
+    if (open_at_first && storage.GetInt(id, -1) < 0) storage.SetBool(id, true); // and stays open
+    const bool open = storage.GetBool(id, false);
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     if (ImGui::InvisibleButton(title.c_str(), {r.width(), r.height()})) storage.SetBool(id, !open);
     paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line);
@@ -69,16 +75,17 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
         tooltip({"Reset to the default", "Backspace"});
         const bool over = ImGui::IsWindowHovered() &&
                           ImGui::IsMouseHoveringRect({r.lo.x, r.lo.y}, {r.hi.x, r.hi.y});
-        row.reset = row.reset ||
-                    (over && !ImGui::IsAnyItemActive() && struck({.key = key_backspace})) ||
-                    ImGui::GetStateStorage()->GetInt(reset_key(), -1) == ImGui::GetFrameCount();
+        row.reset =
+            row.reset ||
+            (over && !is_greyed() && !ImGui::IsAnyItemActive() && struck({.key = key_backspace})) ||
+            ImGui::GetStateStorage()->GetInt(reset_key(), -1) == ImGui::GetFrameCount();
     }
     const float room = theme.size.label - theme.px(8);
     // A long label is smaller rather than cut.
     const bool long_one = text_width(theme.font.body, label) > room;
     const ImFont* font = long_one ? theme.font.small : theme.font.body;
     const std::string shown = elided(font, label, room);
-    if (!help.empty() || shown != label)
+    if (!help.empty() || shown != label || is_greyed())
         tooltip_in({{x, r.lo.y}, {r.hi.x - theme.px(16), r.hi.y}}, {label, {}, help});
     ImGui::PopID();
     paint_text(font, {{x, r.lo.y}, r.hi}, c.text_2, shown);
@@ -87,16 +94,84 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
     return row;
 }
 
+bool unfolded(const Theme& theme, Row& row, const std::string& id, bool open_at_first)
+{
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID kept = ImGui::GetID(("unfolded " + id).c_str());
+    if (storage.GetInt(kept, -1) < 0) storage.SetBool(kept, open_at_first);
+    const bool open = storage.GetBool(kept);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = theme.size.row;
+    row.width -= side + theme.px(2);
+    ImGui::SetCursorScreenPos({at.x + row.width + theme.px(2), at.y});
+    if (icon_button(theme, "unfold " + id, open ? icon::open : icon::closed, {side, side},
+                    {open ? "Hide the curve" : "Show the curve", {}, {}}))
+        storage.SetBool(kept, !open);
+    ImGui::SetCursorScreenPos(at);
+    return open;
+}
+
+void unfold(const std::string& id)
+{
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID(("unfolded " + id).c_str()), true);
+}
+
 void fact_row(const Theme& theme, const std::string& label, const std::string& value, Color color,
               const std::string& help)
 {
     const Row row = label_row(theme, label, false, help);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy({std::max(1.0f, row.width), theme.size.row});
-    const std::string shown = elided(theme.font.body, value, row.width);
+    const bool long_one = text_width(theme.font.body, value) > row.width;
+    const ImFont* font = long_one ? theme.font.small : theme.font.body;
+    const std::string shown = elided(font, value, row.width);
     if (shown != value) tooltip({value, {}, help});
-    paint_text(theme.font.body, rect_at({at.x, at.y}, {row.width, theme.size.row}),
+    paint_text(font, rect_at({at.x, at.y}, {row.width, theme.size.row}),
                color ? color : theme.color.text, shown);
+}
+
+std::optional<int> list_row(const Theme& theme, const ListRow& row,
+                            const std::vector<RowButton>& buttons)
+{
+    const float side = theme.size.row, edge = theme.size.padding;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width =
+        ImGui::GetContentRegionAvail().x - side * static_cast<float>(buttons.size()) - theme.px(8);
+    std::optional<int> pressed;
+    if (row.tip) {
+        if (ImGui::InvisibleButton("name", {std::max(1.0f, width), side})) pressed = -1;
+        tooltip(*row.tip);
+    }
+    Rect words = rect_at({at.x + edge, at.y}, {width - edge, side});
+    if (row.icon) {
+        paint_text(theme.font.body, words, theme.color.text_3, row.icon);
+        words.lo.x += theme.px(16);
+    }
+    name_text(row.font ? row.font : theme.font.body, words,
+              row.color ? row.color : theme.color.text, row.name);
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        ImGui::SetCursorScreenPos(
+            {at.x + width + theme.px(4) + side * static_cast<float>(i), at.y});
+        if (icon_button(theme, buttons[i].id, buttons[i].icon, {side, side}, buttons[i].tip))
+            pressed = static_cast<int>(i);
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
+    ImGui::Dummy({1, 0});
+    return pressed;
+}
+
+void rows_if(const Theme& theme, bool they_apply, const char* why_not,
+             const std::function<void()>& draw)
+{
+    if (they_apply || is_greyed()) return draw(); // greyed ones are not greyed again
+    const Rect first = row_rect(0);
+    ImGui::BeginDisabled();
+    tooltips().grey(why_not);
+    draw();
+    tooltips().grey({});
+    ImGui::EndDisabled();
+    paint_box({first.lo, {first.hi.x, ImGui::GetCursorScreenPos().y}},
+              faded(theme.color.panel, 0.6f));
 }
 
 void gap(const Theme& theme, float height_at_scale_1)

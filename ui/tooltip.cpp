@@ -131,6 +131,13 @@ glm::vec2 tooltip_place(const Rect& thing, glm::vec2 mouse, glm::vec2 size, glm:
     return inside({right <= last.x ? right : left, thing.lo.y});
 }
 
+void Tooltips::offer(Offer offer)
+{
+    offer_ = std::move(offer);
+    std::string& words = offer_->tip.sentence;
+    if (!why_not_.empty()) words = why_not_ + (words.empty() ? "" : " " + sentence(words));
+}
+
 void Tooltips::draw(const Theme& theme, Frame& frame)
 {
     const double now_s = ImGui::GetTime();

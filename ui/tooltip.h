@@ -36,12 +36,15 @@ public:
         Tip tip;
         Side side = Side::below;
     };
-    void offer(Offer offer) { offer_ = std::move(offer); }
+    void offer(Offer offer);
+    // What is offered from here on does not apply now, and why; empty: it does.
+    void grey(std::string why_not) { why_not_ = std::move(why_not); }
     void draw(const Theme& theme, Frame& frame); // once, when all things are drawn
     const std::optional<Tip>& shown() const { return shown_; }
 
 private:
     std::optional<Offer> offer_;
+    std::string why_not_;
     std::optional<Tip> shown_;
     unsigned at_ = 0; // the thing, and since when
     double since_s_ = 0, last_shown_s_ = -1e9;

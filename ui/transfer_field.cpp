@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transfer_field.h"
 
+#include "core/base/number_text.h"
 #include "ui/held_value.h"
 #include "ui/histogram.h"
 #include "ui/input.h"
@@ -121,10 +122,10 @@ void paint_words(const Theme& theme, const TransferPlot& plot, const Rect& box,
     paint_text(theme.font.small, foot, theme.color.text_3, style.ends[1], Align::right);
     if (!told) return;
     const std::string unit = style.unit.empty() ? "" : " " + style.unit;
-    paint_text(
-        theme.font.small, foot, theme.color.text_2,
-        fmt::format("{} % at {:.6g}{}", short_number(100 * told->opacity), told->value, unit),
-        Align::center);
+    paint_text(theme.font.small, foot, theme.color.text_2,
+               fmt::format("{} % at {}{}", short_number(100 * told->opacity),
+                           number_text(told->value, {.digits = 6}), unit),
+               Align::center);
 }
 
 } // namespace

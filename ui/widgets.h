@@ -3,6 +3,8 @@
 
 #include "ui/tooltip.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +38,10 @@ struct NumberStyle {
     std::string words = {}; // what is shown in place of any number: "mixed"
     double stop = 1e300;    // drags from below halt there, and go on if they are pulled further
     double usual = 0.04;    // without range and step, drags of smaller values go as those of this
+    double factor = 1;      // from a value to what is shown; all the numbers above are values
 };
+// Of a share that is shown as per cent.
+NumberStyle percent_style(double lo = 0, double hi = 1);
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width);
 Edit integer_field(const Theme& theme, const std::string& id, int& value, const NumberStyle& style,
@@ -90,17 +95,43 @@ struct Row {
 Row label_row(const Theme& theme, const std::string& label, bool changed = false,
               const std::string& help = {}); // the sentence of the row's tooltip
 void reset_rows(); // resets the rows of the current window in this frame, as their dots do
+// A button at the end of a row that unfolds what is below it; the row's field gets narrower by it.
+// Before it is pressed, `open_at_first` is the answer. Values never open or close it.
+bool unfolded(const Theme& theme, Row& row, const std::string& id, bool open_at_first);
+void unfold(const std::string& id); // opens it from the next frame on
 // A row that shows a fact.
 void fact_row(const Theme& theme, const std::string& label, const std::string& value,
               Color color = 0, const std::string& help = {});
+// A row of a list: a name, and buttons at its right.
+struct RowButton {
+    const char *id, *icon;
+    Tip tip;
+};
+struct ListRow {
+    std::string name;
+    const ImFont* font = nullptr; // null: that of the body
+    Color color = 0;              // 0: that of text
+    const char* icon = nullptr;   // before the name
+    std::optional<Tip> tip = {};  // where the name can be clicked
+};
+// Returns the number of the button that was pressed; -1: the name was, and nothing: none was.
+std::optional<int> list_row(const Theme& theme, const ListRow& row,
+                            const std::vector<RowButton>& buttons);
+// Rows that need not apply: if they do not, they keep their place, greyed, take neither mouse nor
+// keys, and their tooltips say why not. So no row moves while values change.
+void rows_if(const Theme& theme, bool they_apply, const char* why_not,
+             const std::function<void()>& draw);
 void gap(const Theme& theme, float height_at_scale_1);
 
 // An icon, a bold line, and a sentence with the way out; centred in the rectangle.
 void empty_state(const Theme& theme, const Rect& in, const char* icon, const std::string& title,
                  const std::string& body);
 
-// A number with three significant digits, and no exponent between 0.001 and 1e6.
+// What a field shows of a number: all of up to six digits, else four, and no more than fit. Whole
+// steps are shown in whole.
+std::string number_in_field(double value, double step,
+                            const std::function<bool(const std::string&)>& fits);
+// A number_text of three digits, two decimals where they are known: 0.40 beside 0.42.
 std::string short_number(double value);
-std::string with_commas(std::size_t number); // 12,345
 
 } // namespace trivar::ui

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -157,10 +159,34 @@ private:
     int depth_ = 0;
 };
 
+// "2.4·10⁻¹⁷", as number_text writes it, in the signs of keyboards: "2.4e-17".
+std::string in_ascii(std::string_view text)
+{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> signs{{{"·10", "e"},
+                                                                                   {"⁻", "-"},
+                                                                                   {"⁰", "0"},
+                                                                                   {"¹", "1"},
+                                                                                   {"²", "2"},
+                                                                                   {"³", "3"},
+                                                                                   {"⁴", "4"},
+                                                                                   {"⁵", "5"},
+                                                                                   {"⁶", "6"},
+                                                                                   {"⁷", "7"},
+                                                                                   {"⁸", "8"},
+                                                                                   {"⁹", "9"}}};
+    std::string plain(text);
+    for (const auto& [shown, typed] : signs)
+        for (std::size_t at = plain.find(shown); at != plain.npos; at = plain.find(shown, at))
+            plain.replace(at, shown.size(), typed);
+    return plain;
+}
+
 } // namespace
 
-std::optional<double> evaluate_expression(std::string_view text, Measure measure, double present)
+std::optional<double> evaluate_expression(std::string_view typed, Measure measure, double present)
 {
+    const std::string plain = in_ascii(typed);
+    std::string_view text = plain;
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     char relative = '=';
     if (text.size() > 1 && text[1] == '=' && std::string_view("+-*/").find(text[0]) != text.npos) {

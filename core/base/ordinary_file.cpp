@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/ordinary_file.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -97,8 +98,8 @@ std::string read_file(const std::string& path, std::uintmax_t most_bytes)
 {
     OrdinaryFile file(path);
     if (file.size() > most_bytes)
-        throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", path, file.size(),
-                                   most_bytes));
+        throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", path,
+                                   with_commas(file.size()), with_commas(most_bytes)));
     std::string bytes(static_cast<std::size_t>(file.size()), '\0');
     file.read(bytes);
     return bytes;

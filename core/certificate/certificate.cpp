@@ -66,8 +66,8 @@ std::vector<std::string> not_certified(const Certificate& certificate)
         else
             out.push_back(fmt::format("{} is not certified: {} of its {} triangles may be further "
                                       "off than {} m",
-                                      name, part.not_certified, part.triangles,
-                                      number_text(part.tolerance)));
+                                      name, with_commas(part.not_certified),
+                                      with_commas(part.triangles), number_text(part.tolerance)));
     }
     for (const Certificate::UnlaidObject& object : certificate.not_laid)
         out.push_back(fmt::format("{} is not certified: it does not lie where it should: {}",

@@ -46,7 +46,7 @@ std::string key_in(const Document& before, const Animate& c)
     const auto number = std::ranges::find(all, tracks[0].parameter, &Parameter::name);
     if (number == all.end()) return {};
     return fmt::format("{} in frame {}", words_of_value(*number, changed[0].value),
-                       brief_number(changed[0].frame));
+                       number_text(changed[0].frame));
 }
 
 } // namespace

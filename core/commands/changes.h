@@ -67,7 +67,7 @@ template <class T> Changes changes(const T& before, const T& after)
         if constexpr (std::is_same_v<V, glm::vec4>) {
             const glm::vec3 color(is);
             if (color != glm::vec3(was)) out.push_back({label_of(name, rule), color_text(color)});
-            if (is.w != was.w) out.push_back({"Opacity", brief_number(is.w)});
+            if (is.w != was.w) out.push_back({"Opacity", number_text(is.w)});
         } else
             out.push_back({label_of(name, rule), value_words(is, rule)});
     });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
@@ -17,19 +18,20 @@ constexpr std::size_t longest_list = 100000;
 void check_number(std::string_view name, double value, const Rule& rule)
 {
     if (value >= rule.lo && value <= rule.hi) return; // NaN is neither
+    const auto exact = [](double number) { return number_text(number, {.digits = 0}); };
     if (rule.hi == Rule{}.hi && value < rule.lo)
         throw Rejected(
-            fmt::format("field \"{}\" is {} but must be {}", name, shortest(value),
-                        rule.lo > 0 && value <= 0 ? "above 0" : "at least " + shortest(rule.lo)));
+            fmt::format("field \"{}\" is {} but must be {}", name, exact(value),
+                        rule.lo > 0 && value <= 0 ? "above 0" : "at least " + exact(rule.lo)));
     throw Rejected(fmt::format("field \"{}\" is {} but must lie between {} and {}", name,
-                               shortest(value), shortest(rule.lo), shortest(rule.hi)));
+                               exact(value), exact(rule.lo), exact(rule.hi)));
 }
 
 void check_text(std::string_view name, std::string_view text, const Rule& rule)
 {
     if (text.size() > longest_text)
         throw Rejected(fmt::format("field \"{}\" has {} bytes but at most {} are allowed", name,
-                                   text.size(), longest_text));
+                                   with_commas(text.size()), with_commas(longest_text)));
     if (!is_utf8(text)) throw Rejected(fmt::format("field \"{}\" is not UTF-8 text", name));
     if (text.find('\0') != text.npos)
         throw Rejected(fmt::format(
@@ -66,7 +68,7 @@ template <class T> void check_value(const std::string& name, const T& value, con
     } else if constexpr (is_list<T>) {
         if (value.size() > longest_list)
             throw Rejected(fmt::format("field \"{}\" has {} entries but at most {} are allowed",
-                                       name, value.size(), longest_list));
+                                       name, with_commas(value.size()), with_commas(longest_list)));
         for (std::size_t i = 0; i < value.size(); ++i)
             check_value(fmt::format("{}[{}]", name, i), value[i], rule);
     } else

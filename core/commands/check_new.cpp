@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
 
@@ -40,8 +41,8 @@ void check_fits(const InsertKnots& c, const Object& o, const LatticeShape& box)
 {
     const double then = product(most_points(o, box) + knots_in(c.insertion));
     if (then > most_control_points)
-        throw Rejected(fmt::format("{} would have {:.0f} control points; a lattice may have {:.0f}",
-                                   o.name, then, most_control_points));
+        throw Rejected(fmt::format("{} would have {} control points; a lattice may have {}", o.name,
+                                   number_text(then), number_text(most_control_points)));
 }
 
 void check_fits(const MovePoints& c, const Object& o, const LatticeShape& box)

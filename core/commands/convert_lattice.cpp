@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/convert_lattice.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
 #include "core/placement/box_volume.h"
@@ -21,9 +22,9 @@ void check_count(const std::array<Knots, 3>& axes, const ConvertLattice& command
     for (const Knots& axis : axes)
         cells *= static_cast<double>(axis.breaks().size() - 1) * command.pieces;
     if (cells > most_cells_of_lattice)
-        throw Rejected(fmt::format("the lattice would become {:.0f} tetrahedra; at most {:.0f} are "
+        throw Rejected(fmt::format("the lattice would become {} tetrahedra; at most {} are "
                                    "allowed, with fewer pieces there are fewer",
-                                   cells, most_cells_of_lattice));
+                                   number_text(cells), number_text(most_cells_of_lattice)));
 }
 
 bool is_of_the_box(const Track& track)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/cut.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
 #include "core/commands/entry_tracks.h"
@@ -36,13 +37,21 @@ void check(const Cutting& cutting)
 {
     if (cutting.cuts.empty()) throw Rejected("field \"cuts\" is empty; name a plane or a stroke");
     if (cutting.cuts.size() > most_cuts)
-        throw Rejected(fmt::format("field \"cuts\" has {} entries but at most {} are taken",
+        throw Rejected(fmt::format("field \"cuts\" has {} entries but at most {} are taken; remove "
+                                   "one, or export the pieces and cut these",
                                    cutting.cuts.size(), most_cuts));
-    for (const PlainCut& cut : cutting.cuts) {
+    for (std::size_t i = 0; i < cutting.cuts.size(); ++i) {
+        const PlainCut& cut = cutting.cuts[i];
+        if (cut.opened.size() > i)
+            throw Rejected(
+                fmt::format("field \"opened\" of cut {} has {} entries, but there are only "
+                            "{} cuts before it",
+                            i + 1, cut.opened.size(), i));
         if (!(glm::length(cut.normal) > 1e-9)) throw Rejected("field \"normal\" has no direction");
         if (cut.stroke.size() > most_cut_points)
             throw Rejected(fmt::format("field \"stroke\" has {} points but at most {} are taken",
-                                       cut.stroke.size(), most_cut_points));
+                                       with_commas(cut.stroke.size()),
+                                       with_commas(most_cut_points)));
         if (const std::string why = stroke_trouble(cut.stroke); !why.empty())
             throw Rejected("field \"stroke\": " + why);
         const double across = glm::length(glm::cross(cut.normal, cut.along));
@@ -85,6 +94,9 @@ Document applied(Document document, const RemoveCut& command)
         gone[static_cast<std::size_t>(command.number - 1)] = 1;
         o.tracks = without_entries(o.tracks, cut_tracks, gone);
         o.cutting->cuts.erase(o.cutting->cuts.begin() + (command.number - 1));
+        for (PlainCut& cut : o.cutting->cuts)
+            if (static_cast<std::size_t>(command.number) <= cut.opened.size())
+                cut.opened.erase(cut.opened.begin() + (command.number - 1));
     });
 }
 

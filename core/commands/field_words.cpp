@@ -34,6 +34,9 @@ std::string unit_text(Unit unit)
     case Unit::stops: return "stops";
     case Unit::share: return "%";
     case Unit::times: return "x";
+    case Unit::turns: return "turns";
+    case Unit::sides: return "sides";
+    case Unit::pixels: return "px";
     case Unit::at_frame:
     case Unit::none: break;
     }
@@ -55,19 +58,6 @@ std::string axis_of(const Rule& rule, int component)
     return std::string(names.substr(0, names.find('|')));
 }
 
-std::string brief_number(double value)
-{
-    if (value == 0) return "0";
-    const double size = std::abs(value);
-    if (!std::isfinite(value) || size < 1e-3 || size >= 1e6) return fmt::format("{:.3g}", value);
-    const int digits = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
-    std::string text = fmt::format("{:.{}f}", value, digits);
-    if (digits == 0) return text;
-    while (text.ends_with('0')) text.pop_back();
-    if (text.ends_with('.')) text.pop_back();
-    return text;
-}
-
 std::string in_metres(double value)
 {
     return with_unit(value, Unit::metres);
@@ -80,11 +70,12 @@ std::string in_degrees(double value)
 
 std::string with_unit(double value, Unit unit)
 {
-    const std::string number = brief_number(value * shown_factor(unit));
-    if (unit == Unit::at_frame) return "at frame " + number;
+    const std::string number = number_text(value * shown_factor(unit));
+    if (unit == Unit::at_frame) return "at frame " + number_text(value, {.commas = false});
     if (unit == Unit::degrees || unit == Unit::radians) return number + "°";
-    if (unit == Unit::stops && std::abs(value) == 1) return number + " stop";
-    const std::string of = unit_text(unit);
+    std::string of = unit_text(unit);
+    const bool counted = unit == Unit::stops || unit == Unit::turns || unit == Unit::sides;
+    if (counted && std::abs(value) == 1) of.pop_back(); // "1 stop"
     return of.empty() ? number : number + " " + of;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/number_text.h"
 #include "core/document/field.h"
 
 #include <string>
@@ -22,8 +23,6 @@ double shown_factor(Unit unit);
 // The name of a component of a vector: "Z", "V", "green".
 std::string axis_of(const Rule& rule, int component);
 
-// Three significant digits, no trailing zeros: "0.24", "12.3", "4".
-std::string brief_number(double value);
 std::string in_metres(double value);
 std::string in_degrees(double value);
 // A number with its unit, as the unit is said in a sentence: "0.24 m", "90°", "1 stop", "at frame

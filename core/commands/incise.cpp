@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/incise.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
@@ -102,7 +103,7 @@ void check(const NamedIncision& incision)
                                    stroke.empty() ? "no points" : "one point"));
     if (stroke.size() > most_incision_points)
         throw Rejected(fmt::format("field \"stroke\" has {} points but at most {} are taken",
-                                   stroke.size(), most_incision_points));
+                                   with_commas(stroke.size()), with_commas(most_incision_points)));
     for (const SurfacePoint& each : stroke)
         if (const double length = glm::length(each.normal); !(std::abs(length - 1) < 0.01))
             throw Rejected(fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/lattice.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
@@ -15,9 +16,9 @@ void check(const LatticeShape& shape)
 {
     const double points = static_cast<double>(shape.grid.x) * shape.grid.y * shape.grid.z;
     if (points > most_control_points)
-        throw Rejected(fmt::format("field \"grid\" makes {:.0f} control points; a lattice may have "
-                                   "{:.0f}",
-                                   points, most_control_points));
+        throw Rejected(fmt::format("field \"grid\" makes {} control points; a lattice may have "
+                                   "{}",
+                                   number_text(points), number_text(most_control_points)));
     for (int i = 0; i < 3; ++i)
         if (shape.grid[i] < shape.orders[i])
             throw Rejected(fmt::format("field \"grid\": order {} needs at least {} control points "

@@ -95,6 +95,7 @@ NumberWords words_of_number(const std::string& parameter)
         if (i < first) continue;
         std::string word =
             numbered ? std::to_string(std::stol(parts[i]) + 1) : label_of(parts[i], rule);
+        if (camera && i == 1 && parts[i] == "picture") word = "Render camera";
         if (i > first && !word.empty())
             word[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(word[0])));
         out.label += (out.label.empty() ? "" : " ") + word;

@@ -371,7 +371,7 @@ StepTitle title(const SetTravel& c, const StepDocuments& step)
     const Object* object = c.objects.empty() ? nullptr : step.was(c.objects.front());
     const Travel old = object ? object->travel : Travel{};
     const Travel& now = c.travels.empty() ? c.travel : c.travels.front();
-    const std::string speed = brief_number(now.speed) + " m/s";
+    const std::string speed = number_text(now.speed) + " m/s";
     if (old.speed == 0 && now.speed != 0) return {"Let " + names + " travel", speed};
     if (old.speed != 0 && now.speed == 0) return {"Let " + names + " rest", {}};
     return title_of_changes(changes(old, now), "Travel", names);

@@ -19,13 +19,13 @@ Document with_named(Document document, Object object)
 
 std::string size_words(const PlaneShape& s)
 {
-    return fmt::format("{} × {} m", brief_number(s.size.x), brief_number(s.size.y));
+    return fmt::format("{} × {} m", number_text(s.size.x), number_text(s.size.y));
 }
 
 std::string size_words(const BoxShape& s)
 {
-    return fmt::format("{} × {} × {} m", brief_number(s.size.x), brief_number(s.size.y),
-                       brief_number(s.size.z));
+    return fmt::format("{} × {} × {} m", number_text(s.size.x), number_text(s.size.y),
+                       number_text(s.size.z));
 }
 
 std::string size_words(const TeapotShape& s)

@@ -54,7 +54,8 @@ template <class Shape> Document applied(Document document, const AddShape<Shape>
 }
 template <class Shape> StepTitle title(const AddShape<Shape>& c, const StepDocuments& step)
 {
-    return {"Add " + step.made(), size_words(c.shape)};
+    const std::string made = step.made(), size = size_words(c.shape);
+    return {"Add " + made, size == made ? "" : size}; // a folder of slices is called as its data
 }
 
 using AddPlane = AddShape<PlaneShape>;

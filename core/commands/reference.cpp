@@ -44,6 +44,9 @@ template <class T> std::string type_name()
 
 std::string range(const Rule& rule)
 {
+    const auto exact = [](double number) {
+        return number_text(number, {.digits = 0, .commas = false});
+    };
     const Rule free{};
     if (!rule.choices.empty()) {
         std::string text;
@@ -51,12 +54,12 @@ std::string range(const Rule& rule)
         return text;
     }
     if (rule.works_to[2] > 0)
-        return fmt::format("{} to {}, {} and {}", shortest(rule.lo), rule.works_to[0],
+        return fmt::format("{} to {}, {} and {}", exact(rule.lo), rule.works_to[0],
                            rule.works_to[1], rule.works_to[2]);
-    if (rule.works_to[0] > 0) return fmt::format("{} to {}", shortest(rule.lo), rule.works_to[0]);
+    if (rule.works_to[0] > 0) return fmt::format("{} to {}", exact(rule.lo), rule.works_to[0]);
     if (rule.lo == free.lo && rule.hi == free.hi) return "";
-    if (rule.hi != free.hi) return shortest(rule.lo) + " to " + shortest(rule.hi);
-    return rule.lo == 0 ? "0 or more" : rule.lo < 1e-6 ? "above 0" : shortest(rule.lo) + " or more";
+    if (rule.hi != free.hi) return exact(rule.lo) + " to " + exact(rule.hi);
+    return rule.lo == 0 ? "0 or more" : rule.lo < 1e-6 ? "above 0" : exact(rule.lo) + " or more";
 }
 
 // A FieldText describes a field. All three texts are made from it, so that only one function is

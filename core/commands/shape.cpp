@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/shape.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
@@ -105,8 +106,8 @@ StepTitle title(const MovePoints& c, const StepDocuments& step)
     const auto held = std::ranges::count_if(s.weights, [](double w) { return w == 1; });
     const std::size_t count = held > 0 ? static_cast<std::size_t>(held) : s.points.size();
     const std::string points =
-        (count == 1 ? "a control point" : fmt::format("{} control points", count)) + " of " +
-        name_in(step.before, c.object);
+        (count == 1 ? "a control point" : fmt::format("{} control points", with_commas(count))) +
+        " of " + name_in(step.before, c.object);
     if (s.rotation_deg != glm::dvec3(0))
         return {"Turn " + points, value_words(s.rotation_deg, any_value.in(Unit::degrees))};
     if (s.factors != glm::dvec3(1))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/simplify.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
@@ -23,7 +24,7 @@ Document applied(Document document, const Simplify& command)
 StepTitle title(const Simplify& c, const StepDocuments& step)
 {
     return {"Simplify " + names_in(step.before, c.objects),
-            fmt::format("to {:.3g} %", 100 * c.simplifying.keep)};
+            fmt::format("to {} %", number_text(100 * c.simplifying.keep))};
 }
 
 Document applied(Document document, const ClearSimplify& command)

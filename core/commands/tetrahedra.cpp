@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/tetrahedra.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
@@ -113,7 +114,7 @@ std::string words_of(const TetrahedraPull& pull)
     const std::string places =
         pull.also.empty() ? "" : fmt::format(" {} places", pull.also.size() + 1);
     if (pull.by != glm::dvec3(0))
-        return fmt::format("Pull{} by {:.3g} m", places, glm::length(pull.by));
+        return fmt::format("Pull{} by {} m", places, number_text(glm::length(pull.by)));
     return (pull.factors != glm::dvec3(1) ? "Scale" : "Turn") + places;
 }
 
@@ -154,7 +155,7 @@ void check(const TetrahedraShape& shape)
 
 std::string size_words(const SimplexSheetShape& shape)
 {
-    return fmt::format("{:.3g} × {:.3g} m", shape.size.x, shape.size.y);
+    return fmt::format("{} × {} m", number_text(shape.size.x), number_text(shape.size.y));
 }
 
 Document applied(Document document, const SetSimplexSheet& command)
@@ -227,7 +228,7 @@ std::string words_of(const TetrahedraEdit& edit, int degree)
     if (edit.cloud)
         return edit.cloud->knot == 0 ? "Move a cloud of knots"
                                      : fmt::format("Move knot {}", edit.cloud->knot);
-    if (edit.refinement) return fmt::format("Refine to {:.3g} m", edit.refinement->edge);
+    if (edit.refinement) return fmt::format("Refine to {} m", number_text(edit.refinement->edge));
     if (!edit.crease) return "Nothing";
     if (edit.crease->depth >= degree) return "Cut";
     return fmt::format("{}, C{}", edit.crease->depth == 0 ? "Smooth" : "Crease",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/tiles.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
 #include "core/commands/field_words.h"
@@ -99,7 +100,8 @@ void check(const TileStroke& stroke)
     if (stroke.samples.empty()) throw Rejected("field \"samples\" is empty: the stroke is nowhere");
     if (stroke.samples.size() > most_tile_samples)
         throw Rejected(fmt::format("field \"samples\" has {} entries but at most {} are taken",
-                                   stroke.samples.size(), most_tile_samples));
+                                   with_commas(stroke.samples.size()),
+                                   with_commas(most_tile_samples)));
     for (const TileSample& each : stroke.samples)
         if (const double length = glm::length(each.at.normal); !(std::abs(length - 1) < 0.01))
             throw Rejected(fmt::format(
@@ -111,7 +113,8 @@ Document with_tiling(Document document, Id id, Tiling tiling)
     check_can_be_tile(document, id, tiling.base);
     if (tiling.strokes.size() > most_tile_strokes)
         throw Rejected(fmt::format("{} would have {} strokes of tiles; at most {} are allowed",
-                                   named(document, id), tiling.strokes.size(), most_tile_strokes));
+                                   named(document, id), with_commas(tiling.strokes.size()),
+                                   with_commas(most_tile_strokes)));
     return with_changed(std::move(document), id, [&](Object& o) { o.tiles = std::move(tiling); });
 }
 

@@ -30,16 +30,16 @@ std::string growth_words(const glm::dvec3& before, const glm::dvec3& after)
 {
     const glm::dvec3 ratio = after / before;
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
-    if (same(ratio.x, ratio.y) && same(ratio.y, ratio.z)) return "× " + brief_number(ratio.x);
+    if (same(ratio.x, ratio.y) && same(ratio.y, ratio.z)) return "× " + number_text(ratio.x);
     int axes = 0, axis = 0;
     for (int i = 0; i < 3; ++i)
         if (before[i] != after[i]) {
             ++axes;
             axis = i;
         }
-    if (axes == 1) return fmt::format("× {} along {}", brief_number(ratio[axis]), "XYZ"[axis]);
-    return fmt::format("× {}, {}, {}", brief_number(ratio.x), brief_number(ratio.y),
-                       brief_number(ratio.z));
+    if (axes == 1) return fmt::format("× {} along {}", number_text(ratio[axis]), "XYZ"[axis]);
+    return fmt::format("× {}, {}, {}", number_text(ratio.x), number_text(ratio.y),
+                       number_text(ratio.z));
 }
 
 StepTitle transform_title(const Transform& before, const Transform& after, const std::string& name)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/voxels.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/commands/edits.h"
@@ -16,7 +17,7 @@ constexpr std::size_t most_levels = 64, most_transfer_points = 256;
 
 std::string level_words(const VoxelLevel& level)
 {
-    return level.name.empty() ? fmt::format("{:.6g}", level.value) : excerpt(level.name);
+    return level.name.empty() ? number_text(level.value, {.digits = 6}) : excerpt(level.name);
 }
 
 // The only level that differs; none: all else, or several of them.

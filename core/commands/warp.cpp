@@ -36,10 +36,8 @@ Document applied(Document document, const WarpVolume& command)
 
 StepTitle title(const WarpVolume& c, const StepDocuments& step)
 {
-    const Changes found = changes(Warp{.axis = c.warp.axis, .fixed = c.warp.fixed}, c.warp);
-    const std::string name = name_in(step.before, c.object);
-    if (found.size() != 1) return title_of_changes(found, "Bend", name);
-    return {found[0].name + " " + name, found[0].value};
+    return title_of_changes(changes(Warp{.axis = c.warp.axis, .fixed = c.warp.fixed}, c.warp),
+                            "Bend", name_in(step.before, c.object));
 }
 
 Document applied(Document document, const SetWarp& command)

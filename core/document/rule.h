@@ -18,6 +18,9 @@ enum class Unit {
     stops,
     share, // shown in percent
     times,
+    turns, // whole ones
+    sides, // of tiles
+    pixels,
     at_frame
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/covers.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/evaluation/cover_layout.h"
 #include "core/mesh/mesh_materials.h"
@@ -160,9 +161,11 @@ std::string too_many_words(const std::vector<TileKind>& kinds, std::span<const s
         }
     }
     if (vertices <= most_vertices && corners <= most_corners) return {};
-    return fmt::format("its {} tiles would have {} vertices and {} corners of faces; at most {} "
-                       "and {} are drawn, so simplify the object or paint fewer tiles",
-                       tiles, vertices, corners, most_vertices, most_corners);
+    const bool by_vertices = vertices > most_vertices;
+    return fmt::format(
+        "its {} tiles would have {} {}; at most {} are drawn, so {}", with_commas(tiles),
+        with_commas(by_vertices ? vertices : corners / 3), by_vertices ? "vertices" : "triangles",
+        with_commas(by_vertices ? most_vertices : most_corners / 3), too_heavy_tiles_words);
 }
 
 Ref<CoverLayout> Covers::layout(const CoverInput& input, const glm::dvec2& size)

@@ -76,6 +76,13 @@ private:
     Recent<ModelKey, CoverModel> models_{64};
 };
 
+// What helps where tiles have too many vertices to be drawn.
+inline constexpr const char* too_heavy_tiles_words =
+    "simplify the object that the tiles are copies of, or lay fewer or larger ones";
+
+// Of what is covered by its texture coordinates or displaced.
+inline constexpr const char* lacks_uvs_words = "has no UVs";
+
 // A sentence for so many tiles of each kind that they cannot be shown; else empty.
 std::string too_many_words(const std::vector<TileKind>& kinds, std::span<const std::size_t> counts);
 

@@ -5,6 +5,7 @@
 #include "core/evaluation/base_of_tiles.h"
 #include "core/evaluation/inside_material.h"
 #include "core/evaluation/tile_pieces.h"
+#include "core/split/cut_side.h"
 #include "core/split/sever.h"
 
 #include <algorithm>
@@ -30,10 +31,15 @@ bool drops(CutKeep keep, bool above)
     return keep != CutKeep::both && (keep == CutKeep::above) != above;
 }
 
-bool keeps(const Cutting& cutting, unsigned sides)
+bool has(unsigned bits, std::size_t i)
 {
-    for (std::size_t i = 0; i < cutting.cuts.size(); ++i)
-        if (drops(cutting.cuts[i].keep, (sides >> i & 1u) != 0)) return false;
+    return (bits >> i & 1u) != 0;
+}
+
+bool keeps(const CuttingStep::PiecesKey& key, unsigned sides)
+{
+    for (std::size_t i = 0; i < key.cutting.cuts.size(); ++i)
+        if (has(key.made, i) && drops(key.cutting.cuts[i].keep, has(sides, i))) return false;
     return true;
 }
 
@@ -66,7 +72,7 @@ CuttingStep::Piece cut_piece(Mesh mesh, unsigned sides, bool has_rest)
 
 // Cuts a mesh at all surfaces, one after the other.
 std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& rest,
-                                            const std::vector<CutSheet>& sheets,
+                                            const glm::dmat4& to_own,
                                             const CuttingStep::PiecesKey& key,
                                             CuttingStep::Pieces& facts)
 {
@@ -84,16 +90,22 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
         key.material.value_or(mesh.face_material.empty() ? 0 : mesh.face_material.front());
     for (std::size_t i = 0; i < key.cutting.cuts.size(); ++i) {
         const PlainCut& cut = key.cutting.cuts[i];
+        if (!has(key.made, i)) continue;
         std::vector<Cutoff> next;
         for (Cutoff& each : all) {
-            bool above = false;
-            std::optional<Severed> made = sever(each.mesh, sheets[i], options, above);
+            // Through the piece where it stood when the cut was drawn
+            const glm::dvec3 off = drawn_off(cut, each.sides, key.made);
+            const CutSheet sheet(cut, glm::translate(glm::dmat4(1), off) * to_own);
+            Unsevered where;
+            std::optional<Severed> made = sever(each.mesh, sheet, options, where);
             if (!made) {
-                if (drops(cut.keep, above)) continue;
-                each.sides |= (above ? 1u : 0u) << i;
+                facts.touches |= (where.touched ? 1u : 0u) << i;
+                if (drops(cut.keep, where.above)) continue;
+                each.sides |= (where.above ? 1u : 0u) << i;
                 next.push_back(std::move(each));
                 continue;
             }
+            facts.goes_through |= 1u << i;
             facts.caps.open += made->open;
             facts.caps.gaps += made->gaps;
             facts.caps.fans += made->fans;
@@ -115,22 +127,42 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
     return out;
 }
 
+// On which sides of the cuts all of a box is; none: a cut may go through it.
+std::optional<unsigned> sides_of(const Box& box, const glm::dmat4& to_own,
+                                 const CuttingStep::PiecesKey& key,
+                                 const std::vector<CutSheet>& sheets)
+{
+    const glm::dmat3 from_own = glm::inverse(glm::dmat3(to_own));
+    unsigned out = 0;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        if (!has(key.made, i)) continue;
+        const glm::dvec3 off = from_own * drawn_off(key.cutting.cuts[i], out, key.made);
+        const std::optional<bool> above = side_of({box.lo + off, box.hi + off}, sheets[i]);
+        if (!above) return std::nullopt;
+        out |= (*above ? 1u : 0u) << i;
+    }
+    return out;
+}
+
 std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
                                            const CuttingStep::PiecesKey& key,
                                            CuttingStep::Pieces& facts)
 {
+    if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, whole.to_own, key, facts);
     std::vector<CutSheet> sheets;
     for (const PlainCut& cut : key.cutting.cuts) sheets.emplace_back(cut, whole.to_own);
-    if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, sheets, key, facts);
-    const TilePieces tiles = tile_pieces(whole.tiles, sheets, whole.alone,
-                                         [&](unsigned sides) { return keeps(key.cutting, sides); });
+    const TilePieces tiles = tile_pieces(
+        whole.tiles, whole.alone,
+        [&](const Box& hull) { return sides_of(hull, whole.to_own, key, sheets); },
+        [&](unsigned sides) { return keeps(key, sides); });
     std::vector<CuttingStep::Piece> out;
     for (const auto& [sides, set] : tiles.whole) {
         out.push_back({.sides = sides});
         if (set != whole.tiles) out.back().tiles = set;
     }
     if (!tiles.crossed) return out;
-    for (CuttingStep::Piece& each : mesh_pieces(*tiles.crossed, nullptr, sheets, key, facts)) {
+    for (CuttingStep::Piece& each :
+         mesh_pieces(*tiles.crossed, nullptr, whole.to_own, key, facts)) {
         if (!each.mesh && whole.alone) { // it was not cut: hulls are larger than tiles
             each.mesh = tiles.crossed;
             each.bounds = bounding_box(*tiles.crossed);
@@ -140,17 +172,33 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
     return out;
 }
 
-// Where the pieces on each side go: the gaps of all cuts, halved, along their normals in the world.
-glm::dvec3 way_of(unsigned sides, const Cutting& cutting, const glm::dmat4& own_to_world)
+// Cuts of an object or of what its tiles are painted on, and the space that they are in.
+struct CutsOf {
+    Cutting cutting;
+    glm::dmat4 own_to_world{1};
+    bool own = true; // not those of the base of a layer of tiles
+};
+
+// Where the part above each cut that is made goes in the world: by half of its gap along its
+// normal.
+std::vector<glm::dvec3> half_gaps(const CutsOf& cuts, unsigned made)
 {
-    const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(own_to_world)));
-    glm::dvec3 out(0);
-    for (std::size_t i = 0; i < cutting.cuts.size(); ++i) {
-        const PlainCut& cut = cutting.cuts[i];
-        if (cut.gap == 0 || cut.keep != CutKeep::both) continue;
-        const double way = (sides >> i & 1u) != 0 ? cut.gap / 2 : -cut.gap / 2;
-        out += way * glm::normalize(normals * glm::normalize(cut.normal));
+    const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(cuts.own_to_world)));
+    std::vector<glm::dvec3> out;
+    for (const PlainCut& cut : cuts.cutting.cuts) {
+        const bool moves = has(made, out.size()) && cut.gap != 0 && cut.keep == CutKeep::both;
+        out.push_back(moves ? cut.gap / 2 * glm::normalize(normals * glm::normalize(cut.normal))
+                            : glm::dvec3(0));
     }
+    return out;
+}
+
+// Where the pieces on each side go: by all of these.
+glm::dvec3 way_of(unsigned sides, const std::vector<glm::dvec3>& half_gaps)
+{
+    glm::dvec3 out(0);
+    for (std::size_t i = 0; i < half_gaps.size(); ++i)
+        out += has(sides, i) ? half_gaps[i] : -half_gaps[i];
     return out;
 }
 
@@ -197,8 +245,13 @@ Part part_for(const Part& part, const CuttingStep::Whole& whole, const CuttingSt
     return moved_by(std::move(out), way);
 }
 
-void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting& cutting)
+void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const CutsOf& cuts)
 {
+    const Cutting& cutting = cuts.cutting;
+    for (std::size_t i = 0; i < cutting.cuts.size() && cuts.own; ++i)
+        if (has(pieces.touches & ~pieces.goes_through, i))
+            stage.notices.push_back(fmt::format(
+                "its cut {} only touches it, so nothing comes off; move the cut into it", i + 1));
     stage.cut_off = std::max(stage.cut_off, pieces.off);
     stage.pieces = stage.parts.size();
     std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
@@ -207,13 +260,6 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const Cutting
                                             "than its tolerance",
                                             number_text(pieces.off)));
 }
-
-// Cuts of an object or of what its tiles are painted on, and the space that they are in.
-struct CutsOf {
-    Cutting cutting;
-    glm::dmat4 own_to_world{1};
-    bool own = true; // not those of the base of a layer of tiles
-};
 
 // What cuts an object, in this order: what cuts the bases of a layer of tiles comes first.
 std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
@@ -233,13 +279,20 @@ std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
     return out;
 }
 
-// Keys can take the direction of a cut away; it then cuts nothing.
-void leave_out_blunt(CutsOf& cuts, Stage& stage)
+// Those that a step makes. Keys can take the direction of a cut away; it then cuts nothing.
+unsigned made_by(bool of_parted, CutsOf& cuts, Stage& stage)
 {
-    const auto blunt = [](const PlainCut& cut) { return !(glm::length(cut.normal) > 1e-9); };
-    if (std::erase_if(cuts.cutting.cuts, blunt) > 0 && cuts.own)
-        stage.notices.emplace_back(
-            "the normal of a cut is 0 at this frame, so that it cuts nothing");
+    unsigned out = 0;
+    for (std::size_t i = 0; i < cuts.cutting.cuts.size(); ++i) {
+        PlainCut& cut = cuts.cutting.cuts[i];
+        if (cut.parted != of_parted) continue;
+        if (glm::length(cut.normal) > 1e-9)
+            out |= 1u << i;
+        else if (cuts.own)
+            stage.notices.emplace_back(
+                "the normal of a cut is 0 at this frame, so that it cuts nothing");
+    }
+    return out;
 }
 
 CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bool filled,
@@ -254,7 +307,7 @@ CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bo
         out.mesh = mesh_of(part, timings);
         if (filled && (part.bent || part.posed))
             out.rest = part.rest;
-        else if (filled && first_number(part.key.piece) != part.key.piece)
+        else if (filled)
             out.rest = part.before_split;
     }
     if (part.to_world != own_to_world) out.to_own = glm::inverse(own_to_world) * part.to_world;
@@ -262,22 +315,25 @@ CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bo
 }
 
 // The stage after some cuts; `known` is what the same cuts made before.
-Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, const StepInput& input,
+Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, bool of_parted, const StepInput& input,
                      CuttingStep::Known& known)
 {
     using Piece = CuttingStep::Piece;
     using Pieces = CuttingStep::Pieces;
     const glm::dmat4 own_to_world = cuts.own_to_world;
-    if (before->parts.empty() || cuts.cutting.cuts.empty() ||
+    if (before->parts.empty() ||
+        std::ranges::find(cuts.cutting.cuts, of_parted, &PlainCut::parted) ==
+            cuts.cutting.cuts.end() ||
         !(std::abs(glm::determinant(glm::dmat3(own_to_world))) > 0))
         return before;
     const bool filled = is_filled(*before, cuts.cutting.inside, input.object.surfacing);
     return known.stages({before, cuts.cutting, own_to_world, filled}, [&] {
         Stage out = *before;
-        leave_out_blunt(cuts, out);
+        const unsigned made_now = made_by(of_parted, cuts, out);
         const Cutting& cutting = cuts.cutting;
+        const std::vector<glm::dvec3> gaps = half_gaps(cuts, made_now);
         const InsideMaterial inside = inside_material(*before, cutting.inside);
-        CuttingStep::PiecesKey key{{}, cutting, 1, inside.number};
+        CuttingStep::PiecesKey key{{}, cutting, made_now, 1, inside.number};
         if (input.object.tiles && cutting.inside == Filling::none) key.material.reset();
         for (PlainCut& cut : key.cutting.cuts) cut.gap = 0;
         const glm::dmat3 axes(own_to_world);
@@ -298,14 +354,19 @@ Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, const StepInput& inp
         out.parts.clear();
         for (std::size_t p = 0; p < before->parts.size(); ++p)
             for (const Piece& piece : pieces->of_parts[p]) {
-                const glm::dvec3 way = way_of(piece.sides, cutting, own_to_world);
+                const glm::dvec3 way = way_of(piece.sides, gaps);
                 out.parts.push_back(part_for(before->parts[p], key.parts[p], piece, way,
                                              is_cut && before->refined));
             }
+        if (cuts.own) {
+            out.cuts_open.resize(gaps.size(), glm::dvec3(0));
+            for (std::size_t i = 0; i < gaps.size(); ++i)
+                out.cuts_open[i] += glm::inverse(glm::dmat3(own_to_world)) * gaps[i];
+        }
         if (is_cut) out.mixed_materials = inside.beside;
         // Tiles are laid on what was there before, and then are cut with it
         if (out.parts != before->parts) out.whole_parts = before->whole();
-        tell_of_cuts(out, *pieces, cutting);
+        tell_of_cuts(out, *pieces, cuts);
         if (out.parts.empty() && cuts.own)
             out.notices.emplace_back("its cuts keep nothing of it; keep the other side of one");
         return make_ref(std::move(out));
@@ -321,7 +382,7 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
     known_.resize(all.size());
     Ref<Stage> out = before;
     for (std::size_t i = 0; i < all.size(); ++i)
-        out = cut_stage(out, std::move(all[i]), input, known_[i]);
+        out = cut_stage(out, std::move(all[i]), of_parted_, input, known_[i]);
     return out;
 }
 

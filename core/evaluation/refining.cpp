@@ -10,22 +10,6 @@
 namespace trivar {
 namespace {
 
-// Replaces the mesh that the first volume of a part deforms.
-Part in_the_same_volumes(const Part& part, const Ref<Mesh>& mesh)
-{
-    if (mesh == innermost(part).before_volume()) return part;
-    const Ref<Deformation> bent = part.bent;
-    Ref<Part> inner;
-    if (bent->inner) inner = make_ref(in_the_same_volumes(*bent->inner, mesh));
-    const Ref<Mesh> before = inner ? inner->mesh() : mesh;
-    const Lazy<Ref<Mesh>> out(
-        [=] { return make_ref(deform(*before, bent->embedding, *bent->volume)); });
-    return {.rest = before,
-            .bent = make_ref(Deformation{bent->embedding, bent->volume, out, inner}),
-            .key = part.key,
-            .bounds = part.bounds};
-}
-
 // Lists the volumes that deform a part after the first one.
 std::vector<NextVolume> later_volumes(const Part& part)
 {
@@ -70,7 +54,11 @@ SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
     out.refined = make_ref(refine(given, *innermost(parts.front()).bent->volume, options, progress,
                                   later_volumes(parts.front())));
     for (std::size_t p = 0; p < parts.size(); ++p)
-        out.parts.push_back(in_the_same_volumes(parts[p], out.refined->parts[p].mesh));
+        if (const Ref<Mesh>& mesh = out.refined->parts[p].mesh;
+            mesh == innermost(parts[p]).before_volume())
+            out.parts.push_back(parts[p]);
+        else
+            out.parts.push_back(with_innermost(parts[p], mesh));
     return out;
 }
 
@@ -88,9 +76,10 @@ std::string notice_of(const RefinementResult& refined, const Refining& refining)
     if (refining.rule == RefinementRule::chua_neumann_midpoint)
         return "its triangles are refined by the middles of their edges, which certifies nothing";
     return fmt::format(
-        "{} of its {} triangles are not certified to be within {} m: {}", open, refined.triangles(),
-        number_text(refining.tolerance),
-        refined.out_of_budget ? fmt::format("the budget of {} triangles is spent", refining.budget)
+        "{} of its {} triangles are not certified to be within {} m: {}", with_commas(open),
+        with_commas(refined.triangles()), number_text(refining.tolerance),
+        refined.out_of_budget
+            ? fmt::format("the {} triangles {}", with_commas(refining.budget), spent_budget_words)
         : std::isfinite(refined.bound) ? "their edges are too short to be split further"
                                        : "some of them have no bound");
 }

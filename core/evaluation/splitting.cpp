@@ -7,6 +7,7 @@
 #include "core/evaluation/cap_notices.h"
 #include "core/evaluation/inside_material.h"
 #include "core/mesh/transform.h"
+#include "core/split/lean.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
         part = parted(part, std::move(*made), filled, memory[i]);
     }
     if (!any) return out;
+    out.split_apart = true;
     out.whole_parts = before.whole();
     out.mixed_materials = inside.beside;
     std::ranges::move(notices_of(counts), std::back_inserter(out.notices));
@@ -149,12 +151,14 @@ Ref<Stage> SplittingStep::operator()(const Ref<Stage>& before, const StepInput& 
                                        use.reach, use.kernel, {use.object}};
                     each.ends = splitting->ends;
                     if (each.ends == SplitEnds::smooth) each.margin = smooth_margin;
-                    if (splitting->closing == SplitClosing::stitched) each.margin = sewn_margin;
                     for (const Body& body : key.bodies)
                         if (body.obstacle == i) each.bodies.push_back({body.mesh, body.to_origin});
                     if (!each.bodies.empty()) obstacles.push_back(std::move(each));
                 }
-                return make_ref(split_field(obstacles, frame_of(*splitting)));
+                SplitFrame frame = frame_of(*splitting);
+                if (splitting->closing == SplitClosing::stitched)
+                    frame = along_obstacles(obstacles, frame);
+                return make_ref(split_field(obstacles, frame));
             });
             return known_({before, field, *origin, *splitting, filled}, [&] {
                 SplitField there = *field;

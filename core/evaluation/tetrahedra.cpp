@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/tetrahedra.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/simplex_cuts.h"
 #include "core/evaluation/standing.h"
@@ -57,7 +58,7 @@ Ref<Stage> TetrahedraStep::operator()(const Ref<Stage>& before, const StepInput&
             stage.notices.push_back(
                 fmt::format("What stands in it is cut along {} planes at most: {} of its cut faces "
                             "lie in others and do not part it.",
-                            most_cut_planes, whole));
+                            most_cut_planes, with_commas(whole)));
         for (std::size_t i = 0; i < shaped->outcomes.size(); ++i)
             if (const std::string& notice = shaped->outcomes[i].notice; !notice.empty())
                 stage.notices.push_back(fmt::format("Edit {}: {}", i + 1, notice));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/tile_kinds.h"
 
+#include "core/base/number_text.h"
 #include "core/evaluation/shapes.h"
 #include "core/evaluation/standing.h"
 #include "core/mesh/mesh_materials.h"
@@ -196,7 +197,8 @@ TileKindsOf::Morph TileKindsOf::morph_of_layer(const Stage& layer, const StepInp
     const std::size_t from = vertex_count(layer.own_parts), to = vertex_count(morph.into);
     trouble = fmt::format("its tiles cannot become {}: both must have the same vertices and faces, "
                           "but one has {} vertices and the other {}{}",
-                          other.name, from, to, from == to ? ", in other faces" : "");
+                          other.name, with_commas(from), with_commas(to),
+                          from == to ? ", in other faces" : "");
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/tiling.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/tiles/on_surface.h"
 #include "core/tiles/tile_motion.h"
@@ -21,7 +22,25 @@ void lower_limit(Stage& stage, std::size_t stroke, double height, double of_limi
 
 std::string tiles(int count)
 {
-    return count == 1 ? "1 tile is" : fmt::format("{} tiles are", count);
+    return count == 1 ? "1 tile is" : with_commas(static_cast<std::uint64_t>(count)) + " tiles are";
+}
+
+// Of strokes that should lay tiles and have none.
+void tell_empty_strokes(Stage& stage, const TileLayout& layout, const Tiling& tiling)
+{
+    std::vector<char> lays(tiling.strokes.size(), 0);
+    for (const Tile& tile : layout.tiles)
+        if (tile.stroke >= 0) lays[static_cast<std::size_t>(tile.stroke)] = 1;
+    for (std::size_t i = 0; i < lays.size(); ++i) {
+        const TileStroke& stroke = *tiling.strokes[i];
+        using enum TileBrush;
+        const bool should = stroke.brush == scatter || stroke.brush == line || stroke.brush == fill;
+        if (lays[i] || stroke.hidden || !should) continue;
+        stage.notices.push_back(
+            fmt::format("stroke {} lays no tile, as there is no room for tiles of {} m; make them "
+                        "smaller or remove the stroke",
+                        i + 1, number_text(stroke.size)));
+    }
 }
 
 void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
@@ -39,11 +58,11 @@ void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
     if (layout.lost > 0)
         stage.notices.push_back(
             fmt::format("{} of the points that were painted {} no longer on the surface",
-                        layout.lost, layout.lost == 1 ? "is" : "are"));
+                        with_commas(layout.lost), layout.lost == 1 ? "is" : "are"));
     if (layout.too_many)
         stage.notices.push_back(fmt::format(
             "it shows the first {} tiles; make them larger or set them wider apart for all",
-            most_tiles));
+            with_commas(most_tiles)));
 }
 
 struct OutlinesBy {
@@ -266,6 +285,8 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
                                  strokes.by_texture->notices.end());
         stage.notices.insert(stage.notices.end(), strands.notices.begin(), strands.notices.end());
         tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
+        if (strokes.layout && tiling.masks.empty())
+            tell_empty_strokes(stage, *strokes.layout, tiling);
         stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
         stage.notices.insert(stage.notices.end(), masks.notices.begin(), masks.notices.end());
         stage.lacks.insert(stage.lacks.end(), masks.lacks.begin(), masks.lacks.end());

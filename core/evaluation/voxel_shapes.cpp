@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/voxel_shapes.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/inside_material.h"
 
@@ -13,7 +14,7 @@ constexpr std::size_t kept_changes = 3; // of every level
 
 std::string name_of(const VoxelLevel& level)
 {
-    return level.name.empty() ? fmt::format("Level {:.6g}", level.value) : level.name;
+    return level.name.empty() ? "Level " + number_text(level.value, {.digits = 6}) : level.name;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/animated_files.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/certificate/certificate.h"
 #include "core/evaluation/lacking.h"
@@ -69,8 +70,9 @@ AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& a
     const Progress writing = part_of(progress, 0.2, 1);
     if (usd) {
         InstancedFilm shown{film.strips, {}, {}, {}};
-        if (scene.instances) shown = instanced(film, scene.tolerance, part_of(progress, 0.2, 0.3));
-        out.tiles = sentences(shown.counts, scene.tolerance);
+        const double tolerance = scene.tolerance > 0 ? scene.tolerance : default_tolerance;
+        if (scene.instances) shown = instanced(film, tolerance, part_of(progress, 0.2, 0.3));
+        out.tiles = sentences(shown.counts, tolerance);
         write_usda(film, shown, curves, per_second, path, writing);
         return out;
     }
@@ -107,14 +109,14 @@ std::vector<std::string> summary(const FilmCertificate& c)
         return bound_text(kind.bound) + when_claimed(kind.proven, c.parts.front().moments);
     };
     const auto keys = [](const Kind& kind) {
-        return kind.keys == 1 ? "one key" : fmt::format("{} keys", kind.keys);
+        return kind.keys == 1 ? "one key" : fmt::format("{} keys", with_commas(kind.keys));
     };
     std::vector<std::string> out;
     if (bent.parts > 0)
         out.push_back(fmt::format(
             "{} part{} in volumes: {} triangles where there were {}, {} at most, within {}",
-            bent.parts, bent.parts == 1 ? "" : "s", bent.triangles, bent.before, keys(bent),
-            within(bent)));
+            bent.parts, bent.parts == 1 ? "" : "s", with_commas(bent.triangles),
+            with_commas(bent.before), keys(bent), within(bent)));
     if (moving.parts > 0)
         out.push_back(fmt::format("{} part{} by nodes and skins: {} at most, within {}",
                                   moving.parts, moving.parts == 1 ? "" : "s", keys(moving),

@@ -54,6 +54,7 @@ struct BentObject {
 struct FilmPlan {
     Film film;
     int per_frame = 1;
+    double between = 0; // the greatest bound of what is proven between moments
     std::map<Id, BentObject> bent;
 };
 
@@ -87,11 +88,15 @@ void bound_between(FilmPlan& plan, const Progress& progress)
 FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                  const Progress& progress)
 {
-    double sag_before = std::numeric_limits<double>::infinity();
+    double sag_before = std::numeric_limits<double>::infinity(), done = 0;
     for (int per_frame = 1;; per_frame *= 2) {
+        // Nobody knows how often it begins again: each time half of what is left is done.
+        const Progress reading = part_of(progress, done, done + (1 - done) / 4),
+                       bounding = part_of(progress, done + (1 - done) / 4, (1 + done) / 2);
+        done = (1 + done) / 2;
         FilmPlan plan;
         plan.per_frame = per_frame;
-        plan.film = film_of(scene.document, assets, moments_of(scene.frames, per_frame), progress);
+        plan.film = film_of(scene.document, assets, moments_of(scene.frames, per_frame), reading);
         if (scene.whole) check_whole(lacks(plan.film, scene.document));
         bool measured = false;
         double sag = 0;
@@ -111,9 +116,9 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
             } else if (moves_by_itself(strip) || strip.bent()) {
                 measure(strip);
             }
-        bound_between(plan, progress);
+        bound_between(plan, bounding);
         if (scene.frames.first == scene.frames.last) return plan;
-        double most = 0;
+        double& most = plan.between;
         for (const auto& [id, object] : plan.bent)
             for (std::size_t s = 0; s < object.strips.size(); ++s) {
                 for (const double bound : object.bounds[s])
@@ -161,6 +166,15 @@ void claim_targets(FilmCertificate::PartClaim& claim, const MotionBound& motion,
         claim.motion = std::max(claim.motion, step);
         claim.bound = std::max(claim.bound, std::max(space[i] + off[i], next) + step);
     }
+}
+
+// The next of 1, 2, 5, 10 and so on.
+double next_round(double value)
+{
+    const double unit = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1, 2, 5})
+        if (factor * unit >= value) return factor * unit;
+    return 10 * unit;
 }
 
 // Measures how far meshes on nodes are from their true places at the moments: the error of keys, of
@@ -211,13 +225,20 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
 
 } // namespace
 
-AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+AnimatedExport animated_export(const AnimatedScene& asked, const Ref<AssetStore>& assets,
                                const Progress& progress)
 {
+    AnimatedScene scene = asked;
+    if (asked.tolerance == 0) scene.tolerance = default_tolerance;
     if (!(scene.tolerance > 0 && scene.tolerance <= most_tolerance))
         throw Rejected(
             fmt::format("the tolerance must be above 0 m and at most {} m", most_tolerance));
-    FilmPlan plan = planned(scene, assets, part_of(progress, 0, 0.3));
+    FilmPlan plan = planned(scene, assets, part_of(progress, 0, 0.2));
+    if (const double least = plan.between / share_of_between;
+        asked.tolerance == 0 && least > scene.tolerance && least <= most_tolerance) {
+        scene.tolerance = next_round(least);
+        plan = planned(scene, assets, part_of(progress, 0.2, 0.3));
+    }
     AnimatedExport out;
     out.film = std::move(plan.film); // strips keep their addresses
     const Film& film = out.film;
@@ -302,6 +323,8 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
         if (!nodes.add_curves(strip)) bending.push_back(strip.name);
     out.left_out = which_curves_are_left_out(
         bending, "a .glb has none that bend or shear in time; a .usda has");
+    if (const std::string zoom = nodes.add_camera(); !zoom.empty())
+        out.left_out += (out.left_out.empty() ? "" : "; ") + zoom;
     out.model = nodes.finished();
     measure_nodes(scene, out, part_of(progress, 0.9, 1));
     for (const FilmCertificate::PartClaim& part : certificate.parts)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/file_sentences.h"
 
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace trivar {
 
 std::string counted(std::size_t count, const char* one, const char* several)
 {
-    return fmt::format("{} {}", count, count == 1 ? one : several);
+    return with_commas(count) + " " + (count == 1 ? one : several);
 }
 
 std::string shown(std::string_view words)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/glb_chunks.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 
@@ -44,8 +45,8 @@ GlbViews glb_views(std::string_view bytes)
     const std::size_t length = glb_word(bytes, 8);
     if (length > bytes.size() || length < head + chunk_head)
         throw Rejected(
-            fmt::format("the file is cut off or damaged: it declares {} bytes but has {}", length,
-                        bytes.size()));
+            fmt::format("the file is cut off or damaged: it declares {} bytes but has {}",
+                        with_commas(length), with_commas(bytes.size())));
     bytes = bytes.substr(0, length);
     GlbViews out;
     for (std::size_t at = head; bytes.size() - at >= chunk_head;) {
@@ -57,7 +58,7 @@ GlbViews glb_views(std::string_view bytes)
                                        at == head       ? "its JSON"
                                        : kind == binary ? "its binary chunk"
                                                         : "one of its chunks",
-                                       size, left));
+                                       with_commas(size), with_commas(left)));
         const std::string_view chunk = bytes.substr(at + chunk_head, size);
         if (at == head) out.json = chunk;
         if (kind == binary && !out.binary) out.binary = chunk;

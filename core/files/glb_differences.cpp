@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/glb_differences.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/glb_chunks.h"
@@ -80,7 +81,7 @@ private:
         if (expected.is_array() && found.is_array()) {
             if (found.size() != expected.size())
                 return say(fmt::format("its {} has {} entries, the scene gives {}", place,
-                                       found.size(), expected.size()));
+                                       with_commas(found.size()), with_commas(expected.size())));
             for (std::size_t i = 0; i < found.size(); ++i)
                 compare(found[i], expected[i], fmt::format("{}[{}]", place, i));
             return;
@@ -116,7 +117,8 @@ private:
     {
         if (found_.binary.size() != expected_.binary.size())
             return say(fmt::format("it has {} bytes of data, the scene gives {}",
-                                   found_.binary.size(), expected_.binary.size()));
+                                   with_commas(found_.binary.size()),
+                                   with_commas(expected_.binary.size())));
         std::set<FoundJson> seen; // accessors
         for (const FoundJson& mesh : json_.value("meshes", FoundJson::array()))
             for (const FoundJson& primitive : mesh.at("primitives")) {
@@ -185,8 +187,9 @@ private:
             if (!same && (!floats || !is_near(now, then))) ++others;
         }
         if (others > 0)
-            say(fmt::format("{} of the {} numbers of {}'s {} are not the scene's", others,
-                            (end - begin) / 4, whose.empty() ? "a mesh" : whose, name));
+            say(fmt::format("{} of the {} numbers of {}'s {} are not the scene's",
+                            with_commas(others), with_commas((end - begin) / 4),
+                            whose.empty() ? "a mesh" : whose, name));
     }
 
     GlbChunks found_, expected_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_accessor.h"
 
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ void GltfAccessors::each_in_view(const GltfEntry& place, const Layout& layout, c
         layout.count - 1 > (bytes.size() - offset - element) / stride)
         place.fail(fmt::format("its {} elements of {} bytes reach past the end of its buffer view, "
                                "which has {} bytes",
-                               layout.count, element, bytes.size()));
+                               with_commas(layout.count), element, with_commas(bytes.size())));
     for (std::size_t i = 0; i < layout.count; ++i) {
         const char* at = bytes.data() + offset + i * stride;
         for (std::size_t c = 0; c < layout.components; ++c)
@@ -124,8 +125,8 @@ void GltfAccessors::each(const GltfEntry& accessor, const Layout& layout, const 
     if (!sparse) return;
     const std::size_t count = sparse->needed_size("count");
     if (count > layout.count)
-        sparse->fail(
-            fmt::format("'count' is {}, but its accessor has {} elements", count, layout.count));
+        sparse->fail(fmt::format("'count' is {}, but its accessor has {} elements", count,
+                                 with_commas(layout.count)));
     const GltfEntry indices = sparse->needed_part("indices"),
                     values = sparse->needed_part("values");
     const Layout of_indices{count, 1, indices.needed_size("componentType")};
@@ -134,8 +135,8 @@ void GltfAccessors::each(const GltfEntry& accessor, const Layout& layout, const 
     std::vector<std::size_t> at(count);
     each_in_view(indices, of_indices, [&](std::size_t i, std::size_t, double value) {
         if (!(value >= 0 && value < static_cast<double>(layout.count)))
-            indices.fail(
-                fmt::format("one is {}, but its accessor has {} elements", value, layout.count));
+            indices.fail(fmt::format("one is {}, but its accessor has {} elements", value,
+                                     with_commas(layout.count)));
         at[i] = static_cast<std::size_t>(value);
     });
     each_in_view(values, {count, layout.components, layout.component_type},
@@ -183,8 +184,8 @@ std::vector<std::uint32_t> GltfAccessors::indices(const GltfEntry& owner, const 
     if (from.count > 0 && limit == 0) entry.fail("it asks for vertices, but there are none");
     each(entry, from, [&](std::size_t i, std::size_t, double value) {
         if (!(value >= 0 && value < static_cast<double>(limit)))
-            entry.fail(
-                fmt::format("it asks for vertex {:.0f}, but the last is {}", value, limit - 1));
+            entry.fail(fmt::format("it asks for vertex {}, but the last is {}", number_text(value),
+                                   with_commas(limit - 1)));
         result[i] = static_cast<std::uint32_t>(value);
     });
     return result;

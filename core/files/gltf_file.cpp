@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_file.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
@@ -128,7 +129,7 @@ void GltfFile::account(const GltfEntry& owner, std::size_t count, const char* ca
     if (count > bytes_left_ / bytes_each)
         owner.fail(fmt::format("it has {} {}; together with what was read before, that is more "
                                "than a file of {} bytes can hold",
-                               count, called, byte_count_));
+                               with_commas(count), called, with_commas(byte_count_)));
     bytes_left_ -= count * bytes_each;
 }
 
@@ -184,7 +185,8 @@ std::string_view GltfFile::view(const GltfEntry& owner, const char* name) const
     const std::size_t begin = view.size("byteOffset"), size = view.needed_size("byteLength");
     if (begin > bytes.size() || size > bytes.size() - begin)
         view.fail(fmt::format("it reaches to byte {} of buffer {}, which has {} bytes",
-                              begin + size, view.needed_index("buffer"), bytes.size()));
+                              with_commas(begin + size), view.needed_index("buffer"),
+                              with_commas(bytes.size())));
     return bytes.substr(begin, size);
 }
 

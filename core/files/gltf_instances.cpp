@@ -132,7 +132,8 @@ void check_instances(const Model& model, std::size_t instances, const std::strin
     if (vertices > most_instanced_vertices)
         throw Rejected(fmt::format("{}: its {} instances show {} vertices, but at most {} are "
                                    "allowed; use fewer instances or a simpler mesh",
-                                   file_name, instances, vertices, most_instanced_vertices));
+                                   file_name, with_commas(instances), with_commas(vertices),
+                                   with_commas(most_instanced_vertices)));
 }
 
 } // namespace trivar

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_mesh.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -47,6 +49,18 @@ bool is_set_beyond(const std::string& name, std::size_t uv_sets)
     return name.starts_with("TEXCOORD_") || (name.starts_with("COLOR_") && name != "COLOR_0");
 }
 
+// Memory of the values of one vertex.
+std::size_t bytes_each(const Mesh& mesh)
+{
+    std::size_t out = vertex_bytes + mesh.uvs.size() * sizeof(glm::vec2);
+    const auto add = [&](const auto& values) { out += values.empty() ? 0 : sizeof(values[0]); };
+    add(mesh.positions);
+    add(mesh.colors);
+    add(mesh.influences);
+    for (const Mesh::MorphTarget& target : mesh.morph_targets) add(target.positions);
+    return out;
+}
+
 template <class T>
 void grow(std::vector<T>& values, std::size_t first, std::size_t end, const T& neutral)
 {
@@ -67,6 +81,7 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
 {
     std::map<Sources, VertexRange> read_before, points_before;
     Mesh mesh, points;
+    std::size_t flat_corners = 0; // which get vertices of their own
     FileLines lines(most_curve_points - line_points_);
     from.each("primitives", "primitive", [&](const GltfEntry& primitive) {
         const std::size_t mode = primitive.size("mode", triangle_list);
@@ -96,8 +111,11 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
         if (moves_uvs(primitive)) sources.push_back({{"material", primitive.index("material")}});
         const auto [known, fresh] = read_before.try_emplace(std::move(sources));
         if (fresh) known->second = add_vertices(mesh, primitive);
+        const std::size_t before = mesh.corners.size();
         add_faces(mesh, primitive, mode, known->second);
+        if (!attributes.has("NORMAL")) flat_corners += mesh.corners.size() - before;
     });
+    accessors_.file().account(from, flat_corners, "corners without normals", bytes_each(mesh));
     mesh = without_loose_vertices(std::move(mesh));
     mesh.points = points_by_position(mesh.positions);
     line_points_ += lines.points();
@@ -113,8 +131,8 @@ GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name,
         owner.fail(fmt::format("'{}' has {} numbers per vertex, but must have {}", name,
                                out.components, least));
     if (out.count != count)
-        owner.fail(
-            fmt::format("'{}' is for {} vertices, but there are {}", name, out.count, count));
+        owner.fail(fmt::format("'{}' is for {} vertices, but there are {}", name,
+                               with_commas(out.count), with_commas(count)));
     return out;
 }
 
@@ -142,7 +160,7 @@ std::size_t GltfMeshes::position_count(const GltfEntry& attributes)
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
         attributes.fail(fmt::format("'POSITION' has values that are not finite numbers, {} in all",
-                                    positions.not_finite));
+                                    with_commas(positions.not_finite)));
     return positions.count;
 }
 
@@ -207,16 +225,19 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange
 {
     const std::size_t count = primitive.count("targets");
     if (count > max_targets)
-        primitive.fail(
-            fmt::format("it has {} morph targets, but may have at most {}", count, max_targets));
+        primitive.fail(fmt::format("it has {} morph targets, but may have at most {}",
+                                   with_commas(count), max_targets));
     mesh.morph_targets.resize(std::max(mesh.morph_targets.size(), count));
     const auto add = [&](std::vector<glm::vec3>& values, const GltfEntry& target,
                          const char* name) {
-        // Differences that are all 0 are not stored.
+        const bool none_before = values.empty();
         if (!target.has(name) || accessors_.zeros(target, name) != added.count)
             append(values, target, name, added, glm::vec3(0));
-        else if (!values.empty())
+        else if (!none_before)
             grow(values, added.first, added.end(), glm::vec3(0));
+        // Differences that are all 0 are not stored.
+        if (none_before && std::ranges::count(values, glm::vec3(0)) == std::ssize(values))
+            values.clear();
     };
     for (std::size_t t = 0; t < mesh.morph_targets.size(); ++t) {
         Mesh::MorphTarget& to = mesh.morph_targets[t];

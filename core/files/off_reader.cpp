@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
@@ -33,7 +34,7 @@ public:
         if (vertices * 6 + faces * 2 > file_.bytes.size() + 2)
             fail(fmt::format(
                 "{} vertices and {} faces are declared, which is more than {} bytes can hold",
-                vertices, faces, file_.bytes.size()));
+                with_commas(vertices), with_commas(faces), with_commas(file_.bytes.size())));
         read_vertices(vertices);
         for (std::size_t f = 0; f < faces; ++f) {
             if (f % (1 << 16) == 0)
@@ -99,7 +100,7 @@ private:
         if (corners * 2 > static_cast<std::size_t>(scan_.end - scan_.at) + 1)
             fail(fmt::format("a face with {} corners is declared, more than the rest of the file "
                              "can hold",
-                             corners));
+                             with_commas(corners)));
         const std::size_t first = mesh_.corners.size();
         bool whole = true;
         for (std::size_t c = 0; c < corners; ++c) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/ply_values.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_sentences.h"
 
@@ -102,7 +103,8 @@ void PlyValues::check_count(const PlyElement& element) const
     if (least > 0 && element.count > (left() + 1) / least)
         throw Rejected(fmt::format("{}: {} of the element {} are declared, more than the {} bytes "
                                    "left can hold",
-                                   name_, element.count, shown(element.name), left()));
+                                   name_, with_commas(element.count), shown(element.name),
+                                   with_commas(left())));
 }
 
 std::string PlyValues::last() const

@@ -10,49 +10,44 @@
 #include "core/files/plain_text.h"
 #include "core/mesh/far_origin.h"
 #include "core/mesh/repair.h"
+#include "core/mesh/shading.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+#include <utility>
 
 namespace trivar {
 namespace {
 
 constexpr std::size_t max_notices = 20;
 
-Model read_format(const FileText& file, const std::string& extension, const Progress& progress)
+ObjModel read_format(const FileText& file, const std::string& extension, const Progress& progress)
 {
     if (extension == ".obj") return read_obj(file, progress);
-    if (extension == ".ply") return read_ply(file, progress);
-    if (extension == ".stl") return read_stl(file, progress);
-    if (extension == ".off") return read_off(file, progress);
+    if (extension == ".ply") return {read_ply(file, progress), {}};
+    if (extension == ".stl") return {read_stl(file, progress), {}};
+    if (extension == ".off") return {read_off(file, progress), {}};
     if (extension == ".gltf") {
         refuse_wide_text(file.bytes, file.name);
-        return read_gltf(file, false, progress);
+        return {read_gltf(file, false, progress), {}};
     }
-    if (extension == ".glb") return read_gltf(file, true, progress);
+    if (extension == ".glb") return {read_gltf(file, true, progress), {}};
     throw Rejected(
         fmt::format("{}: models are read from .obj, .ply, .stl, .off, .gltf and .glb", file.name));
 }
 
-// Makes all normals unit; those that are zero or not finite are computed from the faces.
-void complete_normals(Mesh& mesh)
+// Where the file gives no normals: glTF demands flat faces (specification 3.7.2.1), STL has facets,
+// OBJ may say it by smoothing groups; otherwise what bends more is taken for an edge.
+void complete_normals(Mesh& mesh, const FileText& file, const std::vector<std::uint32_t>& smoothing)
 {
-    const std::vector<glm::vec3> smooth = smooth_normals(mesh);
-    if (mesh.normals.empty()) {
-        mesh.normals = smooth;
-        return;
-    }
-    for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-        const glm::dvec3 given(mesh.normals[v]);
-        const double length = glm::length(given);
-        mesh.normals[v] =
-            length > 0 && std::isfinite(length) ? glm::vec3(given / length) : smooth[v];
-    }
-    for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
-        glm::vec4& t = mesh.tangents[v];
+    const std::string extension = extension_of(file.name);
+    const bool flat = extension == ".stl" || extension == ".gltf" || extension == ".glb";
+    mesh = with_normals_of_faces(std::move(mesh), flat ? 0 : usual_edge_deg, smoothing);
+    for (glm::vec4& t : mesh.tangents) {
         const float length = glm::length(glm::vec3(t));
         t = length > 0 && std::isfinite(length) ? glm::vec4(glm::vec3(t) / length, t.w < 0 ? -1 : 1)
                                                 : glm::vec4(1, 0, 0, 1);
@@ -62,17 +57,17 @@ void complete_normals(Mesh& mesh)
 // Reads the file again relative to a point near its model where that is far from 0: whether it is
 // can be told only from all of it. A glTF file has positions in single precision and places in
 // double precision already.
-Model read_near(FileText& file, const std::string& extension, const Progress& progress)
+ObjModel read_near(FileText& file, const std::string& extension, const Progress& progress)
 {
     constexpr int most_tries = 3; // rounding hides where a model is that is very small there
     for (int i = 0;; ++i) {
-        Model model = read_format(file, extension, progress);
-        if (extension == ".gltf" || extension == ".glb") return model;
+        ObjModel read = read_format(file, extension, progress);
+        if (extension == ".gltf" || extension == ".glb") return read;
         Box box;
-        for (const Ref<Mesh>& mesh : model.meshes) box.add(bounding_box(*mesh));
-        for (const Ref<Curves>& curves : model.curves) box.add(bounding_box(*curves->points));
+        for (const Ref<Mesh>& mesh : read.model.meshes) box.add(bounding_box(*mesh));
+        for (const Ref<Curves>& curves : read.model.curves) box.add(bounding_box(*curves->points));
         const glm::dvec3 further = far_origin(box);
-        if (i == most_tries || further == glm::dvec3(0)) return model;
+        if (i == most_tries || further == glm::dvec3(0)) return read;
         file.origin += further;
     }
 }
@@ -89,14 +84,26 @@ void put_far(Model& model, const FileText& file, const glm::dmat4& to_world)
                     file.name, number_text(glm::length(place))));
 }
 
-RepairedMesh finished(Mesh mesh, const FileText& file)
+RepairedMesh finished(Mesh mesh, const FileText& file, const ReadOptions& options,
+                      const std::vector<std::uint32_t>& smoothing)
 {
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         if (mesh.face_begin[f + 1] - mesh.face_begin[f] > max_face_corners)
             throw Rejected(fmt::format("{}: face {} has more than {} corners", file.name, f,
-                                       max_face_corners));
+                                       with_commas(max_face_corners)));
+    // Faces may go: while the mesh is repaired, their numbers stand for their groups.
+    std::vector<std::uint32_t> smooth, groups = mesh.face_group;
+    if (!smoothing.empty()) {
+        mesh.face_group.resize(mesh.face_count());
+        std::iota(mesh.face_group.begin(), mesh.face_group.end(), 0u);
+    }
     RepairedMesh result = repaired(std::move(mesh));
-    complete_normals(result.mesh);
+    if (!smoothing.empty())
+        for (const std::uint32_t f : std::exchange(result.mesh.face_group, {})) {
+            smooth.push_back(smoothing[f]);
+            if (!groups.empty()) result.mesh.face_group.push_back(groups[f]);
+        }
+    if (options.normals_of_faces) complete_normals(result.mesh, file, smooth);
     validate(result.mesh, file.name);
     return result;
 }
@@ -143,11 +150,11 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
     if (bytes.size() > options.max_bytes)
         throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", file.name,
-                                   bytes.size(), options.max_bytes));
+                                   with_commas(bytes.size()), with_commas(options.max_bytes)));
     if (bytes.empty()) throw Rejected(file.name + ": the file is empty");
     const std::string extension = extension_of(name);
     const bool gltf = extension == ".gltf" || extension == ".glb";
-    Model model = read_near(file, extension, progress);
+    auto [model, smoothing] = read_near(file, extension, progress);
 
     report(progress, 0.9, "Checking");
     const glm::dmat4 matrix = to_world(options, gltf || extension == ".obj");
@@ -156,7 +163,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     Repairs repairs;
     for (Ref<Mesh>& ref : model.meshes) {
         vertices += ref->vertex_count();
-        RepairedMesh result = finished(*ref, file);
+        RepairedMesh result = finished(*ref, file, options, smoothing);
         repairs += result.repairs;
         Mesh mesh = std::move(result.mesh);
         faces += mesh.face_count();
@@ -196,7 +203,8 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (model.notices.size() > max_notices) {
         const std::size_t more = model.notices.size() - max_notices;
         model.notices.resize(max_notices);
-        model.notices.push_back(fmt::format("{}: and {} more notices", file.name, more));
+        model.notices.push_back(
+            fmt::format("{}: and {} more notices", file.name, with_commas(more)));
     }
     report(progress, 1, "Done");
     return model;

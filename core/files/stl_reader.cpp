@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
@@ -29,7 +30,7 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
             if (!finite(p))
                 throw Rejected(fmt::format(
                     "{}: triangle {} of {}, counted from 0: a coordinate is not a finite number",
-                    file.name, t, count));
+                    file.name, t, with_commas(count)));
             corners[3 * t + c] = glm::vec3(p - file.origin);
         }
     }
@@ -103,10 +104,11 @@ Model read_stl(const FileText& file, const Progress& progress)
         throw Rejected(fmt::format(
             "{}: this is not an STL file, or it is cut off: it does not begin with 'solid', and a "
             "binary file needs more than its {} bytes: {}",
-            file.name, file.bytes.size(),
+            file.name, with_commas(file.bytes.size()),
             file.bytes.size() < header_bytes
                 ? fmt::format("{} for its header", header_bytes)
-                : fmt::format("{} for the {} triangles that it declares", expected, count)));
+                : fmt::format("{} for the {} triangles that it declares", with_commas(expected),
+                              with_commas(count))));
     const std::vector<glm::vec3> corners = text ? read_text(file) : read_binary(file, count);
 
     report(progress, 0.6, "Joining vertices");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limit/facet_surface.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ FacetSurface::FacetSurface(const Cage& cage)
     if (charts > most_facets)
         throw Rejected(fmt::format("a surface of {} faces is too large to be covered; at most {} "
                                    "are possible",
-                                   charts, most_facets));
+                                   with_commas(charts), with_commas(most_facets)));
     if (quads)
         net_ = std::make_shared<const ChartNet>(with_poles(cage), std::span<const int>{});
     else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limit/limit_surface.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -135,7 +136,7 @@ struct LimitSurface::Topology {
         if (charts > most_charts)
             throw Rejected(fmt::format("a limit surface of {} faces is too large; at most {} are "
                                        "possible",
-                                       charts, most_charts));
+                                       with_commas(charts), with_commas(most_charts)));
         refiner = refiner_of(cage);
         if (!refiner) throw Rejected("the cage's faces do not form a surface");
         Cage fine;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/subdivide.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/mesh/cage.h"
 
@@ -252,8 +253,8 @@ Mesh subdivide(const Mesh& cage, int levels, const Progress& progress)
     // The first level makes a quad of every corner, each further one four of every quad.
     const double faces = static_cast<double>(cage.corners.size()) * std::pow(4.0, levels - 1);
     if (faces > max_faces)
-        throw Rejected(fmt::format("{} levels would make {:.0f} faces; at most {:.0f} are allowed",
-                                   levels, faces, max_faces));
+        throw Rejected(fmt::format("{} levels would make {} faces; at most {} are allowed", levels,
+                                   number_text(faces), number_text(max_faces)));
     const Mesh clean = ready_to_subdivide(cage);
 
     report(progress, 0, "Subdividing");

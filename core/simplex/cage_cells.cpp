@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/cage_cells.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/simplex/closed_surface.h"
 #include "core/simplex/mesher_cells.h"
@@ -96,7 +97,7 @@ SimplexMesh<3> meshed(const CgalSurface& surface, const Grading& grading, double
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
         throw Rejected(fmt::format("The cage needs more than {} cells: its edges or angles are "
                                    "too small.",
-                                   grading.cell_limit));
+                                   with_commas(grading.cell_limit)));
     MesherCells out = mesher_cells(complex);
     std::vector<std::uint8_t> axes;
     for (const int dimension : out.dimension) axes.push_back(dimension == 3 ? 7 : 0);
@@ -155,7 +156,7 @@ CageCells cage_cells(std::span<const glm::dvec3> positions,
     if (triangles.size() > most_faces)
         throw Rejected(fmt::format("A cage has at most {} faces, not {}. Cells can be put around "
                                    "the model instead.",
-                                   most_faces, triangles.size()));
+                                   with_commas(most_faces), with_commas(triangles.size())));
     const CgalSurface surface = closed_surface(positions, triangles);
     const double inside = CGAL::Polygon_mesh_processing::volume(surface);
     Box box;

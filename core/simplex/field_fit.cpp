@@ -2,6 +2,7 @@
 #include "core/simplex/field_fit.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/simplex/cell_search.h"
@@ -47,7 +48,7 @@ public:
         if (unknowns_ > most_unknowns)
             throw Rejected(fmt::format("A fit has at most {} coefficients, not {}: use fewer cells "
                                        "or a lesser degree.",
-                                       most_unknowns, unknowns_));
+                                       with_commas(most_unknowns), with_commas(unknowns_)));
         for (const FieldSample& s : samples)
             if (!finite(s.at) || !std::isfinite(s.value))
                 throw Rejected("A sample to fit is not a number.");
@@ -66,7 +67,7 @@ public:
         out.samples = order_.size();
         if (order_.size() < unknowns_)
             throw Rejected(fmt::format("{} samples in the domain are too few for {} coefficients.",
-                                       order_.size(), unknowns_));
+                                       with_commas(order_.size()), with_commas(unknowns_)));
         sum_cells();
         const Eigen::VectorXd c = solved(out.held);
         out.field = {basis_, {}};

@@ -2,6 +2,7 @@
 #include "core/simplex/from_lattice.h"
 
 #include "core/base/box.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/simplex/box_domain.h"
@@ -62,8 +63,8 @@ SpanCells span_cells(const std::array<Knots, 3>& axes, const Conversion& how)
         count *= static_cast<double>(places[a].size() - 1);
     }
     if (count > static_cast<double>(usual_cell_limit))
-        throw Rejected(fmt::format("The lattice needs {:.0f} cells; {} are allowed.", count,
-                                   usual_cell_limit));
+        throw Rejected(fmt::format("The lattice needs {} cells; {} are allowed.",
+                                   number_text(count), with_commas(usual_cell_limit)));
     const glm::ivec3 boxes(places[0].size() - 1, places[1].size() - 1, places[2].size() - 1);
     SpanCells out;
     out.mesh = box_cells(glm::dvec3(1), boxes);

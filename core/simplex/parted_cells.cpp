@@ -2,6 +2,7 @@
 #include "core/simplex/parted_cells.h"
 
 #include "core/base/finite.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/simplex/box_lines.h"
 #include "core/simplex/cell_faces.h"
@@ -181,7 +182,8 @@ PartedCells filled(const CellParting& parting)
         throw Rejected("The box could not be filled with cells along the boundary.");
     }
     if (error != CGAL::CGAL_MESH_3_NO_ERROR)
-        throw Rejected(fmt::format("The boundary needs more than {} cells.", parting.cell_limit));
+        throw Rejected(
+            fmt::format("The boundary needs more than {} cells.", with_commas(parting.cell_limit)));
     const std::vector<Complex::Cell_handle> all = cells_of(complex, box);
     MesherCells cells = mesher_cells(complex, all);
     PartedCells out{std::move(cells.mesh), {}};

@@ -2,6 +2,7 @@
 #include "core/simplex/tetrahedra_layers.h"
 
 #include "core/base/box.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/clouds.h"
@@ -90,8 +91,8 @@ void check_cells(const TetrahedraShape& shape)
 {
     const int vertices = static_cast<int>(shape.vertices.size());
     if (shape.cells.size() > most_cells)
-        throw Rejected(fmt::format("a volume has at most {} tetrahedra, not {}", most_cells,
-                                   shape.cells.size()));
+        throw Rejected(fmt::format("a volume has at most {} tetrahedra, not {}",
+                                   with_commas(most_cells), with_commas(shape.cells.size())));
     for (const glm::ivec4& cell : shape.cells)
         for (int k = 0; k < 4; ++k)
             if (cell[k] < 0 || cell[k] >= vertices)
@@ -106,8 +107,8 @@ SimplexMesh<3> domain_cells(const TetrahedraShape& shape)
     if (shape.cells.empty()) {
         const double cells = 6.0 * shape.boxes.x * shape.boxes.y * shape.boxes.z;
         if (cells > static_cast<double>(most_cells))
-            throw Rejected(
-                fmt::format("a volume has at most {} tetrahedra, not {:.0f}", most_cells, cells));
+            throw Rejected(fmt::format("a volume has at most {} tetrahedra, not {}",
+                                       with_commas(most_cells), number_text(cells)));
         return box_cells(shape.size, shape.boxes);
     }
     check_cells(shape);
@@ -150,8 +151,8 @@ SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement)
     }
     if (out.cells.empty()) throw Rejected("the edges of the refinement are longer than its radius");
     if (out.cells.size() > most_cells)
-        throw Rejected(fmt::format("a refinement has at most {} tetrahedra, not {}", most_cells,
-                                   out.cells.size()));
+        throw Rejected(fmt::format("a refinement has at most {} tetrahedra, not {}",
+                                   with_commas(most_cells), with_commas(out.cells.size())));
     return out;
 }
 

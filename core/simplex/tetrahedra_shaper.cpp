@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplex/tetrahedra_shaper.h"
 
+#include "core/base/number_text.h"
 #include "core/placement/warping.h"
 #include "core/simplex/cell_displacements.h"
 #include "core/simplex/pulling.h"
@@ -32,7 +33,7 @@ TetrahedraOutcome take(SimplexVolume& volume, std::span<const glm::dvec3> change
         volume.displacements[i] += change[i] * out.share;
     if (out.share < 1)
         out.notice =
-            fmt::format("It is done to {:.0f} %: more would fold at a sample.", 100 * out.share);
+            fmt::format("It is done to {}: more would fold at a sample.", percent_text(out.share));
     return out;
 }
 

@@ -2,7 +2,9 @@
 #include "core/simplify/simplify.h"
 
 #include "core/base/box.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/mesh/shading.h"
 #include "core/simplify/kept_mesh.h"
 #include "core/simplify/proof.h"
 
@@ -52,7 +54,7 @@ void check(const Mesh& mesh, const SimplifyOptions& options)
     for (const auto& pose : options.poses)
         if (pose.size() != mesh.vertex_count())
             throw Rejected(fmt::format("a pose to simplify for has {} vertices, the mesh has {}",
-                                       pose.size(), mesh.vertex_count()));
+                                       with_commas(pose.size()), with_commas(mesh.vertex_count())));
 }
 
 // Returns the distance below which single precision cannot separate two places.
@@ -90,6 +92,18 @@ Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
     return decimated(mesh, fans, nodes, target);
 }
 
+// Simplifies a mesh whose normals follow from its faces as if it were smooth: edges of noise, as of
+// a scan, must not stay because normals differ there, which says nothing that the faces do not.
+SimplifiedMesh simplified_as_smooth(const Mesh& mesh, float shaded_by,
+                                    const SimplifyOptions& options, const Progress& progress)
+{
+    Mesh smooth = mesh;
+    smooth.normals = smooth_normals(mesh);
+    SimplifiedMesh out = simplified(make_ref(std::move(smooth)), options, progress);
+    out.mesh = make_ref(shaded(*out.mesh, shaded_by));
+    return out;
+}
+
 } // namespace
 
 SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
@@ -112,12 +126,17 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
         options.error ? decimated_within(error, *mesh, fans, places, triangles, progress)
                       : decimated(*mesh, fans, by_node(fans, places), {triangles, {}}, progress);
     out.triangles = left.count + fans.left_out;
-    if (out.triangles == before) return out;
-    out.error = options.error ? error : std::numeric_limits<double>::infinity();
-    if (options.measured && !options.error)
-        out.error = proven_error(fans, left, places, rounding_of(*mesh));
-    out.mesh = make_ref(kept_mesh(*mesh, fans, left));
-    return out;
+    if (out.triangles < before) {
+        out.error = options.error ? error : std::numeric_limits<double>::infinity();
+        if (options.measured && !options.error)
+            out.error = proven_error(fans, left, places, rounding_of(*mesh));
+        out.mesh = make_ref(kept_mesh(*mesh, fans, left));
+    }
+    const bool short_of_goal = out.triangles > triangles + fans.left_out;
+    const std::optional<float> by = short_of_goal ? shading_of(*mesh) : std::nullopt;
+    if (!by) return out;
+    SimplifiedMesh other = simplified_as_smooth(*mesh, *by, options, progress);
+    return other.triangles < out.triangles ? other : out;
 }
 
 } // namespace trivar

@@ -61,7 +61,7 @@ Opening opening_of(const SplitObstacle& obstacle, const SplitFrame& frame)
         out.bounds = make_ref(OpeningBounds(surface, out.walls[0].height, out.walls[1].height));
         return out;
     } catch (const Rejected& error) {
-        throw Rejected(obstacle.name + ": " + error.what());
+        throw Rejected(obstacle.name + " " + error.what());
     }
 }
 
@@ -101,12 +101,12 @@ void give_reaches(std::vector<Opening>& openings)
         };
         if (!fits(opening.kernel)) opening.kernel = SplitKernel::hat;
         if (!fits(opening.kernel))
-            throw Rejected(
-                fmt::format("{} is too near to another obstacle: there are {} m "
-                            "between them for the parts, which need {} m",
-                            opening.name, number_text(std::min(room[0], room[1])),
-                            number_text(std::max(needed_reach(opening, 0, SplitKernel::hat),
-                                                 needed_reach(opening, 1, SplitKernel::hat)))));
+            throw Rejected(fmt::format(
+                "{} is too near to another obstacle: {} m are free between them, but the parts "
+                "need {} m; move it away or reduce its clearance",
+                opening.name, number_text(std::min(room[0], room[1])),
+                number_text(std::max(needed_reach(opening, 0, SplitKernel::hat),
+                                     needed_reach(opening, 1, SplitKernel::hat)))));
         for (std::size_t side = 0; side < 2; ++side)
             opening.reach[side] = std::min(
                 room[side],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/text_shape.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/text/letter.h"
 #include "core/text/letters.h"
@@ -110,9 +111,10 @@ std::string lacking(const std::u32string& letters, const std::string& title)
                     : number;
     }
     if (letters.size() > named) list += " ...";
-    return fmt::format(
-        "{} lacks {} of the text: {}; a box is shown for each", title,
-        letters.size() == 1 ? "one letter" : fmt::format("{} letters", letters.size()), list);
+    return fmt::format("{} lacks {} of the text: {}; a box is shown for each", title,
+                       letters.size() == 1 ? "one letter"
+                                           : fmt::format("{} letters", with_commas(letters.size())),
+                       list);
 }
 
 // Adds the letters of a line for which the font has no glyph, each once. Letters that are drawn
@@ -150,7 +152,7 @@ void check(const TextShape& shape)
     if (std::ranges::all_of(letters, is_blank)) throw Rejected("the text has no letters");
     if (letters.size() > most_letters)
         throw Rejected(fmt::format("the text has {} letters but at most {} are allowed",
-                                   letters.size(), most_letters));
+                                   with_commas(letters.size()), with_commas(most_letters)));
     for (const char32_t letter : letters)
         if (is_control(letter) && !is_blank(letter))
             throw Rejected(fmt::format("the text holds the control character U+{:04X}; only line "
@@ -183,7 +185,7 @@ TextBody text_body(const TextShape& shape, const Font& font)
             if (body.mesh.face_count() + letter->face_count() > most_faces)
                 throw Rejected(fmt::format("the text would have more than {} faces; use longer "
                                            "edges or a larger tolerance",
-                                           most_faces));
+                                           with_commas(most_faces)));
             append(body.mesh, *letter, glm::dvec2(put.at) / double(em_units) + glm::dvec2(x, y),
                    shape.size, points);
         }

@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/cell_counts.h"
 
+#include "core/base/joined_sets.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace trivar {
 namespace {
-
-// Sets of numbers that are joined; the least number of each stands for it.
-class JoinedSets {
-public:
-    explicit JoinedSets(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0u); }
-    std::size_t find(std::size_t a)
-    {
-        while (up_[a] != a) a = up_[a] = up_[up_[a]];
-        return a;
-    }
-    void join(std::size_t a, std::size_t b)
-    {
-        a = find(a);
-        b = find(b);
-        up_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> up_;
-};
 
 // Of a line in the middle of a chart, along u or along v.
 double middle_length(const ChartSurface& surface, std::uint32_t chart, int axis)
@@ -46,12 +27,14 @@ double middle_length(const ChartSurface& surface, std::uint32_t chart, int axis)
     return length;
 }
 
-void check_count(double cells, std::size_t most)
+// `least`: of cells, where each chart has as few as it can.
+void check_count(double cells, double least, std::size_t most)
 {
-    if (!(cells <= static_cast<double>(most)))
-        throw Rejected(fmt::format(
-            "it would take {:.0f} tiles to cover it; at most {} are laid, so make them larger",
-            cells, most));
+    if (cells <= static_cast<double>(most)) return;
+    const bool by_faces = !(least <= static_cast<double>(most));
+    throw Rejected(fmt::format("it would take {} tiles to cover it; at most {} are laid, so {}",
+                               number_text(cells), with_commas(most),
+                               by_faces ? too_many_faces_words : "make them larger"));
 }
 
 } // namespace
@@ -81,7 +64,7 @@ std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const
     const ChartNet& net = surface.net();
     const auto charts = static_cast<std::uint32_t>(net.size());
     const auto side = [](std::uint32_t chart, int edge) {
-        return 4 * std::size_t{chart} + static_cast<std::size_t>(edge);
+        return 4 * chart + static_cast<std::uint32_t>(edge);
     };
     JoinedSets chords(4 * net.size());
     for (std::uint32_t c = 0; c < charts; ++c) {
@@ -95,19 +78,19 @@ std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const
     for (std::uint32_t c = 0; c < charts; ++c)
         for (int axis = 0; axis < 2; ++axis) {
             const bool along_row = (turns[c] + axis) % 2 == 0;
-            const std::size_t chord = chords.find(side(c, axis));
+            const std::uint32_t chord = chords.root(side(c, axis));
             sum[chord] += middle_length(surface, c, axis) / (along_row ? size.x : size.y);
             weight[chord] += 1;
         }
     const auto wanted = [&](std::uint32_t chart, int axis) {
-        const std::size_t chord = chords.find(side(chart, axis));
+        const std::uint32_t chord = chords.root(side(chart, axis));
         const double number = sum[chord] / weight[chord];
         if (!(number < 1e9)) return 1e9;
         return even ? std::max(2.0, 2 * std::round(number / 2)) : std::max(1.0, std::round(number));
     };
     double cells = 0;
     for (std::uint32_t c = 0; c < charts; ++c) cells += wanted(c, 0) * wanted(c, 1);
-    check_count(cells, most);
+    check_count(cells, (even ? 4.0 : 1.0) * charts, most);
     std::vector<glm::ivec2> counts;
     for (std::uint32_t c = 0; c < charts; ++c) counts.emplace_back(wanted(c, 0), wanted(c, 1));
     return counts;
@@ -115,7 +98,8 @@ std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const
 
 std::vector<glm::ivec2> cell_counts(const ChartNet& net, int per_edge, std::size_t most)
 {
-    check_count(static_cast<double>(net.size()) * per_edge * per_edge, most);
+    const auto charts = static_cast<double>(net.size());
+    check_count(charts * per_edge * per_edge, charts, most);
     return std::vector<glm::ivec2>(net.size(), glm::ivec2(per_edge));
 }
 

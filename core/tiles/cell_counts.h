@@ -3,7 +3,14 @@
 
 #include "core/limit/chart_surface.h"
 
+#include <string_view>
+
 namespace trivar {
+
+// What helps where no size of tiles is large enough.
+inline constexpr std::string_view too_many_faces_words =
+    "simplify what they cover, each face of which carries one at least, or paint it with the "
+    "brush Fill";
 
 // Tells how rows of tiles run over the charts: by how many quarter turns the direction of its rows
 // is turned from u. Rows go on from chart to chart along a tree of edges; over other edges they may

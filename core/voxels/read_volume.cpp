@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/read_volume.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
@@ -114,9 +115,9 @@ float make_tame(std::vector<float>& samples, VoxelGrid& grid, const std::string&
         std::ranges::replace_if(samples, is_bad, instead);
         grid.notices.push_back(fmt::format(
             "{}: {} of its samples {} not a number, infinite or beyond 1e30; the least value, "
-            "{:.6g}, stands for {}",
-            name, with_commas(count.bad), count.bad == 1 ? "is" : "are", grid.value(instead),
-            count.bad == 1 ? "it" : "them"));
+            "{}, stands for {}",
+            name, with_commas(count.bad), count.bad == 1 ? "is" : "are",
+            number_text(grid.value(instead), {.digits = 6}), count.bad == 1 ? "it" : "them"));
     }
     const float most = std::max(std::abs(count.least), std::abs(count.greatest));
     const int doublings = most > 0 ? std::ilogb(most) : 0;
@@ -147,8 +148,8 @@ void make_tame(VoxelGrid& grid, const std::string& name)
         grid.samples);
     const double value = std::abs(grid.slope) * most + std::abs(grid.intercept);
     if (!(value <= greatest_value))
-        throw Rejected(
-            fmt::format("{}: its values reach {:.3g}; at most 1e30 is taken", name, value));
+        throw Rejected(fmt::format("{}: its values reach {}; at most 1e30 is taken", name,
+                                   number_text(value)));
 }
 
 // The names of ordinary files in a folder, sorted.

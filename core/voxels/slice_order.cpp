@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/slice_order.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/files/file_sentences.h"
 
@@ -99,10 +100,9 @@ private:
             const glm::dvec3 on_line = first.position + direction_ * height_[k];
             const double off = glm::length(slice(k).frame.position - on_line);
             if (off > tolerance)
-                throw Rejected(
-                    fmt::format("{} lies {:.3g} mm beside the line through the first and "
-                                "the last slice; the slices of a volume lie on one",
-                                slice(k).name, off));
+                throw Rejected(fmt::format("{} lies {} mm beside the line through the first and "
+                                           "the last slice; the slices of a volume lie on one",
+                                           slice(k).name, number_text(off)));
         }
         const double tilt = glm::degrees(std::atan(glm::length(direction_ - normal_)));
         constexpr double told_from = 0.05;
@@ -128,10 +128,11 @@ private:
             out_.even = false;
             count = std::round(height_.back() / usual) + 1;
             if (count > 4 * static_cast<double>(height_.size()) + 4)
-                throw Rejected(fmt::format(
-                    "between {} and {} {:.4g} mm have no slice, where {:.4g} "
-                    "mm are usual; so much cannot be interpolated",
-                    slice(widest()).name, slice(widest() + 1).name, gaps_[widest()], usual));
+                throw Rejected(fmt::format("between {} and {} {} mm have no slice, where {} "
+                                           "mm are usual; so much cannot be interpolated",
+                                           slice(widest()).name, slice(widest() + 1).name,
+                                           number_text(gaps_[widest()], {.digits = 4}),
+                                           number_text(usual, {.digits = 4})));
             count = std::max(count, 2.0);
         }
         const double step = height_.back() / (count - 1);
@@ -139,11 +140,13 @@ private:
         for (int k = 0; k < static_cast<int>(count); ++k)
             out_.at.push_back(out_.even ? k : place_of(k * step));
         if (uneven > 0)
-            out_.notices.push_back(fmt::format(
-                "its slices are not evenly apart: {:.4g} mm from {} to {}, where {:.4g} mm are "
-                "usual{}; {} slices {:.4g} mm apart were interpolated linearly",
-                gaps_[first], slice(first).name, slice(first + 1).name, usual,
-                uneven > 1 ? fmt::format(", and {} more such", uneven - 1) : "", count, step));
+            out_.notices.push_back(
+                fmt::format("its slices are not evenly apart: {} mm from {} to {}, where {} mm are "
+                            "usual{}; {} slices {} mm apart were interpolated linearly",
+                            number_text(gaps_[first], {.digits = 4}), slice(first).name,
+                            slice(first + 1).name, number_text(usual, {.digits = 4}),
+                            uneven > 1 ? fmt::format(", and {} more such", uneven - 1) : "", count,
+                            number_text(step, {.digits = 4})));
     }
 
     double usual_gap() const // the median

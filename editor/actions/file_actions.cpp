@@ -24,12 +24,7 @@ glm::ivec2 picture_size(Editor& e)
 
 void render_picture(Editor& e)
 {
-    if (e.session.scene().path().empty())
-        e.session.notices.say(ui::NoticeKind::warning, "The scene is not saved yet",
-                              "Pictures are saved next to the scene file. Save the scene first.",
-                              "picture", {{"Save as...", [&e] { e.files.ask_save_as(); }}});
-    else if (!e.picture_to_file.running())
-        e.picture_to_file.begin(e.session, picture_size(e));
+    if (!e.picture_to_file.running()) e.picture_to_file.begin(e.session, picture_size(e));
 }
 
 } // namespace

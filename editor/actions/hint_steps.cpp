@@ -67,15 +67,13 @@ HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::siz
             "The model will lie along the stroke."};
 }
 
-bool widens(const Command& command, const Document& before)
+// Whoever bends, parts, paints or draws things without a stroke is not told of strokes.
+bool is_for_more_than_strokes(const Object& o)
 {
-    const auto* edit = std::get_if<EditPlacement>(&command);
-    if (!edit) return false;
-    const auto found = before.objects.find(edit->object);
-    if (found == before.objects.end() || !found->second->stroke) return false;
-    const PlacementParameters& was = found->second->stroke->parameters;
-    return edit->parameters.width != was.width ||
-           edit->parameters.width_profile != was.width_profile;
+    return std::holds_alternative<LatticeShape>(o.source) ||
+           std::holds_alternative<TetrahedraShape>(o.source) ||
+           std::holds_alternative<VoxelShape>(o.source) || o.tiles || o.splitting || o.cutting ||
+           o.incising || o.line_drawing;
 }
 
 } // namespace
@@ -91,19 +89,18 @@ std::optional<HintCard> hint_card(const Editor& editor)
                         "The strip follows the scene. Where its points are white, it spans a gap."};
     }
     if (editor.active_tool().busy()) return {};
-    if (editor.active_tool().chosen_models(session))
-        return {}; // the tiles have a card of their own
+    const std::string tool = editor.tools[editor.tool]->name();
+    if (tool != "Select" && tool != "Place") return {}; // whoever uses another one knows what for
     const BackgroundEvaluator::Status work = session.evaluator().status();
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
-    std::size_t shapes = 0, texts = 0, placed = 0, lattices = 0;
+    std::size_t shapes = 0, texts = 0, placed = 0, others = 0;
     for (const auto& [id, each] : session.document().objects) {
         shapes += holds_others(each->source) ? 0 : 1;
         texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
         placed += each->stroke ? 1 : 0;
-        lattices += std::holds_alternative<LatticeShape>(each->source) ? 1 : 0;
+        others += is_for_more_than_strokes(*each) ? 1 : 0;
     }
-    // Who bends things without a stroke is not told of strokes.
-    if (placed == 0 && lattices == 0 && !closed(editor, draw_hint))
+    if (placed == 0 && others == 0 && !closed(editor, draw_hint))
         return card_before_a_stroke(editor, shapes, texts);
     const auto selected = session.document().objects.find(session.selected);
     const bool handles = selected != session.document().objects.end() && selected->second->stroke &&
@@ -131,8 +128,8 @@ void follow_hints(Editor& editor)
     if (std::holds_alternative<Place>(command)) {
         close_hint(editor, draw_hint);
         close_hint(editor, let_go_hint);
-    } else if (widens(command, now == 1 ? history.start() : history.steps()[now - 2].result)) {
-        close_hint(editor, widen_hint);
+    } else if (closed(editor, let_go_hint)) {
+        close_hint(editor, widen_hint); // it was seen, and whoever goes on needs it no more
     }
 }
 

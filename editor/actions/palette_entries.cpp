@@ -32,6 +32,7 @@ const char* icon_of(const Editor& editor, const Action& each)
 // "set_material": "Set material".
 std::string words_of(std::string_view verb)
 {
+    if (verb == SetRender::verb) return "Picture settings"; // as the inspector calls them
     std::string words(verb);
     std::ranges::replace(words, '_', ' ');
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));

@@ -6,6 +6,7 @@
 #include "editor/actions/start_card.h"
 #include "editor/editor.h"
 #include "ui/input.h"
+#include "ui/sentence.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -30,6 +31,19 @@ bool space_was_tapped(Editor& editor)
     return !space.down && !space.used;
 }
 
+// Menus and drop-downs, but not the dialog that they belong to, which takes the next Esc.
+void close_menus()
+{
+    const ImVector<ImGuiPopupData>& open = GImGui->OpenPopupStack;
+    int dialogs = 0;
+    while (dialogs < open.Size && open[dialogs].Window &&
+           (open[dialogs].Window->Flags & ImGuiWindowFlags_Modal) != 0)
+        ++dialogs;
+    if (dialogs == open.Size) return;
+    ImGui::ClosePopupToLevel(dialogs, true);
+    ui::swallow_keys();
+}
+
 } // namespace
 
 void run_keys(Editor& editor)
@@ -52,7 +66,7 @@ void run_keys(Editor& editor)
     if (editor.timeline.keys.gesture.by_key) return; // the timeline takes them
     if (editor.files.asking()) return;
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) {
-        if (escape()) ImGui::ClosePopupToLevel(0, true);
+        if (escape()) close_menus();
         return;
     }
     // A menu may have closed itself by this very Esc, as the frame began.
@@ -73,6 +87,7 @@ void run_keys(Editor& editor)
     const KeysIn here = editor.tutorial.runs(editor.session) ? KeysIn::tutorial
                         : in_list || shows_welcome(editor)   ? KeysIn::anywhere
                                                              : KeysIn::picture;
+    const Action* greyed = nullptr; // the first that cannot run
     for (const Action& each : editor.actions) {
         if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
         const auto chord = std::ranges::find_if(each.keys, [&](const ui::Chord& one) {
@@ -80,13 +95,20 @@ void run_keys(Editor& editor)
             return ui::struck(one, each.repeats) && !tool.awaits(one) &&
                    !ui::hands().keeps(one.key);
         });
-        if (chord == each.keys.end() || !is_enabled(editor, each)) continue;
+        if (chord == each.keys.end()) continue;
+        if (!is_enabled(editor, each)) {
+            if (!greyed) greyed = &each;
+            continue;
+        }
         const std::size_t tool_before = editor.tool;
         const int key = chord->key; // the action may give it to another
         each.run(editor);
         lend_tool_while_held(editor, key, tool_before);
         return; // one press, one action
     }
+    if (greyed && !greyed->enabled.otherwise.empty())
+        editor.session.notices.say(ui::NoticeKind::warning, greyed->name + " is not possible now",
+                                   ui::sentence(greyed->enabled.otherwise), "a greyed key");
 }
 
 } // namespace trivar

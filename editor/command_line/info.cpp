@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/info.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
@@ -25,7 +26,7 @@ using Facts = nlohmann::ordered_json; // name to value, in the order they are sa
 
 Facts model_facts(const std::string& path)
 {
-    const Model model = read_model(path);
+    const Model model = read_model(path, {.normals_of_faces = false}); // its own vertices
     if (too_large(model))
         throw Rejected(fmt::format("{}: its coordinates are {}", path, too_large_words));
     std::size_t vertices = 0, faces = 0, triangles = 0, uv_sets = 0, images = 0;
@@ -114,10 +115,10 @@ std::string plain(const Facts& value)
 {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-    if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
+    if (value.is_number_float()) return number_text(value.get<double>(), {.digits = 4});
     if (value.is_object()) // a clip
-        return fmt::format("{} ({:.3g} s)", value.at("name").get<std::string>(),
-                           value.at("seconds").get<double>());
+        return fmt::format("{} ({} s)", value.at("name").get<std::string>(),
+                           number_text(value.at("seconds").get<double>()));
     if (!value.is_array()) return value.dump();
     std::string text;
     for (const Facts& entry : value) text += (text.empty() ? "" : ", ") + plain(entry);

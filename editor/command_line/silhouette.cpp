@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/document/fields/voxel_fields.h"
 #include "core/drawing/drawing_file.h"
@@ -361,7 +362,7 @@ void say_proof(const SilhouetteCommand& command, const ProofGaps& gaps, const St
         "trivar: {}nothing larger than 1/{} voxel is missing but for what {} boxes of that size "
         "may hide; {} loose end{}\n",
         command.amount < 1 ? "before a share of the lines was taken, " : "", 1 << command.certified,
-        gaps.open, gaps.loose_ends, gaps.loose_ends == 1 ? "" : "s");
+        with_commas(gaps.open), gaps.loose_ends, gaps.loose_ends == 1 ? "" : "s");
 }
 
 } // namespace
@@ -391,8 +392,9 @@ Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
     std::size_t lines = 0;
     for (const DrawingLayer& layer : drawing.layers) lines += layer.lines.size();
     streams.talk << fmt::format("trivar: {}: {} line{} of {} level{}, {} bytes, {:.2f} s\n",
-                                command.out, lines, lines == 1 ? "" : "s", drawn.values.size(),
-                                drawn.values.size() == 1 ? "" : "s", text.size(), took.count());
+                                command.out, with_commas(lines), lines == 1 ? "" : "s",
+                                drawn.values.size(), drawn.values.size() == 1 ? "" : "s",
+                                with_commas(text.size()), took.count());
     if (lines == 0)
         streams.talk << "trivar: no line is seen; the level may be beyond the volume's values\n";
     if (!command.edited.empty())

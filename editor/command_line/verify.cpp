@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/verify.h"
 
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/certificate/film_certificate.h"
 #include "core/document/document_digest.h"
@@ -153,11 +154,12 @@ private:
             sampled(truth, node.positions, node.corners, node.corners.size() / 3 < many ? 4 : 2);
         if (found.other_triangles)
             return wrong(fmt::format("{} has {} triangles, the scene gives {}", name,
-                                     node.corners.size() / 3, found.triangles));
+                                     with_commas(node.corners.size() / 3),
+                                     with_commas(found.triangles)));
         streams_.out << fmt::format(
-            "{}: {} triangle{}, {} samples, the furthest off by {:.3g} m, claimed: {}\n", name,
-            claim.triangles, claim.triangles == 1 ? "" : "s", found.samples, found.furthest,
-            bound_text(claim.bound));
+            "{}: {} triangle{}, {} samples, the furthest off by {} m, claimed: {}\n", name,
+            with_commas(claim.triangles), claim.triangles == 1 ? "" : "s",
+            with_commas(found.samples), number_text(found.furthest), bound_text(claim.bound));
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
     }
 
@@ -176,8 +178,8 @@ private:
             claim.degenerate != given.degenerate || claim.not_certified != given.not_certified)
             wrong(name + " claims other numbers of triangles than the scene gives");
         if (claim.tolerance != given.tolerance)
-            wrong(fmt::format("{} claims to be within {:.3g} m where {:.3g} m were asked for", name,
-                              claim.tolerance, given.tolerance));
+            wrong(fmt::format("{} claims to be within {} m where {} m were asked for", name,
+                              number_text(claim.tolerance), number_text(given.tolerance)));
         if (!(claim.bound >= given.bound))
             wrong(fmt::format("{} claims {} where {} is proven", name, bound_text(claim.bound),
                               bound_text(given.bound)));

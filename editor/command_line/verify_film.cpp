@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/verify_film.h"
 
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/certificate/certificate.h"
 #include "core/certificate/film_check.h"
@@ -121,8 +122,8 @@ private:
         constexpr double last_bits = 1 + 2e-9;
         const bool proven = is_proven(claim);
         const auto off = [&](double found, double allowed, const std::string& where) {
-            wrong(fmt::format("{} is {:.3g} m off {}, further than {}", part_title(claim), found,
-                              where, bound_text(allowed)));
+            wrong(fmt::format("{} is {} m off {}, further than {}", part_title(claim),
+                              number_text(found), where, bound_text(allowed)));
         };
         if (!proven && !(sample.furthest_at_moments <= last_bits * claim.bound))
             off(sample.furthest_at_moments, claim.bound, "at a moment");
@@ -163,15 +164,17 @@ private:
             std::string claimed =
                 bound_text(bound) + when_claimed(all_proven, claims_.parts.front().moments);
             if (!all_proven && claims_.first_frame < claims_.last_frame)
-                claimed += fmt::format(", where it is {:.3g} m off at most, and {} in between",
-                                       all.furthest_at_moments, bound_text(claims_.tolerance));
+                claimed += fmt::format(", where it is {} m off at most, and {} in between",
+                                       number_text(all.furthest_at_moments),
+                                       bound_text(claims_.tolerance));
             if (more > 0)
-                claimed += fmt::format(", and at most {:.3g} m more for single precision", more);
+                claimed +=
+                    fmt::format(", and at most {} m more for single precision", number_text(more));
             streams_.out << fmt::format(
-                "{}: {} {}, {} samples at ten times the frame rate, the furthest off by {:.3g} "
+                "{}: {} {}, {} samples at ten times the frame rate, the furthest off by {} "
                 "m at frame {}, claimed: {}\n",
-                name, parts, parts == 1 ? "part" : "parts", count, all.furthest,
-                shortest(all.at_frame), claimed);
+                name, parts, parts == 1 ? "part" : "parts", with_commas(count),
+                number_text(all.furthest), shortest(all.at_frame), claimed);
         }
     }
 

@@ -4,23 +4,36 @@
 #include "core/base/rejected.h"
 #include "core/files/copies.h"
 #include "core/files/image.h"
+#include "editor/session/scene_names.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 namespace trivar {
-
+namespace fs = std::filesystem;
 namespace {
+
+// Of a scene without a file: among the person's pictures.
+fs::path pictures_folder()
+{
+    const char* home = std::getenv("HOME");
+    const fs::path at_home = home ? fs::path(home) : fs::temp_directory_path();
+    std::error_code ignored;
+    return fs::is_directory(at_home / "Pictures", ignored) ? at_home / "Pictures" : at_home;
+}
 
 std::string free_path(const Session& session)
 {
-    return numbered_name(
-        std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+    const std::string& scene = session.scene().path();
+    const fs::path file = scene.empty() ? pictures_folder() / stem_of(session.scene())
+                                        : fs::absolute(scene).replace_extension();
+    return numbered_name(file.string() + ".png");
 }
 
 void tell_failed(Session& session, const std::string& path, const std::string& why)
@@ -92,7 +105,8 @@ void PictureToFile::advance(Session& session, ui::Frame& frame,
              write_image(*image, path);
              return [&session, path] {
                  session.notices.say(ui::NoticeKind::good, file_name(path) + " was written",
-                                     "Saved next to the scene file.", "picture");
+                                     "It is in " + fs::path(path).parent_path().string() + ".",
+                                     "picture");
              };
          },
          [&session, path = path_](const std::string& why) { tell_failed(session, path, why); }});

@@ -20,7 +20,7 @@ public:
     bool running() const { return wanted_px_ || still_; }
     const std::string& path() const { return path_; }
     // Begins a picture of that size as soon as the scene is evaluated and nothing else is read or
-    // written. The scene must have a file, for its folder.
+    // written. That of a scene without a file goes to the person's pictures.
     void begin(const Session& session, glm::ivec2 size_px);
     // Once a frame, in the window's context.
     void advance(Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/plain_mesh.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
 #include "core/commands/apply_shape.h"
@@ -116,7 +117,7 @@ void keep_riders(const Session& session, ApplyShape& command)
 std::string words_of(const PlainMesh& made, const PlainMeshWish& wish)
 {
     if (made.triangles == 0) return "Its curves keep their shape.";
-    const std::string count = ui::with_commas(made.triangles) + " triangles";
+    const std::string count = with_commas(made.triangles) + " triangles";
     if (!made.open.empty()) return count + "; " + made.open + ".";
     return fmt::format("{}, certified to be within {} m of the bent surface; at most {} m off.",
                        count, ui::short_number(wish.refining.tolerance),

@@ -88,7 +88,7 @@ void VolumeImports::add()
              return [this, ready] { run(ready); };
          },
          [this, path = offer.path](const std::string& why) {
-             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
+             session_->notices.say(ui::NoticeKind::error, file_first(path) + " was not imported",
                                    reason(why, path));
          }});
 }

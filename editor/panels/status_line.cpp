@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/actions/help_actions.h"
 #include "editor/actions/key_actions.h"
 #include "editor/actions/time_actions.h"
@@ -25,7 +26,7 @@ std::string facts(const Session& session)
     const std::string what = session.selected != 0
                                  ? fmt::format("{} selected", session.selected.size())
                                  : fmt::format("{} object{}", count, count == 1 ? "" : "s");
-    return fmt::format("{}  ·  {} vertices  ·  m", what, ui::with_commas(vertices));
+    return fmt::format("{}  ·  {} vertices  ·  m", what, with_commas(vertices));
 }
 
 float input_width(const ui::Theme& theme, const std::string& input)

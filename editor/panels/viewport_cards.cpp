@@ -89,7 +89,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     if (on_card(bar) || bar.lo.x < view.lo.x + theme.px(labels_px)) return;
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
     ui::lower_area("bar", bar);
-    ui::Theme on_chip = theme; // which is dark whatever the panels are
+    ui::Theme on_chip = theme;
     on_chip.color.text = on_chip.color.text_2 = c.chip_text;
     on_chip.color.text_off = ui::faded(c.chip_text, 0.4f);
     on_chip.color.field_hover = ui::faded(c.chip_text, 0.2f);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/captions.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "gpu/look.h"
 #include "ui/headless.h"
@@ -31,7 +32,7 @@ std::string words_of(const RefinementResult& refined, const Refining& refining)
             : std::string("split ") + split.at(static_cast<std::size_t>(refining.split));
     const std::size_t open = refined.not_certified();
     return how + ", " +
-           (open > 0 ? ui::with_commas(open) + " not certified"
+           (open > 0 ? with_commas(open) + " not certified"
                      : "certified to " + at_most_mm(refined.bound));
 }
 
@@ -76,7 +77,7 @@ std::vector<Caption> captions_of(const Evaluation& evaluated, const Document& do
             std::ranges::binary_search(hidden_here, id))
             continue;
         const std::size_t count = object->refined->triangles();
-        out.push_back({ui::with_commas(count) + (count == 1 ? " triangle" : " triangles"),
+        out.push_back({with_commas(count) + (count == 1 ? " triangle" : " triangles"),
                        words_of(*object->refined, *cause->second->refining), points_of(*object)});
     }
     return out;

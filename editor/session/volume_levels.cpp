@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/volume_levels.h"
 
+#include "core/base/number_text.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -24,12 +25,13 @@ constexpr std::array<std::array<float, 3>, 6> level_colors{{{0.40f, 0.82f, 1.00f
 
 std::string name_of(const VoxelLevel& level)
 {
-    return level.name.empty() ? fmt::format("Level {:.6g}", level.value) : level.name;
+    return level.name.empty() ? fmt::format("Level {}", number_text(level.value, {.digits = 6}))
+                              : level.name;
 }
 
 std::string value_words(double value, const std::string& unit)
 {
-    return fmt::format("{:.6g}", value) + (unit.empty() ? "" : " " + unit);
+    return number_text(value, {.digits = 6}) + (unit.empty() ? "" : " " + unit);
 }
 
 void set_color(VoxelLevel& level, const glm::vec3& srgb)

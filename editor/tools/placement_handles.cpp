@@ -4,6 +4,7 @@
 #include "core/evaluation/attaching.h"
 #include "editor/tools/arrow_head.h"
 #include "editor/tools/handle_drag.h"
+#include "editor/tools/strip_paint.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -169,7 +170,11 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
         object(session.document(), session.selected).stroke->parameters;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(at_px_);
     const std::string words = words_of(lit, now, laid->stroke_placement()->report);
-    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {words});
+    glm::vec2 chip = mouse + glm::vec2(theme.px(18), -theme.px(30));
+    const float width = ui::text_width(theme.font.small, words) + theme.px(16);
+    if (chip.x + width > strip_legend_at(theme, input.rect).x - theme.px(8)) // it stands there
+        chip.x = mouse.x - theme.px(18) - width;
+    ui::paint_chip(theme, chip, {words});
 }
 
 std::vector<Hint> PlacementHandles::hints() const

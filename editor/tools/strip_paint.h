@@ -19,6 +19,7 @@ void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camer
                  const Placement& placement, Nodes which);
 
 // Paints the meaning of those colours that occur, at the right of the picture.
+glm::vec2 strip_legend_at(const ui::Theme& theme, const ui::Rect& picture); // its left top corner
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
                         const Placement& placement);
 

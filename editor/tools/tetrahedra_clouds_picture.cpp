@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/simplex/cloud_room.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/tools/shown_tetrahedra.h"
@@ -102,10 +103,11 @@ void TetrahedraClouds::overlay(const Session& session, const ui::Theme& theme,
     }
     if (!gesture_ || !session.proposing()) return;
     const glm::vec2 at = mouse + glm::vec2(theme.px(18), -theme.px(38));
-    std::string words = kind_ == MotionKind::move ? fmt::format("{:.3g} m", glm::length(cloud_.by))
-                                                  : fmt::format("× {:.3g}", cloud_.factor);
-    words +=
-        stopped_ ? ", stopped: clouds would cross" : fmt::format("  ·  room {:.0f} %", 100 * room_);
+    std::string words = kind_ == MotionKind::move
+                            ? fmt::format("{} m", number_text(glm::length(cloud_.by)))
+                            : fmt::format("× {}", number_text(cloud_.factor));
+    words += stopped_ ? ", stopped: clouds would cross"
+                      : fmt::format("  ·  room {}", percent_text(room_));
     const ui::Rect chip =
         ui::paint_chip(theme, at, {words, stopped_ ? theme.color.bad : ui::Color{0}});
     paint_room(theme, {chip.lo.x + theme.px(4), chip.hi.y + theme.px(5)}, room_);

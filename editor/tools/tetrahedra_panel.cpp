@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/tools/falloff_option.h"
 #include "editor/tools/shown_tetrahedra.h"
 #include "editor/tools/tetrahedra.h"
@@ -134,12 +135,10 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
                            "C0: faces meet with a crease. Cut: they part where you pull. The "
                            "first takes away creases and cuts."});
     if (const auto room = clouds_.room(); by_ == By::knots && room)
-        options.push_back({"Room", 56,
-                           [&, room](float field) {
-                               paint_words(theme, field, fmt::format("{:.0f} %", 100 * *room));
-                           },
-                           "What the knots here leave of the least tetrahedron, in shares of it. "
-                           "At 5 % a drag stops: at 0 the clouds cross."});
+        options.push_back(
+            {"Room", 56, [&, room](float field) { paint_words(theme, field, percent_text(*room)); },
+             "What the knots here leave of the least tetrahedron, in shares of it. "
+             "At 5 % a drag stops: at 0 the clouds cross."});
     ui::option_bar(theme, options, width);
 }
 
@@ -169,9 +168,9 @@ void TetrahedraTool::overlay(const Session& session, const ui::Theme& theme,
     if (edit.pull) {
         const double metres = glm::length(edit.pull->by) * out->share;
         ui::paint_chip(theme, at,
-                       {fmt::format("{:.3g} m", metres) +
-                            (out->share < 1 ? fmt::format(", held at {:.0f} %: it would fold",
-                                                          100 * out->share)
+                       {fmt::format("{} m", number_text(metres)) +
+                            (out->share < 1 ? fmt::format(", held at {}: it would fold",
+                                                          percent_text(out->share))
                                             : ""),
                         out->share < 1 ? theme.color.bad : ui::Color{0}});
     } else

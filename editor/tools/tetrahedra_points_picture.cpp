@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/tools/select.h"
 #include "editor/tools/shown_tetrahedra.h"
 #include "editor/tools/tetrahedra_points.h"
@@ -75,7 +76,7 @@ void TetrahedraPoints::overlay(const Session& session, const ui::Theme& theme,
     std::string words = gesture_->amount();
     if (manner.proportional) words += "  ·  radius " + ui::short_number(manner.radius) + " m";
     if (outcome->share < 1)
-        words += fmt::format(", held at {:.0f} %: it would fold", 100 * outcome->share);
+        words += fmt::format(", held at {}: it would fold", percent_text(outcome->share));
     ui::paint_chip(theme,
                    input.rect.lo + glm::vec2(input.mouse) + glm::vec2(theme.px(18), -theme.px(30)),
                    {words, outcome->share < 1 ? theme.color.bad : ui::Color{0}});

@@ -296,7 +296,7 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
                 {{"Ctrl", "left"}, "Take the cover away"},
                 {{"Esc"}, "Select"}};
     if (settings_.brush == TileBrush::fill)
-        return {{{"left"}, "Click what is to be filled"}, {{"Esc"}, "Select"}};
+        return {{{"left"}, "Click an area to fill"}, {{"Esc"}, "Select"}};
     return {{{"left"}, lays() ? "Drag over a surface to paint" : "Drag"},
             {{"Ctrl", "left"}, lays() ? "Erase" : "Opposite"},
             {{"Shift", "left"}, "Straight"},

@@ -77,7 +77,7 @@ private:
         double last_s = 0, speed_px = 0; // pixels per second, smoothed
     };
     // What the strength of a stroke, or the size of its tiles, follows.
-    enum class Follows { pen, speed, nothing };
+    enum class Follows { nothing, speed };           // what makes it weaker
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
     bool lays_strands() const { return !covers_ && settings_.brush == TileBrush::strand; }
     bool lays() const; // the brush makes tiles where there are none
@@ -126,7 +126,7 @@ private:
     std::optional<SurfaceHit> hit_; // under the mouse
     std::optional<Gesture> gesture_;
     int strokes_ = 0; // number of strokes so far, which become their seeds
-    Follows follows_ = Follows::pen;
+    Follows follows_ = Follows::nothing;
     glm::dvec3 color_{0.8, 0.12, 0.04}; // of the brush color
     std::optional<StrokeEnd> last_end_;
     std::optional<PickedPoint> point_; // none: the origin of the base

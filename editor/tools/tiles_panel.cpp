@@ -57,16 +57,16 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
     if (covers_) {
         if (cover_.pattern != TilePattern::texture)
             number("Size", "size", shown_size, length,
-                   "Length of a tile along its row; 0 follows the size of what is covered.",
+                   "Length of a tile along its row. 0: from the object's size.",
                    [&] { size_ = shown_size; });
         cover_options(options, theme);
         return ui::option_bar(theme, options, width);
     }
     if (!line && !fills && !grabs)
-        number("Radius", "radius", shown_radius, length,
-               "Of the brush; 0 follows the size of what is painted on. The wheel changes it while "
-               "you paint.",
-               [&] { radius_ = shown_radius; });
+        number(
+            "Radius", "radius", shown_radius, length,
+            "Size of the brush. 0: from the object's size. The wheel changes it while you paint.",
+            [&] { radius_ = shown_radius; });
     const auto nothing = [] {};
     if (lays_strokes) {
         number("Size", "size", shown_size, length,
@@ -80,7 +80,7 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                nothing);
         number("Height", "height", settings_.height, times, "Factor of the height of the strand.",
                nothing);
-        number("Taper", "taper", settings_.taper, {.lo = 0, .hi = 1},
+        number("Taper", "taper", settings_.taper, ui::percent_style(),
                "Share by which the strand is narrower and lower at its end.", nothing);
         options.push_back(
             {"Ends", 96,
@@ -94,13 +94,13 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
     } else if (lays_strokes) {
         number("Spacing", "spacing", settings_.spacing, {.lo = 0.05, .hi = 100, .unit = "x"},
                "Distance between tiles, in sizes.", nothing);
-        number("Vary", "vary", settings_.size_variation, {.lo = 0, .hi = 1},
+        number("Vary size", "vary", settings_.size_variation, ui::percent_style(),
                "Tiles are smaller by up to this share, at random.", nothing);
         number("Turn", "turn", settings_.turn_variation_deg, {.lo = 0, .hi = 180, .unit = "deg"},
                "Tiles are turned by up to this angle either way, at random.", nothing);
         heading_options(options, theme);
     } else if (settings_.brush != TileBrush::erase && !grabs)
-        number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
+        number("Strength", "strength", settings_.strength, ui::percent_style(-1, 1),
                "Of the brush; with Ctrl it goes the other way.", nothing);
     stroke_options(options, theme);
     ui::option_bar(theme, options, width);
@@ -163,14 +163,13 @@ void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme
                        "painted on."});
     if (brush != TileBrush::fill && brush != TileBrush::grab)
         options.push_back(
-            {"Pressure", 72,
+            {"Weaker by", 72,
              [&](float field) {
                  int follows = static_cast<int>(follows_);
-                 ui::choice(theme, "pressure", follows, {"Pen", "Speed", "Off"}, field);
+                 ui::choice(theme, "pressure", follows, {"Nothing", "Speed"}, field);
                  follows_ = static_cast<Follows>(follows);
              },
-             "What makes tiles smaller or the brush weaker: a light pen, a fast "
-             "stroke, or nothing."});
+             "What makes tiles smaller or the brush weaker: a fast stroke, or nothing."});
 }
 
 void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme& theme)
@@ -206,7 +205,7 @@ void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme&
     options.push_back({"Vary height", 88,
                        [&](float field) {
                            ui::number_field(theme, "vary height", cover_.height_variation,
-                                            {.lo = 0, .hi = 1}, field);
+                                            ui::percent_style(), field);
                        },
                        "Tiles are lower by up to this share, at random."});
     options.push_back({"Seed", 72,

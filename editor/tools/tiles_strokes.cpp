@@ -125,8 +125,7 @@ double TilesTool::pressure_of(const StrokeSample& move)
     }
     g.last_px = move.p_px;
     g.last_s = move.time_s;
-    if (follows_ == Follows::pen) return move.pressure;
-    return follows_ == Follows::nothing ? 1 : std::max(least, 1 - g.speed_px / fast_px);
+    return follows_ == Follows::nothing ? move.pressure : std::max(least, 1 - g.speed_px / fast_px);
 }
 
 bool TilesTool::picks_point(const ViewportInput& input)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport/certified_lines.h"
 
+#include "core/base/number_text.h"
 #include "core/evaluation/shown_volume.h"
 #include "editor/picture/picture.h"
 #include "ui/widgets.h"
@@ -88,9 +89,9 @@ std::string CertifiedLines::words() const
         wanted_, [](const VolumeView& each) { return shows_a_share(*each.volume); });
     std::string out = fmt::format("Lines certified {}{}, {} box{} open", to,
                                   share ? " before their share is taken" : "",
-                                  ui::with_commas(gaps_.open), gaps_.open == 1 ? "" : "es");
+                                  with_commas(gaps_.open), gaps_.open == 1 ? "" : "es");
     if (gaps_.loose_ends > 0)
-        out += fmt::format(", {} loose end{}", ui::with_commas(gaps_.loose_ends),
+        out += fmt::format(", {} loose end{}", with_commas(gaps_.loose_ends),
                            gaps_.loose_ends == 1 ? "" : "s");
     return out;
 }

@@ -63,9 +63,14 @@ glm::dvec3 Viewport::orbit_center(const Session& session, glm::dvec2 mouse_px)
     if (manners_.orbit_about == "selection" && session.selected != 0)
         for (const glm::dvec3& p : points_of(session, session.selected.ids())) box.add(p);
     if (!box.empty()) return box.center();
-    // Beside everything, the middle of the picture: a point under the mouse there would carry what
-    // is looked at out of sight.
-    return anchor_under(session, mouse_px).value_or(session.view.camera.target);
+    // Beside everything and far behind it, the middle of the picture: a point under the mouse there
+    // would carry what is looked at out of sight.
+    constexpr double far_behind = 1.5; // times as far away as the middle
+    const Camera& camera = session.view.camera;
+    const std::optional<glm::dvec3> anchor = anchor_under(session, mouse_px);
+    const double middle = project(camera, camera.target).depth_world;
+    const bool near = anchor && project(camera, *anchor).depth_world <= far_behind * middle;
+    return near ? *anchor : camera.target;
 }
 
 bool Viewport::emulates_middle() const

@@ -13,7 +13,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     style.outline.halo = ui::linear_light(c.halo);
     style.outline.width_px = theme.line(style.outline.width_px);
     style.outline.halo_px *= theme.scale;
-    style.edge_color = ui::linear_light(c.chip_text);
+    style.edge_color = ui::linear_light(ui::rgb(0xE9EBEE)); // of wireframes, in every theme
     style.look = theme.look;
     if (as_in_pictures) return style;
     constexpr float axis_share = 0.55f;

@@ -11,6 +11,12 @@ inline std::string file_name(const std::string& path)
 {
     return std::filesystem::path(path).filename().string();
 }
+// The same at the beginning of a sentence: in quotes where it would pass for a word.
+inline std::string file_first(const std::string& path)
+{
+    const std::string name = file_name(path);
+    return name.find('.') == name.npos ? "\"" + name + "\"" : name;
+}
 
 // The reason as the body of a notice whose title names the file already.
 std::string reason(const std::string& why, const std::string& path);

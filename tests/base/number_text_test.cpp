@@ -88,7 +88,7 @@ TEST(NumberText, IsWhatAPersonWouldWrite)
     EXPECT_EQ(number_text(123, {.decimals = 2}), "123");
     EXPECT_EQ(number_text(1e-9), "0.000000001");
     EXPECT_EQ(number_text(HUGE_VAL), "infinite");
-    EXPECT_EQ(number_text(std::nan("")), "no number");
+    EXPECT_EQ(number_text(std::nan("")), "not a number");
 }
 
 TEST(NumberText, SaysPowersOfTenWhereZerosWouldNotBeCounted)
@@ -96,7 +96,8 @@ TEST(NumberText, SaysPowersOfTenWhereZerosWouldNotBeCounted)
     EXPECT_EQ(number_text(2.43e-17), "2.43·10⁻¹⁷");
     EXPECT_EQ(number_text(-1e300), "-1·10³⁰⁰");
     EXPECT_EQ(number_text(4.9e-324), "4.94·10⁻³²⁴");
-    EXPECT_EQ(number_text(2e15), "2·10¹⁵");
+    EXPECT_EQ(number_text(1e15), "1,000,000,000,000,000");
+    EXPECT_EQ(number_text(2e16), "2·10¹⁶");
 }
 
 TEST(WithCommas, PartsThousands)
@@ -112,6 +113,7 @@ TEST(PercentText, HasTwoDigitsAtLeast)
     EXPECT_EQ(percent_text(0.0041), "0.41 %");
     EXPECT_EQ(percent_text(1.104), "110 %");
     EXPECT_EQ(percent_text(0.998), "100 %");
+    EXPECT_EQ(percent_text(1e-7), "under 0.01 %");
     EXPECT_EQ(percent_text(0), "0 %");
 }
 

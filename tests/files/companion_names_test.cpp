@@ -166,7 +166,7 @@ TEST(Libraries, ThatCannotBeReadLeaveTheModel)
     const Model model = read_model(folder.file("m.obj"));
     EXPECT_THAT(
         model.notices,
-        ElementsAre(HasSubstr("more than the 67108864 allowed; its materials were left out"),
+        ElementsAre(HasSubstr("more than the 67,108,864 allowed; its materials were left out"),
                     HasSubstr("save it as UTF-8; its materials were left out"),
                     "m.obj: 1 material library is not in its folder: dir.mtl"));
     EXPECT_THAT(companions_of(folder.file("m.obj")), ElementsAre("big.mtl", "wide.mtl"));

@@ -139,7 +139,7 @@ TEST(GltfInstances, ThatMakeNoSenseAreRefused)
         EXPECT_THAT(why([&](Instanced& i) { i.rotations[2] = bad; }),
                     HasSubstr("'ROTATION' has a number that is not finite"));
     EXPECT_THAT(why([](Instanced& i) { i.translations[4] = 3e30f; }),
-                HasSubstr("numbers up to 1·10¹⁵ are allowed"));
+                HasSubstr("numbers up to 1,000,000,000,000,000 are allowed"));
     EXPECT_THAT(why(as_is, [](GltfText& t) { t["accessors"][3]["count"] = 40; }),
                 HasSubstr("reach past the end of its buffer view"));
     EXPECT_THAT(why(as_is, [](GltfText& t) { t["accessors"][2]["type"] = "VEC2"; }),

@@ -88,7 +88,7 @@ TEST(HeightMap, SaysWhatIsWrong)
     refuses({{}, {}}, "0 values across");
     refuses({{1, 1}, {1, 1, 1}}, "rows of 2 and of 3 values");
     refuses({{1, 1}, {1, 0}}, "the factor 0");
-    refuses({{1, 1}, {1, std::nan("")}}, "the factor nan");
+    refuses({{1, 1}, {1, std::nan("")}}, "the factor not a number");
     refuses(HeightGrid(33, std::vector<double>(2, 1)), "33 values along");
     EXPECT_NO_THROW(check_height_map({}, "the map"));
 }

@@ -54,7 +54,7 @@ TEST(Profile, SaysWhatIsWrong)
     refuses({{0.1, 1}, {1, 1}}, "begin at 0");
     refuses({{0, 1}, {0.5, 1}, {0.5, 2}, {1, 1}}, "ascending");
     refuses({{0, 1}, {1, 0}}, "the factor 0");
-    refuses({{0, 1}, {0.5, std::nan("")}, {1, 1}}, "the factor nan");
+    refuses({{0, 1}, {0.5, std::nan("")}, {1, 1}}, "the factor not a number");
     refuses(std::vector<glm::dvec2>(65, {0, 1}), "at most 64");
 }
 

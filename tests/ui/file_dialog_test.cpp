@@ -169,5 +169,36 @@ TEST(FileDialog, AsksAgainInTheFolderThatItListed)
     }
 }
 
+TEST(FileDialog, LetsTypingReplaceTheNameAndKeepItsExtension)
+{
+    Dialog d(saving);
+    for (const unsigned letter : {'n', 'e', 'w'}) d.screen.input().push(type_text(letter));
+    d.frames();
+    d.key(key_enter);
+    EXPECT_EQ(d.chosen, d.folder.file("new.obj"));
+}
+
+TEST(FileDialog, TakesWhatIsTypedAfterAFolderWasEnteredByADoubleClick)
+{
+    Dialog d({.title = "Open", .action = "Open", .extensions = {".obj"}, .name = {}});
+    std::filesystem::create_directory(d.folder.path() / "zoo");
+    std::ofstream(d.folder.file("zoo/b.obj")) << "x";
+    d.dialog.open({.title = "Open", .action = "Open", .extensions = {".obj"}, .name = {}},
+                  d.folder.path());
+    d.frames();
+    d.screen.input().push(move_to({200, 142})); // the first row
+    for (const bool down : {true, false, true, false})
+        d.screen.input().push(press(Button::left, down));
+    d.frames();
+    d.frames();
+    d.key(key_enter);
+    EXPECT_FALSE(d.chosen) << "no row was chosen by the press that entered";
+    for (const unsigned letter : {'b', '.', 'o', 'b', 'j'})
+        d.screen.input().push(type_text(letter));
+    d.frames();
+    d.key(key_enter);
+    EXPECT_EQ(d.chosen, d.folder.file("zoo/b.obj"));
+}
+
 } // namespace
 } // namespace trivar::ui

@@ -214,10 +214,10 @@ TEST(Theme, ANumberIsShownWithThreeSignificantDigits)
     EXPECT_EQ(short_number(0.42), "0.42");
     EXPECT_EQ(short_number(0.123456), "0.123");
     EXPECT_EQ(short_number(12.3456), "12.3");
-    EXPECT_EQ(short_number(1234.5), "1234");
+    EXPECT_EQ(short_number(1234.5), "1,234");
     EXPECT_EQ(short_number(0), "0");
-    EXPECT_EQ(short_number(1e-9), "1e-9");
-    EXPECT_EQ(short_number(2.5e7), "2.5e7");
+    EXPECT_EQ(short_number(1e-9), "0.000000001");
+    EXPECT_EQ(short_number(2.5e7), "25,000,000");
     EXPECT_EQ(short_number(-3), "-3.00");
 }
 

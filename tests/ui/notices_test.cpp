@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/headless.h"
 #include "ui/notices.h"
 
 #include <gmock/gmock.h>
@@ -33,6 +34,20 @@ TEST(Notices, SayWhatBelongsTogetherInLinesUnderOneTitle)
     ASSERT_THAT(notices.all(), SizeIs(1));
     EXPECT_EQ(notices.all()[0].title, "Snake was placed");
     EXPECT_EQ(notices.all()[0].body, "Two rays hit nothing.\nIt folds.");
+}
+
+TEST(Notices, OfErrorsLeaveButForThoseWithARemedy)
+{
+    Notices notices;
+    notices.say(NoticeKind::error, "It was not read");
+    notices.say(NoticeKind::error, "A file is missing", {}, {}, {{"Find...", [] {}}});
+    HeadlessFrames screen({600, 400});
+    const auto draw = [&](Frame& frame) {
+        frame.time_s = frame.time_s * 60; // minutes
+        notices.draw(frame, {{0, 0}, {600, 400}});
+    };
+    screen.frames(90, draw);
+    EXPECT_THAT(titles(notices), ElementsAre("A file is missing"));
 }
 
 TEST(Notices, SaidTwiceCountUp)

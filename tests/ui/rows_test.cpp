@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <optional>
 
 namespace trivar::ui {
 namespace {
@@ -44,6 +45,68 @@ TEST(Row, GoesBackToItsDefaultByBackspaceOverIt)
     EXPECT_EQ(rows.resets[1], 0);
     rows.strike_over(200);
     EXPECT_EQ(rows.resets[0], 1);
+}
+
+// A number between two rows, which need not apply.
+struct Greyed {
+    HeadlessFrames screen{{400, 300}};
+    double value = 1;
+    bool applies = false;
+    float below = 0; // where the row after it is
+    std::optional<Tip> tip;
+
+    void frames(int count)
+    {
+        screen.frames(count, [&](Frame& frame) {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize({400, 300});
+            ImGui::Begin("panel");
+            rows_if(frame.theme, applies, "Wave is 0.", [&] {
+                const Row row = label_row(frame.theme, "Phase", true, "turns of the wave");
+                if (row.reset) value = 0;
+                number_field(frame.theme, "phase", value, {}, row.width);
+            });
+            below = ImGui::GetCursorScreenPos().y;
+            ImGui::End();
+            tip = tooltips().shown();
+        });
+    }
+    void drag()
+    {
+        screen.input().push(move_to({200, 40}));
+        screen.input().push(press(Button::left));
+        frames(2);
+        screen.input().push(move_to({260, 40}));
+        frames(2);
+        screen.input().push(press(Button::left, false));
+        frames(2);
+    }
+};
+
+TEST(GreyedRows, KeepTheirPlaceAndTakeNothing)
+{
+    Greyed rows;
+    rows.frames(2);
+    const float below = rows.below;
+    rows.drag();
+    rows.screen.input().push(press_key(key_backspace));
+    rows.frames(2);
+    EXPECT_EQ(rows.value, 1);
+    rows.screen.input().push(press_key(key_backspace, false));
+    rows.applies = true;
+    rows.frames(2);
+    EXPECT_EQ(rows.below, below);
+    rows.drag();
+    EXPECT_NE(rows.value, 1);
+}
+
+TEST(GreyedRows, SayWhyTheyDoNotApply)
+{
+    Greyed rows;
+    rows.screen.input().push(move_to({40, 40}));
+    rows.frames(90);
+    ASSERT_TRUE(rows.tip);
+    EXPECT_EQ(rows.tip->sentence, "Wave is 0. Turns of the wave.");
 }
 
 } // namespace

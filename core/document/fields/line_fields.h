@@ -23,7 +23,8 @@ template <> struct FieldsOf<LineStyle> {
     static constexpr std::string_view told_as = "[lines](#lines)";
     static void fields(auto& s, auto&& field)
     {
-        field("width", s.width, "of the lines, pixels", in_range(0.05, 100).called("Line width"));
+        field("width", s.width, "of the lines, pixels",
+              in_range(0.05, 100).called("Line width").in(Unit::pixels));
         field("finest", s.finest, "share of the width down to which a line may become fine",
               in_range(0, 1).called("Finest").in(Unit::share));
         field("width_by", s.width_by,
@@ -37,18 +38,18 @@ template <> struct FieldsOf<LineStyle> {
         field("color", s.color, "sRGB red, green, blue",
               in_range(0, 1).called("Line colour").with_axes("red|green|blue"));
         field("taper", s.taper, "length over which a loose end becomes fine, pixels",
-              in_range(0, 1000).called("Taper"));
+              in_range(0, 1000).called("Taper").in(Unit::pixels));
         field("wobble", s.wobble,
               "greatest distance of a line from its place, as of a hand; pixels",
-              in_range(0, 100).called("Wobble").zero_is("none"));
+              in_range(0, 100).called("Wobble").in(Unit::pixels).zero_is("none"));
         field("pencil", s.pencil,
               "how far a line is like a pencil's: drawn three times, of uneven width",
-              in_range(0, 1).called("Pencil").in(Unit::share).zero_is("pen"));
+              in_range(0, 1).called("Pencil").in(Unit::share).zero_is("none"));
         field("fan_step", s.fan_step,
               "pixels between the fans that tell how the data fall off outside a line",
-              in_range(0, 1000).called("Fans every").zero_is("none"));
+              in_range(0, 1000).called("Fans every").in(Unit::pixels).zero_is("none"));
         field("fan_length", s.fan_length, "of the longest hairs of a fan, pixels",
-              in_range(0.1, 1000).called("Fan length"));
+              in_range(0.1, 1000).called("Fan length").in(Unit::pixels));
         field("seed", s.seed, "of the wobble and the pencil",
               any_value.called("Seed").without_keys());
         field("hidden_lines", s.hidden, "how hidden lines are drawn",

@@ -27,17 +27,18 @@ template <> struct FieldsOf<TileLook> {
         field("wave", l.wave, "by how much heights go up and down, as a share of them",
               later_in_range(0, 10).in(Unit::share));
         field("wave_phase", l.wave_phase, "turns of the wave; keys on it let the wave run",
-              later_in_range(-1e6, 1e6));
+              later_in_range(-1e6, 1e6).in(Unit::turns));
         field("wave_length", l.wave_length,
               "length of the wave, metres on the model; 0: all tiles move at once",
-              later_in_range(0, 1e9).in(Unit::metres));
+              later_in_range(0, 1e9).in(Unit::metres).zero_is("all at once"));
         field("wave_direction", l.wave_direction,
               "where the wave goes to, in the model's space; 0: along Z", later);
         field("wave_variation", l.wave_variation,
-              "turns by which the phases of tiles differ at random", later_in_range(0, 1));
+              "turns by which the phases of tiles differ at random",
+              later_in_range(0, 1).in(Unit::turns));
         field("morph", l.morph,
               "how far tiles have become the other shape: 0 not yet, 1 altogether; may go beyond",
-              later_in_range(-10, 10));
+              later_in_range(-10, 10).in(Unit::share));
         field("morph_variation", l.morph_variation,
               "share of the morph by which the last tiles are behind the first",
               later_in_range(0, 1).in(Unit::share));
@@ -47,15 +48,15 @@ template <> struct FieldsOf<TileLook> {
         field("phases", l.phases, "in how many different phases of clip and morph tiles are",
               later_in_range(1, 64).resting_at(8).without_keys());
         field("slide_x", l.slide_x, "how far tiles have gone along their own X, in sides",
-              later_in_range(-1000, 1000).called("Slide X"));
+              later_in_range(-1000, 1000).called("Slide X").in(Unit::sides));
         field("slide_y", l.slide_y, "how far tiles have gone along their own Y, in sides",
-              later_in_range(-1000, 1000).called("Slide Y"));
+              later_in_range(-1000, 1000).called("Slide Y").in(Unit::sides));
         field(
             "slide_along", l.slide_along,
             "how far tiles that were laid in lines have gone along their strokes, in sides; those "
             "that leave the end are not there, and where a stroke closes they go round; tiles of "
             "strands that leave an end come in again at the other one",
-            later_in_range(-1000, 1000).called("Slide along"));
+            later_in_range(-1000, 1000).called("Slide along").in(Unit::sides));
         field("cell_x0", l.cell_x0,
               "where the unit cell of the tile begins along X, as a share of its box",
               later_in_range(-10, 10).called("Cell from X").in(Unit::share).without_keys());

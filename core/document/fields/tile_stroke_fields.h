@@ -59,7 +59,7 @@ template <> struct FieldsOf<TileStroke> {
               "surface bends least or most, or to a point");
         field("strength", s.strength,
               "of comb, resize, raise, color and morph; negative: smaller, lower or back",
-              in_range(-1, 1));
+              in_range(-1, 1).in(Unit::share));
         field("seed", s.seed, "of the random numbers", in_range(0, 1e9));
         field("hidden", s.hidden, "it does nothing", any_value.called("Stroke").says("off", "on"));
         field("width", s.width, "of a strand: factor of the width of its tiles",

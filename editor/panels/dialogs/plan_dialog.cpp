@@ -23,7 +23,10 @@ PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog)
     const ui::Rect r = ui::begin_dialog(
         theme, dialog.title,
         {theme.px(600), theme.px(56) + skip + fields + skip + lines * line + foot});
-    const bool escape = ImGui::IsKeyPressed(ui::key_escape, false) && !ImGui::IsAnyItemActive();
+    const bool typing = ImGui::IsAnyItemActive(); // these keys end that first
+    const bool escape = !typing && ImGui::IsKeyPressed(ui::key_escape, false);
+    const bool enter = !typing && (ImGui::IsKeyPressed(ui::key_enter, false) ||
+                                   ImGui::IsKeyPressed(ui::key_keypad_enter, false));
     const float y0 = ui::draw_dialog_head(theme, r, dialog.title) + skip, y1 = r.hi.y - foot;
     const auto told = [&] {
         try {
@@ -63,7 +66,7 @@ PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog)
         answer = PlanAnswer::cancelled;
     ImGui::SetCursorScreenPos({r.hi.x - pad - size.x, row});
     ImGui::BeginDisabled(!sense);
-    if (ui::button(theme, dialog.begin(), ui::ButtonKind::primary, size) && sense)
+    if ((ui::button(theme, dialog.begin(), ui::ButtonKind::primary, size) || enter) && sense)
         answer = PlanAnswer::begun;
     ImGui::EndDisabled();
     if (answer != PlanAnswer::none) ImGui::CloseCurrentPopup();

@@ -77,8 +77,7 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
     Preferences& p = editor.preferences;
     const Preferences& usual = usual_preferences();
     std::string backdrop = p.backdrop_as_in_pictures ? "pictures" : "own";
-    choice_row(theme, "Backdrop", backdrop, "own",
-               {{"own", "The window's own"}, {"pictures", "As in pictures"}});
+    choice_row(theme, "Backdrop", backdrop, "own", {{"own", "Viewport"}, {"pictures", "Render"}});
     p.backdrop_as_in_pictures = backdrop == "pictures";
     if (!p.backdrop_as_in_pictures)
         flag_row(theme, "Grid", p.grid, usual.grid, "on the ground, with the axes");
@@ -87,7 +86,7 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
     choice_row(theme, "Triangles", p.view_tolerance, usual.view_tolerance,
                {{"off", "Original"}, {"2", "2 px"}, {"1", "1 px"}, {"0.5", "0.5 px"}});
     foot_note(theme, r,
-              "\"As in pictures\" uses the render background. Triangles of placed objects can be "
+              "Render uses the background of pictures. Triangles of placed objects can be "
               "split for the viewport only, until none is further than this many pixels from the "
               "true surface.");
 }

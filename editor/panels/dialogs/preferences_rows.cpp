@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/panels/dialogs/preferences_pages.h"
 #include "ui/widgets.h"
 
@@ -71,8 +72,7 @@ void choice_row(const ui::Theme& theme, const char* label, double& value, double
 void scale_row(Editor& editor, const ui::Theme& theme)
 {
     std::vector<NamedNumber> scales;
-    for (const double each : interface_scales)
-        scales.push_back({each, fmt::format("{:.0f} %", 100 * each)});
+    for (const double each : interface_scales) scales.push_back({each, percent_text(each)});
     choice_row(theme, "Size", editor.preferences.scale, 1, scales);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/actions/file_actions.h"
 #include "editor/panels/dialogs/plan_dialog.h"
 #include "editor/panels/foot_cards.h"
@@ -78,9 +79,10 @@ bool draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
                  "High has finer shadows and edges, and takes four times as long."));
     draw_frames_row(theme, session.document().time, plan.first, plan.last, &plan.step);
     ui::label_row(theme, "Video", false, "Made by ffmpeg once all frames are rendered.");
-    ui::check_box(theme, "video", plan.video,
-                  fmt::format("also an .mp4, {:.6g} frames per second",
-                              session.document().time.frames_per_second));
+    ui::check_box(
+        theme, "video", plan.video,
+        fmt::format("also an .mp4, {} frames per second",
+                    number_text(session.document().time.frames_per_second, {.digits = 6})));
     return browsed;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/voxels/volume_summary.h"
 #include "editor/panels/dialogs/raw_rows.h"
 #include "editor/panels/panels.h"
@@ -59,9 +60,9 @@ void draw_facts(const ui::Theme& theme, const VolumeOffer& offer)
     ui::fact_row(theme, "Samples", s.type);
     ui::fact_row(theme, "Spacing", triple_words(s.spacing_mm, "mm"), 0,
                  "How far apart samples are along each axis of the grid.");
-    ui::fact_row(
-        theme, "Values",
-        fmt::format("{:.6g} to {}", s.least, value_words(s.greatest, offer.grid->value_unit)));
+    ui::fact_row(theme, "Values",
+                 fmt::format("{} to {}", number_text(s.least, {.digits = 6}),
+                             value_words(s.greatest, offer.grid->value_unit)));
     ui::fact_row(theme, "Memory", bytes_words(s.bytes), 0, "What the samples take in memory.");
 }
 

@@ -76,8 +76,12 @@ std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme, c
     const float left = theme.px(58), right = theme.px(16), line = theme.px(18), top = theme.px(10);
     const std::string count = card->number > 0 ? fmt::format("{} of 3", card->number) : "";
     const float beside = ui::text_width(theme.font.small, count) + theme.px(48); // and the cross
-    const bool notices = !editor.session.notices.all().empty(); // beside them, or not at all
-    const float end = notices ? ui::Notices::left_of(theme, view) : view.hi.x;
+    // Where there is room it stands beside notices whether there are any or not, so that it stays
+    // where it is as they come and go.
+    const float beside_notices = ui::Notices::left_of(theme, view);
+    const bool room = beside_notices - view.lo.x > theme.px(440);
+    const bool notices = room || !editor.session.notices.all().empty();
+    const float end = notices ? beside_notices : view.hi.x;
     const float widest = end - view.lo.x - theme.px(24);
     if (widest < theme.px(240)) return {};
     const Offers offers = offers_of(editor, theme, *card, {widest - left - right, view.height()});

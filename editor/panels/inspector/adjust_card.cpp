@@ -2,6 +2,7 @@
 #include "core/commands/command.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/inspector/field_cells.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
@@ -27,20 +28,17 @@ public:
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
     {
         const double factor = shown_factor(rule.unit);
-        ui::NumberStyle style{.lo = rule.lo * factor, .hi = rule.hi * factor};
-        style.unit = unit_text(rule.unit);
         const float width = row_of(name, help, rule);
         double shown = value * factor;
-        const ui::Edit one = ui::number_field(theme_, std::string(name), shown, style, width);
+        const ui::Edit one = ui::number_field(theme_, std::string(name), shown,
+                                              number_style(rule, false, {}), width);
         if (one == ui::Edit::changed || one == ui::Edit::cancelled) value = shown / factor;
         take(one);
     }
     void operator()(std::string_view name, float& value, std::string_view help, Rule rule = {})
     {
         double number = value;
-        const float width = row_of(name, help, rule);
-        take(ui::number_field(theme_, std::string(name), number,
-                              {.lo = rule.lo, .hi = rule.hi, .bar_hi = rule.hi}, width));
+        (*this)(name, number, help, rule);
         value = static_cast<float>(number);
     }
     void operator()(std::string_view name, glm::vec4& color, std::string_view help, Rule rule = {})

@@ -77,7 +77,7 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
         names.push_back(name);
     }
     names.emplace_back("Custom");
-    const ui::Row at = ui::label_row(theme, "Height map", !grid.empty(), rows.words.help);
+    ui::Row at = ui::label_row(theme, "Height map", !grid.empty(), rows.words.help);
     const auto name_of = [&](std::size_t i, std::size_t j) {
         return rows.words.parameters.front() + "." + std::to_string(i) + "." + std::to_string(j);
     };
@@ -85,6 +85,8 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
     for (std::size_t i = 0; i < grid.size(); ++i)
         for (std::size_t j = 0; j < grid[i].size(); ++j) all.push_back(name_of(i, j));
     if (rows.keys && !all.empty()) rows.keys->mark(theme, at, all);
+    const float whole_width = at.width;
+    const bool open = ui::unfolded(theme, at, "map", !grid.empty());
     if (at.reset) {
         grid.clear();
         edit = ui::Edit::changed;
@@ -93,17 +95,20 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
             grid = shapes()[static_cast<std::size_t>(shape)].second;
         else if (grid.empty())
             grid = {{1, 1, 1}, {1, 1.3, 1}, {1, 1, 1}};
+        if (shape == static_cast<int>(shapes().size())) ui::unfold("map");
         chosen = -1;
         edit = ui::Edit::changed;
     }
-    if (!grid.empty()) {
-        const HeightMap map(grid);
+    if (open) {
+        const HeightGrid even(3, {1, 1, 1});
+        HeightGrid drawn = grid.empty() ? even : grid;
+        const HeightMap map(drawn);
         const bool known = rows.size_world > 0;
         const double scale = known ? rows.size_world : 1;
         const std::string unit = known ? "m" : "";
         ImGui::SetCursorScreenPos(
             {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
-        take(ui::height_field(theme, "surface", grid, chosen,
+        take(ui::height_field(theme, "surface", drawn, chosen,
                               {.at = [&](double u, double v) { return map.at(u, v); },
                                .along = map.along(),
                                .across = map.across(),
@@ -112,27 +117,29 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
                                .scale = scale,
                                .unit = unit,
                                .color = theme.color.lattice},
-                              at.width + theme.size.label));
+                              whole_width + theme.size.label));
         ui::tooltip({"Height map",
                      {},
                      "Drag a point of the surface, or a cell, up or down; a double click types."});
         ui::gap(theme, 4);
-        take(grid_row(theme, grid, chosen));
-        const auto columns = grid.front().size();
-        if (chosen >= 0 && static_cast<std::size_t>(chosen) < grid.size() * columns) {
-            const auto i = static_cast<std::size_t>(chosen) / columns,
-                       j = static_cast<std::size_t>(chosen) % columns;
-            double& value = grid[i][j];
+        take(grid_row(theme, drawn, chosen));
+        const auto columns = drawn.front().size();
+        const bool any = chosen >= 0 && static_cast<std::size_t>(chosen) < drawn.size() * columns;
+        ui::rows_if(theme, any, "No point of the map is selected.", [&] {
+            const std::size_t point = any ? static_cast<std::size_t>(chosen) : 0;
+            const auto i = point / columns, j = point % columns;
+            double& value = drawn[i][j];
             double size = value * scale;
             const ui::Row row =
                 ui::label_row(theme, "Point", false, "The height of the selected point.");
-            if (rows.keys) rows.keys->mark(theme, row, {name_of(i, j)});
+            if (rows.keys && !grid.empty()) rows.keys->mark(theme, row, {name_of(i, j)});
             const ui::Edit typed = ui::number_field(
                 theme, "point", size,
                 {.lo = least_profile * scale, .hi = most_profile * scale, .unit = unit}, row.width);
             if (typed == ui::Edit::changed) value = size / scale;
             take(typed);
-        }
+        });
+        if (edit == ui::Edit::changed && (!grid.empty() || drawn != even)) grid = drawn;
         ui::gap(theme, 4);
     }
     ImGui::PopID();

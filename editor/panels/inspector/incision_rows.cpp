@@ -58,27 +58,38 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
     const ui::Theme& theme = rows.theme;
     const FieldFacts facts = incision_facts(name);
     const std::string label = label_of(facts.name, facts.rule);
-    const CutProfile before = profile;
-    rows.choice(label, static_cast<int>(profile.shape), static_cast<int>(rest),
-                {"Lens", "Even", "Custom"}, RowWords(without_unit(facts.help)),
-                [&](int shape) { profile.shape = static_cast<CutProfile::Shape>(shape); });
-    if (profile.shape != CutProfile::Shape::custom) return;
-    if (before.shape != CutProfile::Shape::custom || profile.points.size() < 2)
-        profile.points = custom_points(before);
+    constexpr int custom = static_cast<int>(CutProfile::Shape::custom);
+    int shape = static_cast<int>(profile.shape);
+    bool open = false;
+    rows.row(label, shape, static_cast<int>(rest), RowWords(without_unit(facts.help)),
+             [&](float width) {
+                 ui::Row row{width};
+                 open = ui::unfolded(theme, row, label, shape == custom);
+                 return ui::segments(theme, label, shape, {"Lens", "Even", "Custom"}, row.width);
+             });
+    std::vector<glm::dvec2> points = custom_points(profile);
+    if (shape == custom && profile.shape != CutProfile::Shape::custom) {
+        profile.points = points;
+        ui::unfold(label);
+    }
+    profile.shape = static_cast<CutProfile::Shape>(shape);
+    if (!open) return;
     ImGui::SetCursorScreenPos(
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
     const float width =
         ImGui::GetWindowWidth() - 2 * theme.size.padding - theme.px(ui::key_gutter - 12);
     const CutProfile drawn = profile;
-    rows.take(ui::curve_field(theme, label, profile.points, chosen,
-                              {.at = [drawn](double x) { return value_at(drawn, x); },
-                               .lo = 0,
-                               .hi = 1,
-                               .scale = size,
-                               .unit = "m",
-                               .color = color,
-                               .ends = {"start", "end"}},
-                              width));
+    const ui::Edit edit = ui::curve_field(theme, label, points, chosen,
+                                          {.at = [drawn](double x) { return value_at(drawn, x); },
+                                           .lo = 0,
+                                           .hi = 1,
+                                           .scale = size,
+                                           .unit = "m",
+                                           .color = color,
+                                           .ends = {"start", "end"}},
+                                          width);
+    if (edit == ui::Edit::changed) profile = {CutProfile::Shape::custom, points};
+    rows.take(edit);
     ui::tooltip({label,
                  {},
                  "Drag a point. Ctrl click adds a point or removes one, Del removes the selected "
@@ -106,14 +117,19 @@ void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
     number_row(rows, "width", number, cut.width, rest.cut.width);
     number_row(rows, "depth", number, cut.depth, rest.cut.depth);
     choice_row(rows, "floor", cut.floor, rest.cut.floor, {"Sharp", "Flat", "Through"});
-    if (cut.floor == Incision::Floor::u)
+    const ui::Theme& theme = rows.theme;
+    ui::rows_if(theme, cut.floor == Incision::Floor::u, "Only for a flat floor.", [&] {
         number_row(rows, "floor_width", number, cut.floor_width, rest.cut.floor_width);
-    if (cut.floor == Incision::Floor::through && cut.stroke.size() > 1 &&
-        cut.stroke.front().p == cut.stroke.back().p)
-        choice_row(rows, "piece", cut.piece, rest.cut.piece, {"Kept", "Left out"});
+    });
+    const bool loop = cut.stroke.size() > 1 && cut.stroke.front().p == cut.stroke.back().p;
+    ui::rows_if(theme, cut.floor == Incision::Floor::through && loop,
+                "Only for a closed incision that goes through.", [&] {
+                    choice_row(rows, "piece", cut.piece, rest.cut.piece, {"Kept", "Left out"});
+                });
     number_row(rows, "lean_deg", number, cut.lean_deg, rest.cut.lean_deg);
     number_row(rows, "bevel", number, cut.bevel, rest.cut.bevel);
-    if (cut.bevel > 0) number_row(rows, "roundness", number, cut.roundness, rest.cut.roundness);
+    ui::rows_if(theme, cut.bevel > 0, "There is no bevel.",
+                [&] { number_row(rows, "roundness", number, cut.roundness, rest.cut.roundness); });
     number_row(rows, "reach", number, cut.reach, rest.cut.reach);
     number_row(rows, "from", number, incision.opening.from, rest.opening.from);
     number_row(rows, "to", number, incision.opening.to, rest.opening.to);

@@ -79,24 +79,31 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
         std::ranges::any_of(all, [&](const Playing& each) { return each.clip != before.clip; });
     const std::optional<std::string> taken = clip_row(rows, before.clip, clips, mixed);
     if (taken) p.clip = *taken;
-    if (!p.clip.empty()) {
-        const bool laid = std::ranges::all_of(
-            ids, [&](Id id) { return object(document, id).stroke.has_value(); });
-        if (laid || p.foot_lock) fields(&Playing::foot_lock);
-        const Ref<Walk> walk =
-            ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;
-        if (walk && walk->trouble.empty()) {
-            ui::fact_row(theme, "Feet slide", of_stride(*walk->slide));
-            ui::fact_row(theme, "Feet moved", of_stride(walk->correction));
-            ui::fact_row(theme, "Own speed", ui::short_number(walk->natural_speed) + " m/s");
-        }
-        if (!p.foot_lock) {
+    const bool laid =
+        std::ranges::all_of(ids, [&](Id id) { return object(document, id).stroke.has_value(); });
+    const Ref<Walk> walk =
+        ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;
+    const bool walks = walk && walk->trouble.empty();
+    ui::rows_if(theme, !p.clip.empty(), "No clip is played.", [&] {
+        ui::rows_if(theme, laid || p.foot_lock, "It is not placed on a stroke.",
+                    [&] { fields(&Playing::foot_lock); });
+        ui::rows_if(theme, walks, "Its feet are not locked.", [&] {
+            ui::fact_row(theme, "Feet slide", walks ? of_stride(*walk->slide) : "");
+            ui::fact_row(theme, "Feet moved", walks ? of_stride(walk->correction) : "");
+            ui::fact_row(theme, "Own speed",
+                         walks ? ui::short_number(walk->natural_speed) + " m/s" : "");
+        });
+        const auto own_pace = [&](const std::function<void()>& draw) {
+            ui::rows_if(theme, !p.foot_lock, "Its feet are locked, so its way sets the pace.",
+                        draw);
+        };
+        own_pace([&] {
             fields(&Playing::speed);
             fields(&Playing::repeat);
-        }
+        });
         fields(&Playing::offset);
-        if (!p.foot_lock) fields.resting_at(document.time.first_frame, &Playing::start_frame);
-    }
+        own_pace([&] { fields.resting_at(document.time.first_frame, &Playing::start_frame); });
+    });
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {
         if (ids.size() == 1) return PlayClip{ids, p};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_incisions.h"
 
+#include "core/base/number_text.h"
 #include "core/commands/edits.h"
 #include "core/commands/peel.h"
 #include "editor/panels/inspector/field_rows.h"
@@ -102,23 +103,6 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
     return changed;
 }
 
-void warning_lines(const ui::Theme& theme, const std::string& words)
-{
-    const float edge = theme.px(12), icon = theme.px(22);
-    const float width = ImGui::GetContentRegionAvail().x - 2 * edge - icon;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float line = theme.px(18);
-    float y = at.y + theme.px(2);
-    ui::paint_text(theme.font.body, ui::rect_at({at.x + edge, y}, {icon, line}), theme.color.warn,
-                   ui::icon::warning);
-    for (const std::string& each : ui::wrapped(theme.font.body, words, width)) {
-        ui::paint_text(theme.font.body, ui::rect_at({at.x + edge + icon, y}, {width, line}),
-                       theme.color.text_2, each);
-        y += line;
-    }
-    ImGui::Dummy({1, y - at.y + theme.px(2)});
-}
-
 // The section of the chosen incision, and what it was made of.
 struct SeenSection {
     IncisedSkin skin;
@@ -143,7 +127,6 @@ void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision
         kept.layers = layers;
         kept.section = section_of(kept.skin, incision, layers);
     }
-    if (!(kept.section.length > 0)) return;
     ui::gap(theme, 4);
     ImGui::SetCursorScreenPos(
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
@@ -153,28 +136,19 @@ void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision
     ui::gap(theme, 8);
 }
 
-// What became of it.
-void outcome_rows(const ui::Theme& theme, const Outcome& outcome, const NamedIncision& incision)
+// What became of it; what is wrong with it is said at the foot of the panel.
+void outcome_rows(const ui::Theme& theme, const Outcome* outcome)
 {
-    if (!outcome.refusal.empty())
-        return warning_lines(theme, "It is left out: " + outcome.refusal + ".");
-    if (!outcome.shortfall.empty())
-        warning_lines(theme, incision.cut.floor == Incision::Floor::through
-                                 ? "It does not go through: " + outcome.shortfall + "."
-                                 : "It keeps its piece: " + outcome.shortfall + ".");
-    if (!outcome.notice.empty()) warning_lines(theme, "It is cut in part: " + outcome.notice + ".");
-    const auto metres = [](double value) { return ui::short_number(value) + " m"; };
-    ui::fact_row(theme, "Length", metres(outcome.length), theme.color.text, "of its stroke");
-    if (outcome.depth < 0.98 * incision.cut.depth)
-        ui::fact_row(theme, "Depth here", metres(outcome.depth), theme.color.text,
-                     "as far as there is body below it");
-    else if (outcome.least_depth < 0.98)
-        ui::fact_row(theme, "Least depth", fmt::format("{:.0f} %", 100 * outcome.least_depth),
-                     theme.color.text, "of what it asks for, as far as there is body below it");
-    if (outcome.widest < hardly_narrowed)
-        warning_lines(theme, fmt::format("It opens to {:.0f} % of its width, as its walls would "
-                                         "meet beyond. Reduce its width or its depth.",
-                                         100 * outcome.widest));
+    const bool cut = outcome && outcome->refusal.empty();
+    const auto metres = [&](double value) {
+        return cut ? ui::short_number(value) + " m" : std::string();
+    };
+    ui::fact_row(theme, "Length", metres(cut ? outcome->length : 0), theme.color.text,
+                 "of its stroke");
+    ui::fact_row(theme, "Depth here", metres(cut ? outcome->depth : 0), theme.color.text,
+                 "as far as there is body below it");
+    ui::fact_row(theme, "Least depth", cut ? percent_text(outcome->least_depth) : "",
+                 theme.color.text, "of what it asks for, as far as there is body below it");
 }
 
 // Lets it be cut before the one above it in the list. True: the incisions have changed.
@@ -258,11 +232,11 @@ bool chosen_incision(Editor& editor, const ui::Theme& theme, Id id, int number,
     const ui::Row name = ui::label_row(theme, "Name", false, "what it is called");
     rows.take(ui::text_field(theme, "name", incision.name, fmt::format("Incision {}", number),
                              name.width));
-    if (!before.hidden) section_row(editor, rows, id, incision);
+    ui::rows_if(theme, !before.hidden, "The incision is off.",
+                [&] { section_row(editor, rows, id, incision); });
     draw_incision_rows(rows, incision, number, editor.memory.of<ChosenCutPoints>());
     blade_row(session, rows, id, incision);
-    if (const Outcome* outcome = outcome_of(session, id, number); outcome && !before.hidden)
-        outcome_rows(theme, *outcome, before);
+    outcome_rows(theme, before.hidden ? nullptr : outcome_of(session, id, number));
     propose_edit(editor, rows.edit, [&] { return edit_of_numbers(id, number, incision); });
     if (incision_buttons(session, theme, id, number, before)) return true;
     return earlier_button(session, theme, id, number);
@@ -325,7 +299,8 @@ bool layer_rows(ValueRows& rows, IncisionLayer& layer, std::size_t k, bool last)
     FieldRows<Surfacing> look(rows, layer.look, fmt::format("incising.layers.{}", k));
     look(&Surfacing::base_color);
     look(&Surfacing::filling);
-    if (layer.look.filling == Filling::none) look(&Surfacing::roughness);
+    ui::rows_if(theme, layer.look.filling == Filling::none, "Solid textures have their own.",
+                [&] { look(&Surfacing::roughness); });
     ui::gap(theme, 4);
     ImGui::PopID();
     return removed;

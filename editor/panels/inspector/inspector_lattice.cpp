@@ -66,7 +66,6 @@ void choose_warp(const ui::Theme& theme, WarpAtHand& at_hand, const Steps& steps
         names.push_back(fmt::format("{}  {}", step, words_of(*steps[step - 1], true)));
         numbers.push_back(step);
     }
-    if (names.size() == 1) return;
     const ui::Row row = ui::label_row(
         theme, "Step", false, "the warp that these numbers change: an earlier one or a new one");
     if (ui::choice(theme, "warp", chosen, names, row.width) == ui::Edit::changed)

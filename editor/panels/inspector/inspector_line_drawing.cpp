@@ -21,23 +21,23 @@ void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
         session.run(on ? Command(SetLineDrawing{{id}, {}}) : ClearLineDrawing{{id}});
         return;
     }
-    if (!now) {
-        ui::gap(theme, 8);
-        return;
-    }
-    LineDrawing drawing = *now;
+    LineDrawing drawing = now.value_or(LineDrawing{});
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     const std::string own = "line_drawing";
     FieldRows<LineDrawing> fields(rows, drawing, own);
-    fields(&LineDrawing::outlines);
-    fields(&LineDrawing::creases);
-    if (drawing.creases) fields(&LineDrawing::crease_deg);
-    fields(&LineDrawing::borders);
-    fields(&LineDrawing::surface);
-    if (drawing.surface) fields(&LineDrawing::paper);
-    draw_ink_rows(rows, drawing.ink, {}, own + ".ink");
-    draw_more_line_rows(rows, drawing.more, own + ".more");
+    ui::rows_if(theme, now.has_value(), "It is not drawn in lines.", [&] {
+        fields(&LineDrawing::outlines);
+        fields(&LineDrawing::creases);
+        ui::rows_if(theme, drawing.creases, "No creases are drawn.",
+                    [&] { fields(&LineDrawing::crease_deg); });
+        fields(&LineDrawing::borders);
+        fields(&LineDrawing::surface);
+        ui::rows_if(theme, drawing.surface, "The surface is not drawn.",
+                    [&] { fields(&LineDrawing::paper); });
+        draw_ink_rows(rows, drawing.ink, {}, own + ".ink");
+        draw_more_line_rows(rows, drawing.more, own + ".more");
+    });
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] { return SetLineDrawing{{id}, drawing}; });
 }

@@ -44,39 +44,29 @@ void mask_row(Editor& editor, const ui::Theme& theme, Id id, std::size_t k, cons
               OpenMask& open)
 {
     Session& session = editor.session;
-    const float side = theme.size.row, edge = theme.px(12);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
     const int number = static_cast<int>(k) + 1;
     const bool shown = open.layer == id && open.mask == k;
     ImGui::PushID(number);
-    if (ImGui::InvisibleButton("mask", {width, side})) {
-        if (shown)
-            open.layer = 0;
-        else
-            open = {id, k};
-    }
-    const ui::Rect row = ui::rect_at({at.x + edge, at.y}, {width - edge, side});
-    ui::paint_text(theme.font.body, row, theme.color.text_3,
-                   shown ? ui::icon::open : ui::icon::closed);
-    ui::name_text(theme.font.body, {row.lo + glm::vec2(theme.px(16), 0), row.hi},
-                  mask.hidden ? theme.color.text_3 : theme.color.text,
-                  words_of_mask(session, mask));
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
-    if (ui::icon_button(theme, "mask off", mask.hidden ? ui::icon::hidden : ui::icon::eye,
-                        {side, side},
-                        {mask.hidden ? "Turn this mask on" : "Turn this mask off", {}, {}})) {
+    const std::optional<int> pressed =
+        ui::list_row(theme,
+                     {.name = words_of_mask(session, mask),
+                      .color = mask.hidden ? theme.color.text_3 : theme.color.text,
+                      .icon = shown ? ui::icon::open : ui::icon::closed,
+                      .tip = ui::Tip{shown ? "Hide its numbers" : "Show its numbers"}},
+                     {{"mask off",
+                       mask.hidden ? ui::icon::hidden : ui::icon::eye,
+                       {mask.hidden ? "Turn this mask on" : "Turn this mask off", {}, {}}},
+                      {"remove mask",
+                       ui::icon::trash,
+                       {"Remove this mask", {}, "Tiles are where they were without it."}}});
+    ImGui::PopID();
+    if (pressed == -1) open = shown ? OpenMask{} : OpenMask{id, k};
+    if (pressed == 0) {
         TileMask other = mask;
         other.hidden = !other.hidden;
         session.run(MaskTiles{id, number, std::move(other)});
     }
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4) + side, at.y});
-    if (ui::icon_button(theme, "remove mask", ui::icon::trash, {side, side},
-                        {"Remove this mask", {}, "Tiles are where they were without it."}))
-        session.run(RemoveTileMasks{id, {number}});
-    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
-    ImGui::Dummy({1, 0});
-    ImGui::PopID();
+    if (pressed == 1) session.run(RemoveTileMasks{id, {number}});
 }
 
 void picture_row(const ui::Theme& theme, const std::string& image, const std::string& help,
@@ -126,7 +116,12 @@ void mask_fields(Editor& editor, const ui::Theme& theme, Id id, std::size_t k,
     fields(&TileMask::low);
     fields(&TileMask::high);
     fields(&TileMask::inverted);
-    if (mask.from == MaskFrom::image) {
+    const auto only_from = [&](std::initializer_list<MaskFrom> kinds, const char* why_not,
+                               const std::function<void()>& draw) {
+        ui::rows_if(theme, std::ranges::count(kinds, before.from) > 0, why_not, draw);
+    };
+    using From = MaskFrom;
+    only_from({From::image}, "The mask is not from a picture.", [&] {
         picture_row(theme, mask.image, "the file of the picture",
                     [&] { ask_mask_image(editor, id, number); });
         wide_choice(rows, "Lies", mask.lies, facts_of(&TileMask::lies).help);
@@ -134,16 +129,18 @@ void mask_fields(Editor& editor, const ui::Theme& theme, Id id, std::size_t k,
         fields(&TileMask::repeat_v);
         fields(&TileMask::shift_u);
         fields(&TileMask::shift_v);
-    } else {
-        if (mask.from == MaskFrom::line || mask.from == MaskFrom::point) fields(&TileMask::begin);
-        if (mask.from == MaskFrom::line) fields(&TileMask::end);
-        if (mask.from == MaskFrom::curve) curve_row(editor, rows, mask);
-        if (mask.from != MaskFrom::line) {
-            fields(&TileMask::start);
-            fields(&TileMask::stop);
-        }
-        wide_choice(rows, "Easing", mask.easing, facts_of(&TileMask::easing).help);
-    }
+    });
+    only_from({From::line, From::point}, "The mask is not along a line or round a point.",
+              [&] { fields(&TileMask::begin); });
+    only_from({From::line}, "The mask is not along a line.", [&] { fields(&TileMask::end); });
+    only_from({From::curve}, "The mask is not round a curve.",
+              [&] { curve_row(editor, rows, mask); });
+    only_from({From::point, From::curve}, "The mask is not round a point or a curve.", [&] {
+        fields(&TileMask::start);
+        fields(&TileMask::stop);
+    });
+    only_from({From::line, From::point, From::curve}, "The mask is from a picture.",
+              [&] { wide_choice(rows, "Easing", mask.easing, facts_of(&TileMask::easing).help); });
     // A mask becomes one by a picture when there is one.
     if (mask.from == MaskFrom::image && mask.image.empty()) {
         if (rows.edit != ui::Edit::none) ask_mask_image(editor, id, number);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
@@ -31,13 +32,18 @@ void refined_facts(const ui::Theme& theme, const Evaluation& evaluated, const st
         open += its.not_certified();
         bound = std::max(bound, its.bound);
     }
-    if (after == 0) return; // hidden, not evaluated yet, or refused: the notices say why
-    ui::fact_row(theme, "Triangles", ui::with_commas(after), 0, "once they are split");
-    ui::fact_row(theme, "Before", ui::with_commas(before), 0, "triangles of the model");
-    if (std::isfinite(bound))
-        ui::fact_row(theme, "Error", "at most " + ui::short_number(rounded_up(bound, 3)) + " m", 0,
-                     "how far the flat triangles are proven to be from the true surface");
-    ui::fact_row(theme, "Certified", open == 0 ? "all" : "all but " + ui::with_commas(open),
+    const bool any = after > 0; // else hidden, not evaluated yet, or refused: the notices say why
+    ui::fact_row(theme, "Triangles", any ? with_commas(after) : "", 0, "once they are split");
+    ui::fact_row(theme, "Before", any ? with_commas(before) : "", 0, "triangles of the model");
+    ui::fact_row(theme, "Error",
+                 !any                   ? ""
+                 : std::isfinite(bound) ? "at most " + ui::short_number(rounded_up(bound, 3)) + " m"
+                                        : "no bound",
+                 0, "how far the flat triangles are proven to be from the true surface");
+    ui::fact_row(theme, "Certified",
+                 !any        ? ""
+                 : open == 0 ? "all"
+                             : "all but " + with_commas(open),
                  open == 0 ? theme.color.good : theme.color.warn,
                  "triangles that are proven to be within the tolerance");
 }
@@ -59,7 +65,7 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
     bool on = ids.size() == placed.size();
     ui::label_row(theme, "Edges", false, "splits them until the bent surface is certified");
     const ui::Edit turned = ui::check_box(
-        theme, "refined", on, on || ids.empty() ? "split where bent" : "some are split");
+        theme, "refined", on, on || ids.empty() ? "refine where bent" : "some are refined");
     if (turned == ui::Edit::copied) {
         copy_command(editor, on ? refine_each(ids, all) : ClearRefine{placed});
     } else if (turned == ui::Edit::changed) {
@@ -72,12 +78,12 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
     const KeyGutter keys(editor, ids);
     ValueRows rows{theme, &keys};
     FieldRows<Refining> fields(rows, r, "refining", all);
-    if (!ids.empty()) {
+    ui::rows_if(theme, !ids.empty(), "Its edges are not refined.", [&] {
         fields(&Refining::tolerance);
         fields(&Refining::split);
         fields(&Refining::budget);
         refined_facts(theme, session.evaluated(), ids);
-    }
+    });
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {
         for (Refining& each : all) fields.put_into(each);

@@ -49,39 +49,33 @@ void stroke_row(Editor& editor, const ui::Theme& theme, Id id, int number, const
     Session& session = editor.session;
     auto& open = editor.memory.of<OpenStroke>();
     const bool is_open = open.layer == id && open.number == number;
-    const float side = theme.size.row, edge = theme.px(12); // as rows have it
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
     ImGui::PushID(number);
-    if (ImGui::InvisibleButton("numbers", {width, side}))
-        open = is_open ? OpenStroke{} : OpenStroke{id, number};
-    ui::tooltip(
-        {is_open ? "Hide the numbers of this stroke" : "Show the numbers of this stroke", {}, {}});
-    const ui::Color color = stroke.hidden ? theme.color.text_3 : theme.color.text_2;
-    ui::paint_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {theme.px(16), side}), color,
-                   is_open ? ui::icon::open : ui::icon::closed);
-    const float left = edge + theme.px(16);
-    ui::name_text(theme.font.body, ui::rect_at({at.x + left, at.y}, {width - left, side}), color,
-                  fmt::format("{}  {}", number, words_of_stroke(stroke)));
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
-    if (ui::icon_button(theme, "stroke off", stroke.hidden ? ui::icon::hidden : ui::icon::eye,
-                        {side, side},
-                        {stroke.hidden ? "Turn this stroke on" : "Turn this stroke off",
-                         {},
-                         "The strokes after it act on what is left."})) {
+    const std::optional<int> pressed =
+        ui::list_row(theme,
+                     {.name = fmt::format("{}  {}", number, words_of_stroke(stroke)),
+                      .color = stroke.hidden ? theme.color.text_3 : theme.color.text_2,
+                      .icon = is_open ? ui::icon::open : ui::icon::closed,
+                      .tip = ui::Tip{is_open ? "Hide the numbers of this stroke"
+                                             : "Show the numbers of this stroke"}},
+                     {{"stroke off",
+                       stroke.hidden ? ui::icon::hidden : ui::icon::eye,
+                       {stroke.hidden ? "Turn this stroke on" : "Turn this stroke off",
+                        {},
+                        "The strokes after it act on what is left."}},
+                      {"remove stroke",
+                       ui::icon::trash,
+                       {"Remove this stroke", {}, "The other strokes stay."}}});
+    ImGui::PopID();
+    if (pressed == -1) open = is_open ? OpenStroke{} : OpenStroke{id, number};
+    if (pressed == 0) {
         TileStroke other = stroke;
         other.hidden = !other.hidden;
         session.run(EditTileStroke{id, number, std::move(other)});
     }
-    ImGui::SetCursorScreenPos({at.x + width + theme.px(4) + side, at.y});
-    if (ui::icon_button(theme, "remove stroke", ui::icon::trash, {side, side},
-                        {"Remove this stroke", {}, "The other strokes stay."})) {
+    if (pressed == 1) {
         session.run(RemoveTileStrokes{id, {number}});
         open = {};
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
-    ImGui::Dummy({1, 0});
-    ImGui::PopID();
 }
 
 // `limit`: the height of the layer up to which no tile of the stroke folds.
@@ -109,7 +103,8 @@ void stroke_numbers(Editor& editor, const ui::Theme& theme, Id id, int number,
         fields(&TileStroke::height);
         fields(&TileStroke::size_variation);
         fields(&TileStroke::heading);
-        if (stroke.heading == TileHeading::to_point) fields(&TileStroke::point);
+        ui::rows_if(theme, stroke.heading == TileHeading::to_point,
+                    "Only for the heading To point.", [&] { fields(&TileStroke::point); });
         fields(&TileStroke::turn_variation_deg);
         if (brush == TileBrush::fill) fields(&TileStroke::area);
         fields(&TileStroke::seed);
@@ -130,8 +125,9 @@ void stroke_numbers(Editor& editor, const ui::Theme& theme, Id id, int number,
         (!lays && brush != TileBrush::adjust && brush != TileBrush::grab))
         fields(&TileStroke::radius);
     fields(&TileStroke::mirror);
-    if (lays && brush != TileBrush::strand && stroke.mirror != TileMirror::none)
-        fields(&TileStroke::mirrors_tiles);
+    if (lays && brush != TileBrush::strand)
+        ui::rows_if(theme, stroke.mirror != TileMirror::none, "The stroke has no mirror.",
+                    [&] { fields(&TileStroke::mirrors_tiles); });
     propose_edit(editor, rows.edit, [&] { return EditTileStroke{id, number, changed}; });
     ui::gap(theme, 4);
     ImGui::PopID();

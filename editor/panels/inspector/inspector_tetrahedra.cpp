@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_tetrahedra.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "core/commands/tetrahedra.h"
 #include "core/simplex/from_lattice.h"
@@ -108,11 +109,10 @@ void facts(const Session& session, const ui::Theme& theme, Id id)
     const auto found = session.evaluated().objects.find(id);
     if (found == session.evaluated().objects.end() || !found->second->tetrahedra) return;
     const SimplexVolume& volume = *found->second->tetrahedra->volume;
-    ui::fact_row(theme, "Tetrahedra",
-                 ui::with_commas(volume.layers.front()->domain().cells.size()));
-    ui::fact_row(theme, "Control points", ui::with_commas(volume.displacements.size()));
+    ui::fact_row(theme, "Tetrahedra", with_commas(volume.layers.front()->domain().cells.size()));
+    ui::fact_row(theme, "Control points", with_commas(volume.displacements.size()));
     if (volume.layers.size() > 1)
-        ui::fact_row(theme, "Refinements", ui::with_commas(volume.layers.size() - 1));
+        ui::fact_row(theme, "Refinements", with_commas(volume.layers.size() - 1));
     const auto* shape = std::get_if<TetrahedraShape>(&object(session.document(), id).source);
     if (shape && is_as_converted(*shape))
         ui::fact_row(theme, "Off the lattice",
@@ -143,7 +143,7 @@ void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
         const bool held = shown && i < shown->outcomes.size() && shown->outcomes[i].share < 1;
         const RowPress press = edit_row(
             theme, fmt::format("{}  {}", i + 1, words_of(shape.edits[i], shape.degree)),
-            held ? fmt::format("{:.0f} %", 100 * shown->outcomes[i].share) : "",
+            held ? percent_text(shown->outcomes[i].share) : "",
             shape.edits[i].refinement ? "Pulls of the refinement are removed too; other edits stay."
                                       : "Later edits stay.",
             i == chosen, held);

@@ -74,24 +74,26 @@ void chosen_rows(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int ch
     const std::string own = of.parameter(chosen);
     rows.choice("Show", static_cast<int>(shows_of(level)), static_cast<int>(LevelShows::both),
                 {"Lines", "Surface", "Both"},
-                RowWords("Lines are its silhouettes, found anew for the view.",
+                RowWords("Silhouette lines follow the view.",
                          std::vector{own + ".lines", own + ".surface"}),
                 [&](int now) {
                     if (now != static_cast<int>(shows_of(level)))
                         show(level, static_cast<LevelShows>(now));
                 });
-    if (level.lines) {
+    ui::rows_if(rows.theme, level.surface, "The surface is not shown.", [&] {
+        FieldRows<Surfacing> look(rows, level.look, own);
+        const Surfacing rest = new_level({}, 0).look;
+        look.resting_at(rest.base_color, &Surfacing::base_color);
+        look.resting_at(rest.metallic, &Surfacing::metallic);
+        look.resting_at(rest.roughness, &Surfacing::roughness);
+    });
+    ui::rows_if(rows.theme, level.lines, "No lines are drawn.", [&] {
         draw_ink_rows(rows, level.ink, new_level({}, 0).ink, own + ".ink");
-        if (shape.order == FieldOrder::cubic)
-            FieldRows<VoxelLevel>(rows, level, own)(&VoxelLevel::certified);
+        ui::rows_if(rows.theme, shape.order == FieldOrder::cubic,
+                    "Only where Order is cubic, in the section Reconstruction.",
+                    [&] { FieldRows<VoxelLevel>(rows, level, own)(&VoxelLevel::certified); });
         draw_more_line_rows(rows, level.more, own + ".more");
-    }
-    if (!level.surface) return;
-    FieldRows<Surfacing> look(rows, level.look, own);
-    const Surfacing rest = new_level({}, 0).look;
-    look.resting_at(rest.base_color, &Surfacing::base_color);
-    look.resting_at(rest.metallic, &Surfacing::metallic);
-    look.resting_at(rest.roughness, &Surfacing::roughness);
+    });
 }
 
 // A corner of the box that is dragged stops before the other one.
@@ -162,7 +164,7 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PushID("rows"); // the section has the name of a row
         FieldRows<VolumeCasting> fields(rows, s.casting, "shape.casting");
         fields(&VolumeCasting::shown);
-        if (s.casting.shown) {
+        ui::rows_if(theme, s.casting.shown, "The data are not cast.", [&] {
             auto& point = editor.memory.of<ChosenTransferPoint>();
             if (point.object != id) point = {id};
             draw_transfer(rows, of, s.casting, point.number);
@@ -170,7 +172,7 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
             fields(&VolumeCasting::shading);
             fields(&VolumeCasting::crop_low);
             fields(&VolumeCasting::crop_high);
-        }
+        });
         ImGui::PopID();
         ui::gap(theme, 8);
     }
@@ -188,10 +190,10 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PushID("fit"); // the section has the name of a row
         FieldRows<TetrahedraFit> fields(rows, s.fit, "shape.fit");
         fields(&TetrahedraFit::coefficients);
-        if (s.fit.coefficients > 0) {
+        ui::rows_if(theme, s.fit.coefficients > 0, "No tetrahedra are fitted.", [&] {
             fields(&TetrahedraFit::degree);
             fields(&TetrahedraFit::boundary);
-        }
+        });
         ImGui::PopID();
         ui::gap(theme, 8);
     }

@@ -53,6 +53,13 @@ std::array<std::string, 2> ends(ProfileKind kind)
     return {"start", "end"};
 }
 
+// What "Even" is as a curve.
+Points even(ProfileKind kind)
+{
+    if (kind == ProfileKind::rise) return {{0, 0}, {1, 1}};
+    return {{0, 1}, {1, 1}};
+}
+
 // Where "Custom" begins.
 Points custom(ProfileKind kind)
 {
@@ -111,13 +118,15 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
         if (known_shapes[i].second == points) shape = static_cast<int>(i);
     }
     names.emplace_back("Custom");
-    const ui::Row at = ui::label_row(theme, rows.label, !points.empty(), rows.words.help);
+    ui::Row at = ui::label_row(theme, rows.label, !points.empty(), rows.words.help);
     std::vector<std::string> all; // its numbers
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::string& name :
              axes_of(rows.words.parameters.front() + "." + std::to_string(i), 2))
             all.push_back(std::move(name));
     if (rows.keys && !all.empty()) rows.keys->mark(theme, at, all);
+    const float whole_width = at.width;
+    const bool open = ui::unfolded(theme, at, "curve", !points.empty());
     if (at.reset) {
         points.clear();
         edit = ui::Edit::changed;
@@ -126,18 +135,20 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
             points = known_shapes[static_cast<std::size_t>(shape)].second;
         else if (points.empty())
             points = custom(rows.kind);
+        if (shape == static_cast<int>(known_shapes.size())) ui::unfold("curve");
         chosen = -1;
         edit = ui::Edit::changed;
     }
-    if (!points.empty()) {
+    if (open) {
         const bool rises = rows.kind == ProfileKind::rise;
-        const ShareCurve curve(points);
+        Points drawn_points = points.empty() ? even(rows.kind) : points;
+        const ShareCurve curve(drawn_points);
         const bool known = rows.size_world > 0;
         const double scale = known ? rows.size_world : 1;
         const std::string unit = known ? "m" : "";
         ImGui::SetCursorScreenPos(
             {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
-        const ui::Edit drawn = ui::curve_field(theme, "curve", points, chosen,
+        const ui::Edit drawn = ui::curve_field(theme, "curve", drawn_points, chosen,
                                                {.at = [&](double t) { return curve.at(t); },
                                                 .lo = least_profile,
                                                 .hi = most_profile,
@@ -148,18 +159,23 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
                                                 .ascends = rises,
                                                 .least_step = least_rise,
                                                 .ends = ends(rows.kind)},
-                                               at.width + theme.size.label);
+                                               whole_width + theme.size.label);
         ui::tooltip({rows.label,
                      {},
                      "Drag a point. Ctrl click adds a point or removes one, Del removes the "
                      "selected point, a double click types its numbers."});
         if (drawn != ui::Edit::none) edit = drawn;
         ui::gap(theme, 8);
-        if (chosen >= 0 && chosen < static_cast<int>(points.size())) {
-            const ui::Edit typed =
-                point_row(theme, rows, points, static_cast<std::size_t>(chosen), scale, unit);
+        const bool any = chosen >= 0 && chosen < static_cast<int>(drawn_points.size());
+        ui::rows_if(theme, any, "No point of the curve is selected.", [&] {
+            const std::size_t point = any ? static_cast<std::size_t>(chosen) : 0;
+            ProfileRows own = rows;
+            if (points.empty()) own.keys = nullptr; // it has no points yet
+            const ui::Edit typed = point_row(theme, own, drawn_points, point, scale, unit);
             if (typed != ui::Edit::none) edit = typed;
-        }
+        });
+        if (edit == ui::Edit::changed && (!points.empty() || drawn_points != even(rows.kind)))
+            points = drawn_points;
     }
     ImGui::PopID();
     return edit;

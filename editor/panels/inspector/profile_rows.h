@@ -25,8 +25,8 @@ struct ProfileRows {
     ProfileKind kind = ProfileKind::along;
     const KeyGutter* keys = nullptr;
 };
-// Draws a list of shapes to begin with and, where the size changes, the curve and the numbers of
-// the chosen point.
+// Draws a list of shapes to begin with and, where it is unfolded, the curve and the numbers of the
+// chosen point.
 ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows,
                       std::vector<glm::dvec2>& points, int& chosen);
 

@@ -108,13 +108,15 @@ void draw_transfer(ValueRows& rows, const LevelRows& of, VolumeCasting& casting,
     ValueRows own{rows.theme, rows.keys};
     own.take(draw_function(rows.theme, of, points, chosen));
     chosen = std::min(chosen, static_cast<int>(points.size()) - 1);
-    if (chosen >= 0) {
-        const std::string parameter =
-            have_keys ? fmt::format("shape.casting.points.{}", chosen) : "";
-        ImGui::PushID(chosen);
-        point_rows(own, points, static_cast<std::size_t>(chosen), parameter, of);
-        ImGui::PopID();
-    }
+    if (points.empty()) chosen = -1;
+    const int shown = std::max(chosen, 0);
+    const std::string parameter = have_keys ? fmt::format("shape.casting.points.{}", shown) : "";
+    ImGui::PushID(shown);
+    if (!points.empty())
+        ui::rows_if(rows.theme, chosen >= 0, "No point of the curve is selected.", [&] {
+            point_rows(own, points, static_cast<std::size_t>(shown), parameter, of);
+        });
+    ImGui::PopID();
     ImGui::PopID();
     if (own.edit == ui::Edit::changed) casting.points = points;
     rows.take(own.edit);

@@ -30,6 +30,7 @@ struct ValueRows {
         const ui::Row at = ui::label_row(theme, label, value != rest, words.help);
         if (keys && !words.parameters.empty()) keys->mark(theme, at, words.parameters, apart);
         if (at.reset) {
+            field(at.width); // the row keeps its place
             value = rest;
             take(ui::Edit::changed);
             return;

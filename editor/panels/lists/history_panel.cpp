@@ -116,6 +116,24 @@ const char* icon_of(const History& history, const Line& line)
     return line.after == 0 ? ui::icon::file : icon_of(history.steps()[line.after - 1].command);
 }
 
+// Where the mouse was when the list last changed.
+struct MouseAtChange {
+    std::vector<std::size_t> list;
+    glm::vec2 at{0};
+};
+
+// Rows that change places under a mouse at rest are not what it was put on.
+bool has_moved_since_a_change(Editor& editor, const History& history)
+{
+    constexpr float moved_px = 2;
+    const glm::vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    auto& last = editor.memory.of<MouseAtChange>();
+    const std::vector<std::size_t> now{history.position(), history.steps().size(),
+                                       history.branches().size()};
+    if (last.list != now) last = {now, mouse};
+    return glm::distance(mouse, last.at) > moved_px;
+}
+
 struct PointerState {
     bool clicked = false, lingers = false; // the mouse is there for a moment
 };
@@ -231,6 +249,7 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
         shown = now;
     }
     const Line *go_to = nullptr, *previewed = nullptr;
+    const bool may_preview = has_moved_since_a_change(editor, history);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(lines.size()), height);
     while (clipper.Step())
@@ -241,7 +260,7 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
             const PointerState pointed = draw_line(
                 theme, editor.session, line, ui::rect_at({r.lo.x, at.y}, {r.width(), height}));
             if (pointed.clicked) go_to = &line;
-            if (pointed.lingers) previewed = &line;
+            if (pointed.lingers && may_preview) previewed = &line;
             ImGui::PopID();
         }
     if (go_to && go_to->kind == Line::fork) {

@@ -201,26 +201,26 @@ int tick_step(const FrameScale& scale, float least_px)
     return 1000000;
 }
 
-void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale, bool numbered)
+// With the session, numbers beside the tag of its frame.
+void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& s, const Session* of)
 {
-    const ui::Palette& c = theme.color;
-    const int step = tick_step(scale, theme.px(56)), small = tick_step(scale, theme.px(8));
-    const double last = std::min(scale.all.y, std::ceil(scale.frame_at(r.hi.x)));
+    const int step = tick_step(s, theme.px(56)), small = tick_step(s, theme.px(8));
+    const double last = std::min(s.all.y, std::ceil(s.frame_at(r.hi.x)));
     const auto first_of = [&](int every) {
-        const int first =
-            static_cast<int>(std::floor(std::max(scale.all.x, scale.frame_at(r.lo.x))));
+        const int first = static_cast<int>(std::floor(std::max(s.all.x, s.frame_at(r.lo.x))));
         return first + ((every - first % every) % every + every) % every;
     };
     for (int f = first_of(small); f <= last; f += small) {
-        const float height = theme.px(f % step == 0 ? 6 : 3), x = std::round(scale.x(f));
-        ui::paint_line({x, r.hi.y - height}, {x, r.hi.y}, c.text_off, theme.size.hairline);
+        const float h = theme.px(f % step == 0 ? 6 : 3), x = std::round(s.x(f));
+        ui::paint_line({x, r.hi.y - h}, {x, r.hi.y}, theme.color.text_off, theme.size.hairline);
     }
-    for (int f = first_of(step); numbered && f <= last; f += step) {
-        const float x = scale.x(f), half = theme.px(24), mark = theme.px(28);
-        if (scale.all.x < scale.first && x - half < r.lo.x + mark) continue; // it stands there
-        if (scale.all.y > scale.last && x + half > r.hi.x - mark) continue;
+    for (int f = first_of(step); of && f <= last; f += step) {
+        const float x = s.x(f), half = theme.px(24), mark = theme.px(28);
+        if (s.all.x < s.first && x - half < r.lo.x + mark) continue; // it stands there
+        if (s.all.y > s.last && x + half > r.hi.x - mark) continue;
+        if (std::abs(x - s.x(of->frame())) < theme.px(32)) continue;
         ui::paint_text(theme.font.small, {{x - half, r.lo.y}, {x + half, r.hi.y - theme.px(4)}},
-                       c.text_2, std::to_string(f), ui::Align::center);
+                       theme.color.text_2, std::to_string(f), ui::Align::center);
     }
 }
 
@@ -383,7 +383,7 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
     ImGui::PushClipRect({ruler.lo.x, ruler.lo.y}, {ruler.hi.x, r.hi.y}, true);
     paint_outside(theme, {ruler.lo, r.hi}, scale);
-    paint_ticks(theme, ruler, scale, true);
+    paint_ticks(theme, ruler, scale, &editor.session);
     ImGui::PopClipRect();
     draw_marks_of_keys(editor, theme, ruler, scale); // before the ruler, whose clicks they take
     scrub(editor, ruler, scale);
@@ -434,7 +434,7 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
                            {time.first_frame, time.last_frame}};
     if (!open && scale.hi - scale.lo > theme.px(64)) {
         const ui::Rect ruler = {{line.x, bar.lo.y}, bar.hi};
-        paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, false);
+        paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, nullptr);
         paint_thin_bars(editor, theme, ruler, scale);
         paint_key_strip(editor, theme, ruler, scale);
         scrub(editor, ruler, scale);

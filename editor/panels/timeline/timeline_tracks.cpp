@@ -99,7 +99,7 @@ void paint_bar(const ui::Theme& theme, const ui::Rect& bar, bool selected, bool 
     ui::paint_box(bar, hot ? c.field_hover : selected ? c.field_fill : c.field, round);
     ui::paint_rim(bar, selected ? c.focus : c.text_off, round, theme.size.hairline);
     const ui::Rect in = {bar.lo + glm::vec2(theme.px(8), 0), bar.hi - glm::vec2(theme.px(8), 0)};
-    constexpr const char* endless_words = "no end";
+    constexpr const char* endless_words = "endless";
     const float width = ui::text_width(theme.font.small, words);
     if (width < in.width()) ui::paint_text(theme.font.small, in, c.text, words);
     const float both = width + theme.px(24) + ui::text_width(theme.font.small, endless_words);

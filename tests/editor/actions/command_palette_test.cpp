@@ -103,8 +103,8 @@ TEST(PaletteSearch, KnowsNothingButNamesOfThePaletteUnderTheWordsOfArtists)
 TEST(PaletteSearch, FindsWhatArtistsCallByAnotherWordAtOnce)
 {
     for (const auto& [typed, first] :
-         std::vector<std::pair<std::string, std::string>>{{"light", "Set render"},
-                                                          {"sun", "Set render"},
+         std::vector<std::pair<std::string, std::string>>{{"light", "Picture settings"},
+                                                          {"sun", "Picture settings"},
                                                           {"mirror", "Transform"},
                                                           {"array", "Set travel"},
                                                           {"opacity", "Set material"},
@@ -115,6 +115,13 @@ TEST(PaletteSearch, FindsWhatArtistsCallByAnotherWordAtOnce)
                                                           {"Snap", "Place"},
                                                           {"texture", "Set material"},
                                                           {"video", "Record..."},
+                                                          {"flap", "Incise"},
+                                                          {"section", "Incise"},
+                                                          {"svg", "Export..."},
+                                                          {"dicom", "Import model..."},
+                                                          {"paper", "Picture settings"},
+                                                          {"iso-surface", "Silhouettes"},
+                                                          {"slice", "Split"},
                                                           {"measure", "Timing"}}) {
         const std::vector<std::string> names = found_in_palette(typed);
         ASSERT_FALSE(names.empty()) << typed;

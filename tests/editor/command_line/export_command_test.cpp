@@ -142,7 +142,7 @@ TEST_F(ExportCommand, IsFoundOutWhereItsClaimsAreOfOtherParts)
                tight = verified_with([](auto&claims) { claims["tolerance_m"] = 1e-12; }),
                above = verified_with([](auto&claims) { claims["bound_m"] = 1; });
     EXPECT_EQ(loose.status, Status::rejected);
-    EXPECT_THAT(loose.text, HasSubstr("is 1e+300 m, which proves nothing"));
+    EXPECT_THAT(loose.text, HasSubstr("is 1·10³⁰⁰ m, which proves nothing"));
     EXPECT_EQ(tight.status, Status::rejected);
     EXPECT_THAT(tight.text, HasSubstr("a.glb: the result that it claims cannot be exported"));
     EXPECT_EQ(above.status, Status::check_failed);

@@ -199,7 +199,7 @@ TEST_F(CertifiedExport, FailsWhereAClaimNamesWhatTheSceneDoesNot)
                 }),
                 HasSubstr("Other (part 1) is called Teapot in the scene"));
     EXPECT_THAT(verified_with("tolerance_m", "1e-5", true),
-                HasSubstr("claims to be within 1e-05 m where 0.001 m were asked for"));
+                HasSubstr("claims to be within 0.00001 m where 0.001 m were asked for"));
     EXPECT_THAT(verified_with("bound_m", "null", true), HasSubstr("where the furthest"));
 }
 

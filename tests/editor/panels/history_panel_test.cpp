@@ -53,5 +53,21 @@ TEST(HistoryPanel, OtherStepsAreKeptAndCanBeReturnedTo)
     EXPECT_EQ(verb(history.branches()[0].steps[0].command), "add_sphere");
 }
 
+TEST(HistoryPanel, ShowsNothingElseWhileTheMouseRestsWhereItClicked)
+{
+    Steps rig;
+    rig.editor.session.go_to_step(1);
+    rig.editor.session.run(AddSphere{});
+    rig.wait();
+    rig.click(rig.line(2)); // "Other steps (2)"
+    rig.click(rig.line(3)); // the box; the rows change places
+    rig.frames(40);
+    rig.wait();
+    EXPECT_FALSE(rig.editor.session.previewing());
+    rig.move(rig.line(0));
+    rig.frames(25);
+    EXPECT_TRUE(rig.editor.session.previewing());
+}
+
 } // namespace
 } // namespace trivar

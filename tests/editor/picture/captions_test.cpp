@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/picture/captions.h"
 
 #include "core/files/image.h"
@@ -50,7 +51,7 @@ TEST(Captions, SayWhatWasWorkedOut)
     RefinedRig rig({.tolerance = 0.002});
     ASSERT_EQ(rig.captions().size(), 1u);
     const Caption caption = rig.captions().front();
-    EXPECT_EQ(caption.title, ui::with_commas(rig.refined().triangles()) + " triangles");
+    EXPECT_EQ(caption.title, with_commas(rig.refined().triangles()) + " triangles");
     EXPECT_THAT(caption.words, StartsWith("split by curvature, certified to "));
     double mm = 0; // never less than the bound
     std::sscanf(caption.words.c_str() + caption.words.rfind("to "), "to %lf mm", &mm);
@@ -58,7 +59,7 @@ TEST(Captions, SayWhatWasWorkedOut)
     EXPECT_LE(mm, 1000 * rig.refined().bound * 1.01);
     rig.run(Refine{{2}, {.tolerance = 0.002, .split = SplitPoint::midpoint, .budget = 12}, {}});
     EXPECT_THAT(rig.captions().front().words,
-                HasSubstr(ui::with_commas(rig.refined().not_certified()) + " not certified"));
+                HasSubstr(with_commas(rig.refined().not_certified()) + " not certified"));
     rig.run(Refine{{2}, {.tolerance = 0.002, .rule = RefinementRule::chua_neumann_midpoint}, {}});
     EXPECT_THAT(rig.captions().front().words, HasSubstr("nothing certified"));
     rig.run(ClearRefine{{2}});

@@ -184,7 +184,7 @@ TEST(NumberWords, SayWhatANameMeans)
     EXPECT_EQ(label("placement.width_profile.2.y"), "Width profile 3 Y");
     EXPECT_EQ(label("material.base_color.x"), "Colour red");
     EXPECT_EQ(label("shaping.0.shift.by.z"), "Step 1 shift move Z");
-    EXPECT_EQ(label("camera.picture.eye.x"), "Picture eye X");
+    EXPECT_EQ(label("camera.picture.eye.x"), "Render camera eye X");
     EXPECT_EQ(label("placement.grid.y"), "Density V");
     EXPECT_EQ(label("render.color_by"), "Colour by");
     EXPECT_EQ(label("hidden"), "Hidden");
