@@ -4,8 +4,9 @@
 namespace trivar {
 
 Editor::Editor(std::function<void()> wake, std::vector<Action> table_of_actions,
-               std::string unnamed_folder)
-    : session(wake, std::move(unnamed_folder)),
+               std::string unnamed_folder, OnFailure manner)
+    : on_failure(manner),
+      session(wake, std::move(unnamed_folder), manner),
       actions(std::move(table_of_actions)),
       recording(wake, session.notices),
       frames_export(wake, session.notices),

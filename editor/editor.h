@@ -34,10 +34,11 @@ namespace trivar {
 // state.
 struct Editor {
     Editor(std::function<void()> wake, std::vector<Action> table_of_actions,
-           std::string unnamed_folder = {});
+           std::string unnamed_folder = {}, OnFailure on_failure = OnFailure::pass_on);
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
+    const OnFailure on_failure; // of a step of an object, a panel or a tool
     Session session;
     Recovery recovery{session};
     Files files{session, recovery};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/buffer.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 
-#include <cassert>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <utility>
@@ -56,7 +56,7 @@ void Buffer::write(std::span<const std::byte> bytes)
 
 void Buffer::write_part(std::size_t at, std::span<const std::byte> bytes) const
 {
-    assert(at + bytes.size() <= bytes_);
+    ensure(at + bytes.size() <= bytes_, "a buffer is written beyond its end");
     glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(at),
                     static_cast<GLsizeiptr>(bytes.size()), bytes.data());
@@ -75,7 +75,7 @@ void Buffer::reserve(std::size_t bytes)
 void Buffer::read(std::span<std::byte> into) const
 {
     if (into.empty()) return;
-    assert(into.size() <= bytes_);
+    ensure(into.size() <= bytes_, "a buffer is read beyond its end");
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_COPY_READ_BUFFER, name_);
     glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(into.size()), into.data());

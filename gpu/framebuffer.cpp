@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/framebuffer.h"
 
-#include <cassert>
+#include "core/base/mistake.h"
+
 #include <epoxy/gl.h>
 #include <utility>
 #include <vector>
@@ -31,7 +32,8 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> colors, const T
     if (targets.empty()) targets.push_back(GL_NONE);
     glDrawBuffers(static_cast<GLsizei>(targets.size()), targets.data());
     if (targets.front() == GL_NONE) glReadBuffer(GL_NONE);
-    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    ensure(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+           "a picture cannot be drawn into");
 }
 
 Framebuffer::Framebuffer(Framebuffer&& other) noexcept

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/mirror.h"
 
+#include "core/base/mistake.h"
 #include "core/mesh/adjacency.h"
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <epoxy/gl.h>
 #include <set>
 
@@ -139,7 +139,7 @@ const Texture2D& Mirror::texture(const Ref<Image>& image, bool srgb)
     TextureEntry& found = textures_[{image.get(), srgb}];
     if (found.alive.lock() != image) {
         const glm::ivec2 size = image->size_px;
-        assert(size.x > 0 && size.y > 0);
+        ensure(size.x > 0 && size.y > 0, "an image has no pixels");
         const int levels = std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)));
         found = {image, Texture2D(srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, size, true, levels)};
         found.texture.write_rgba(image->rgba);

@@ -2,10 +2,10 @@
 #include "gpu/mirrored_faces.h"
 
 #include "core/base/digest.h"
+#include "core/base/mistake.h"
 #include "core/mesh/closed_body.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace trivar::gpu {
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> sorted_corners(const Mesh& mesh, std::vector<Mirrored
             for (std::size_t i = 0; i < count && next < all.size(); ++i)
                 material[next++] = mesh.face_material[f];
         }
-        assert(next == all.size());
+        ensure(next == all.size(), "a triangle is of no face");
     }
     std::vector<std::uint32_t> order(all.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/texture.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "gpu/context.h"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <utility>
@@ -95,7 +95,8 @@ void Texture2D::write(glm::ivec2 lo_px, glm::ivec2 count_px, std::span<const flo
 
 void Texture2D::write_rgba(std::span<const std::uint8_t> rgba)
 {
-    assert(rgba.size() == static_cast<std::size_t>(size_px_.x) * size_px_.y * 4);
+    ensure(rgba.size() == static_cast<std::size_t>(size_px_.x) * size_px_.y * 4,
+           "pixels are not of this size");
     bind(spare_unit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGBA, GL_UNSIGNED_BYTE,

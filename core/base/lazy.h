@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/mistake.h"
+
 #include <atomic>
-#include <cassert>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -25,7 +26,7 @@ public:
     // the next call tries again.
     const T& operator*() const
     {
-        assert(state_);
+        ensure(state_ != nullptr, "a value is asked for that nothing computes");
         State& state = *state_;
         if (state.ready) return *state.value;
         const std::lock_guard lock(state.mutex);

@@ -2,6 +2,7 @@
 #include "core/document/asset_store.h"
 
 #include "core/base/digest.h"
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/companions.h"
@@ -162,11 +163,14 @@ AssetStore::LoadedImage AssetStore::load_image(const std::string& name,
             GreyImage image = read_grey_image(path);
             if (image.no_numbers > 0)
                 kept.notices = {fmt::format("{}: {} of its pixels {} no numbers and count as 0",
-                                            name, image.no_numbers,
+                                            name, with_commas(image.no_numbers),
                                             image.no_numbers == 1 ? "is" : "are")};
             kept.image = make_ref(std::move(image));
         } catch (const Rejected& error) {
             kept.notices = {short_sentence(error.what())};
+        } catch (...) {
+            state_->images.erase(entry);
+            throw;
         }
     LoadedImage result = kept;
     if (result.image && !hash.empty() && hash != result.hash)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/object_map.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -42,13 +43,13 @@ ObjectMap::Iterator ObjectMap::find(int id) const
 const Ref<Object>& ObjectMap::at(int id) const
 {
     const Iterator found = find(id);
-    assert(found != end());
+    ensure(found != end(), "there is no object of this number");
     return found->second;
 }
 
 void ObjectMap::set(int id, Ref<Object> object)
 {
-    assert(id >= 0 && object);
+    ensure(id >= 0 && object, "what is put into a document is no object");
     if (block_of(id) >= blocks_.size()) blocks_.resize(block_of(id) + 1);
     Ref<std::vector<Entry>>& shared = blocks_[block_of(id)];
     std::vector<Entry> block = shared ? *shared : std::vector<Entry>{};

@@ -10,6 +10,11 @@
 
 namespace trivar {
 
+// What becomes of an exception, other than Cancelled, of a step of one object: the evaluation
+// passes it on, so that a test stops at it; or the object is shown without the step, and says so in
+// its notices.
+enum class OnFailure : std::uint8_t { pass_on, leave_out };
+
 // An Evaluator evaluates documents one after another and keeps what is still true. Results are
 // cached by the identity of what they came from, so a drag computes only what it touches, and the
 // last few states of each object are kept for undo. A placed object is evaluated after the objects
@@ -19,7 +24,8 @@ namespace trivar {
 // Cancelled; trouble with single objects is in their notices.
 class Evaluator {
 public:
-    explicit Evaluator(Ref<AssetStore> assets, ShutIncisions shut = ShutIncisions::vanish);
+    explicit Evaluator(Ref<AssetStore> assets, ShutIncisions shut = ShutIncisions::vanish,
+                       OnFailure on_failure = OnFailure::pass_on);
     ~Evaluator();
     // Evaluates at a frame of the document's time, which may lie between two frames; without a
     // frame, at the first one. The result does not depend on earlier evaluations.
@@ -42,8 +48,11 @@ void deform_parts(Evaluation& evaluated, bool with_tiles = false);
 // where there are any.
 std::string digest(const Evaluation& evaluated);
 
-// The whole scene as one model to write to a file: one node per part, followed by one node per
-// curve part, named as the objects are.
+// The whole scene as one model to write to a file: a node for each object, in that of its group.
+// Where an object has several parts or curves, these are nodes below it.
 Model model_of(const Evaluation& evaluated, const Document& document);
+// The name of a part in such a file: its object's, followed by that of its mesh if there are
+// several.
+std::string name_of_part(const EvaluatedObject& effects, const Object& object, const PartKey& key);
 
 } // namespace trivar

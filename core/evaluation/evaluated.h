@@ -17,9 +17,19 @@ struct EvaluatedObject : Stage {
     std::vector<std::string> clips; // the names of the clips in its file
 };
 
+// A FailedStep is a step of an object that ended by an exception. The object is as it was before.
+struct FailedStep {
+    Id object = 0;
+    std::string step; // the type of the step
+    std::string words;
+    bool mistake = false; // of Trivar; false: there was not enough memory, for example
+    bool operator==(const FailedStep&) const = default;
+};
+
 // An Evaluation holds the effects of a document. Objects that did not change keep their pointer.
 struct Evaluation {
     std::map<Id, Ref<EvaluatedObject>> objects; // only visible ones
+    std::vector<FailedStep> failed; // in their order; told in the notices of their objects, too
     // Times of this evaluation: import, subdivide, rays, springs, lift, volume, and deform for
     // those parts that had to be deformed.
     Timings timings;

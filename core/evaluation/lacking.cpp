@@ -52,6 +52,10 @@ std::vector<std::string> lacks(const Evaluation& evaluated, const Document& docu
     for (const auto& [id, ref] : evaluated.objects)
         for (const std::string& why : ref->lacks)
             out.push_back(fmt::format("{}: {}", object(document, id).name, why));
+    for (const FailedStep& failed : evaluated.failed) // of what is hidden and carries others
+        if (!evaluated.objects.contains(failed.object))
+            out.push_back(
+                fmt::format("{}: {}", object(document, failed.object).name, failed.words));
     return out;
 }
 

@@ -64,10 +64,10 @@ std::vector<Piece> pieces_of(const Mesh& mesh, const glm::dmat4& to_domain,
         const CutSheet sheet({.point = plane.point, .normal = plane.normal}, to_domain);
         std::vector<Piece> next;
         for (Piece& each : all) {
-            bool above = false;
-            std::optional<Severed> made = sever(each.mesh, sheet, options, above);
+            Unsevered where;
+            std::optional<Severed> made = sever(each.mesh, sheet, options, where);
             if (!made) {
-                each.above.push_back(above);
+                each.above.push_back(where.above);
                 next.push_back(std::move(each));
                 continue;
             }
@@ -105,18 +105,6 @@ void append(Mesh& to, const Mesh& more)
     append(to.face_material, faces, more.face_material, new_faces, 0U);
     append(to.face_group, faces, more.face_group, new_faces, 0U);
     to.group_names = more.group_names;
-    // Points of the surface stay those of their piece.
-    if (!to.points.empty() || !more.points.empty()) {
-        std::uint32_t first = 0;
-        for (std::size_t v = 0; v < had; ++v)
-            first = std::max(first, to.point(static_cast<std::uint32_t>(v)) + 1);
-        std::vector<std::uint32_t> points;
-        for (std::size_t v = 0; v < had; ++v)
-            points.push_back(to.point(static_cast<std::uint32_t>(v)));
-        for (std::size_t v = 0; v < count; ++v)
-            points.push_back(first + more.point(static_cast<std::uint32_t>(v)));
-        to.points = std::move(points);
-    }
     to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
     const auto corner = static_cast<std::uint32_t>(to.corners.size());
     for (const std::uint32_t c : more.corners)
@@ -137,6 +125,9 @@ SimplexCut cut_along(const Mesh& mesh, const glm::dmat4& to_domain, const Simple
     const double size = size_of(domain), near = 2e-6 * size;
     const std::vector<CutPlane> planes = planes_of(domain, size).planes;
     SimplexCut out;
+    bool numbered = false;
+    std::vector<std::uint32_t> points; // of the surface: they stay those of their piece
+    std::uint32_t next_point = 0;
     for (const Piece& piece : pieces_of(mesh, to_domain, planes)) {
         if (piece.mesh.face_count() == 0) continue;
         for (const glm::vec3& p : piece.mesh.positions) {
@@ -147,7 +138,14 @@ SimplexCut cut_along(const Mesh& mesh, const glm::dmat4& to_domain, const Simple
             out.in_domain.push_back(at);
         }
         append(out.mesh, piece.mesh);
+        numbered = numbered || !piece.mesh.points.empty();
+        const std::uint32_t first = next_point;
+        for (std::uint32_t v = 0; v < piece.mesh.vertex_count(); ++v) {
+            points.push_back(first + piece.mesh.point(v));
+            next_point = std::max(next_point, points.back() + 1);
+        }
     }
+    if (numbered) out.mesh.points = std::move(points);
     return out;
 }
 

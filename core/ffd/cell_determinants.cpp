@@ -6,7 +6,6 @@
 #include "core/spline/insert.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <hwy/aligned_allocator.h>
 #include <hwy/base.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/deform.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/ffd/kernel.h"
 #include "core/ffd/normals.h"
 
 #include <algorithm>
-#include <cassert>
 #include <span>
 
 namespace trivar {
@@ -78,7 +78,7 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 DeformedArrays Deformer::arrays(const Lattice& lattice, DeformedArrays reuse) const
 {
     const State& s = *state_;
-    assert(lattice.displacement.axes == s.axes);
+    ensure(lattice.displacement.axes == s.axes, "a lattice has other knots than those sorted into");
     DeformedArrays out = std::move(reuse);
     out.positions.resize(s.mesh->positions.size());
     out.normals.resize(s.mesh->normals.size());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/guard.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -118,7 +119,8 @@ public:
           grid_(from.displacement.axes),
           trial_(from)
     {
-        assert(options.steps > 0 && before.of.size() == grid_.count());
+        ensure(options.steps > 0 && before.of.size() == grid_.count(),
+               "verdicts are not of this lattice");
         std::vector<int> open;
         for (const int cell : touched())
             if (before.of[static_cast<std::size_t>(cell)] != Verdict::proven_good)
@@ -281,7 +283,7 @@ CellVerdicts judged_again(CellVerdicts before, const Lattice& now, std::span<con
                           const GuardOptions& options)
 {
     const CellGrid grid(now.displacement.axes);
-    assert(before.of.size() == grid.count());
+    ensure(before.of.size() == grid.count(), "verdicts are not of this lattice");
     const std::vector<int> cells = not_excepted(grid, grid.touched(moves), options);
     const int sign = before.sign;
     return with(std::move(before), cells, judged(grid, now, cells, sign, options));

@@ -6,7 +6,6 @@
 #include "core/base/single_precision.h"
 #include "core/ffd/axis_cells.h"
 
-#include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>

@@ -2,9 +2,9 @@
 #include "core/ffd/prolong.h"
 
 #include "core/base/index.h"
+#include "core/base/mistake.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -76,7 +76,7 @@ Trivariate<glm::dvec3> prolonged_end(const Trivariate<glm::dvec3>& f, double to)
 Lattice prolonged(const Lattice& lattice, int axis, double from, double to)
 {
     const Knots& knots = lattice.displacement.axes[at(axis)];
-    assert(knots.closure() == Closure::open);
+    ensure(knots.closure() == Closure::open, "a ring has no end to prolong");
     Trivariate<glm::dvec3> f = exchanged(lattice.displacement, axis);
     if (from < knots.begin()) f = mirrored(prolonged_end(mirrored(f), -from));
     return {exchanged(prolonged_end(f, to), axis), lattice.rest};
@@ -104,7 +104,7 @@ Lattice twice_round(const Lattice& lattice)
 {
     const Trivariate<glm::dvec3>& f = lattice.displacement;
     const Knots& axis = f.axes[0];
-    assert(axis.closure() == Closure::open);
+    ensure(axis.closure() == Closure::open, "an axis is closed");
     std::vector<double> knots(axis.values().begin(), axis.values().end() - 1);
     for (std::size_t i = static_cast<std::size_t>(axis.order()); i < axis.values().size(); ++i)
         knots.push_back(axis.values()[i] + (axis.end() - axis.begin()));

@@ -2,12 +2,12 @@
 #include "core/ffd/resolution.h"
 
 #include "core/base/index.h"
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "core/spline/fit_map.h"
 #include "core/spline/insert.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -234,7 +234,7 @@ CoarserLattice coarsened(const Lattice& lattice, int axis, int count)
 
 double largest_difference(const Lattice& a, const Lattice& b)
 {
-    assert(a.rest == b.rest);
+    ensure(a.rest == b.rest, "lattices of two boxes are compared");
     Trivariate<glm::dvec3> f = a.displacement, g = b.displacement;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis_of(f, axis) == axis_of(g, axis)) continue;

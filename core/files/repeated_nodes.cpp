@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/repeated_nodes.h"
 
+#include "core/base/mistake.h"
 #include "core/mesh/node_parts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <tuple>
 
@@ -62,7 +62,7 @@ std::vector<std::vector<int>> repeated_nodes(const Model& model)
 
 Model with_repeated_last(Model model)
 {
-    assert(model.skins.empty() && model.clips.empty());
+    ensure(model.skins.empty() && model.clips.empty(), "a model that moves is not rearranged");
     const std::vector<std::vector<int>> groups = repeated_nodes(model);
     const std::vector<bool> matters = nodes_that_matter(model);
     std::vector<bool> later(model.nodes.size(), false);

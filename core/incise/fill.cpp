@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/fill.h"
 
+#include "core/base/mistake.h"
 #include "core/plane/triangulation.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -92,9 +92,9 @@ std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triang
     KeyNumbers known;
     const auto add = [&](std::uint32_t number) {
         const std::optional<glm::ivec2> at = weights_in(skin, drawing.point(number), triangle);
-        assert(at);
+        ensure(at.has_value(), "a point of an incision lies outside its triangle");
         const int i = plane.insert(*at);
-        assert(static_cast<std::size_t>(i) == numbers.size());
+        ensure(static_cast<std::size_t>(i) == numbers.size(), "two points of an incision are one");
         known.insert(number, static_cast<std::uint32_t>(i));
         numbers.push_back(number);
         return i;
@@ -130,12 +130,10 @@ std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triang
     for (const auto* edges : {&rim, &lines})
         for (const auto& [a, b] : *edges) {
             const Triangulation::JoinResult joined = plane.join(a, b);
-            assert(joined == Triangulation::JoinResult::one_edge);
-            static_cast<void>(joined);
+            ensure(joined == Triangulation::JoinResult::one_edge, "lines of an incision cross");
         }
     const bool enclosed = plane.fill(rim);
-    assert(enclosed);
-    static_cast<void>(enclosed);
+    ensure(enclosed, "the sides of a triangle do not enclose it");
 
     const glm::dvec3 origin = skin.position(corners.x);
     Pieces pieces(plane.points(), plane.inside(), skin.position(corners.y) - origin,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/mistake.h"
 #include "core/incise/walls.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -45,13 +45,14 @@ void go_round(CutPatch& patch, SlitGraph& graph, std::uint32_t n)
         const std::uint32_t edge = edge_to.find(to);
         if (edge != KeyNumbers::none) node.edges.push_back(edge);
         const std::uint32_t t = patch.triangle_of_side.find(pair_key(node.point, to));
-        assert(t != KeyNumbers::none);
+        ensure(t != KeyNumbers::none, "a node of an incision is not surrounded by triangles");
         const int k = corner_at(patch.triangles[t], node.point);
         patch.sectors[t][static_cast<std::size_t>(k)] =
             static_cast<std::uint32_t>(node.edges.size() - 1);
         to = patch.triangles[t].points[static_cast<std::size_t>((k + 2) % 3)];
     } while (to != start);
-    assert(node.edges.size() == edge_to.size());
+    ensure(node.edges.size() == edge_to.size(),
+           "a node of an incision has an edge that is not beside it");
 }
 
 } // namespace
@@ -87,8 +88,7 @@ CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, S
             const auto& p = patch.triangles[t].points;
             const bool fresh =
                 patch.triangle_of_side.insert(pair_key(p[k], p[(k + 1) % 3]), t).second;
-            assert(fresh);
-            static_cast<void>(fresh);
+            ensure(fresh, "two triangles of an incision lie on one side of an edge");
         }
     patch.sectors.assign(patch.triangles.size(),
                          {KeyNumbers::none, KeyNumbers::none, KeyNumbers::none});

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/slits.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -163,7 +164,7 @@ bool lower_free_floors(std::vector<SlitEdge>& edges, const CutDrawing& drawing,
 std::size_t SlitNode::edge_number(std::uint32_t edge) const
 {
     const auto found = std::ranges::find(edges, edge);
-    assert(found != edges.end());
+    ensure(found != edges.end(), "an edge of a slit does not meet its node");
     return static_cast<std::size_t>(found - edges.begin());
 }
 

@@ -1,4 +1,4 @@
-// Rays through volume data that glow and hold back light.   GLSL and C++: see core/casting/cast_ray.cpp
+// Rays through volume data that glow and hold back light.   GLSL and C++: see core/casting/cast_image.cpp
 //
 // Places are in voxels; values are shares of the range of the data. Supplied:
 //   float value_at(vec3 p)          of the data

@@ -1,4 +1,4 @@
-// Values and slopes of splines by linear fetches.   GLSL and C++: see core/casting/cast_ray.cpp
+// Values and slopes of splines by linear fetches.   GLSL and C++: see tests/casting/cast_ray.cpp
 //
 // Places are in voxels. Supplied:
 //   int order()                     of the spline: 2 linear through the samples, 3 quadratic, 4 cubic

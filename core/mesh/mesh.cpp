@@ -4,10 +4,10 @@
 #include "core/base/finite.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/mesh/split_vertices.h"
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <tuple>
@@ -86,27 +86,17 @@ std::vector<std::uint32_t> first_by_hash(const std::vector<glm::vec3>& positions
     return first;
 }
 
-template <class T> void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept)
-{
-    if (values.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-    values.resize(kept.size());
-}
-
-// Numbers the points of the kept vertices from 0 in the order of first appearance, so that the mesh
-// is the same as one made without the removed vertices.
-void renumber_points(Mesh& mesh, const std::vector<std::uint32_t>& kept)
+// Numbers the points from 0 in the order of first appearance, so that the mesh is the same as one
+// made without the vertices that were removed.
+void renumber_points(std::vector<std::uint32_t>& points, std::size_t count_before)
 {
     const std::uint32_t none = ~0u;
-    std::vector<std::uint32_t> now(point_count(mesh), none), points;
-    points.reserve(kept.size());
+    std::vector<std::uint32_t> now(count_before, none);
     std::uint32_t count = 0;
-    for (const std::uint32_t v : kept) {
-        std::uint32_t& point = now[mesh.points[v]];
-        if (point == none) point = count++;
-        points.push_back(point);
+    for (std::uint32_t& point : points) {
+        if (now[point] == none) now[point] = count++;
+        point = now[point];
     }
-    mesh.points = std::move(points);
 }
 
 } // namespace
@@ -170,22 +160,11 @@ Mesh without_loose_vertices(Mesh mesh)
         if (used[v]) kept.push_back(v);
     }
     if (kept.size() == mesh.vertex_count()) return mesh;
-    if (!mesh.points.empty()) renumber_points(mesh, kept);
-    keep(mesh.positions, kept);
-    keep(mesh.normals, kept);
-    keep(mesh.tangents, kept);
-    keep(mesh.colors, kept);
-    for (auto& set : mesh.uvs) keep(set, kept);
-    keep(mesh.influences, kept);
-    for (Mesh::MorphTarget& target : mesh.morph_targets) {
-        keep(target.positions, kept);
-        keep(target.normals, kept);
-        keep(target.tangents, kept);
-    }
-    for (std::uint32_t& v : mesh.corners) v = now_at[v];
     std::erase_if(mesh.creases, [&](const Mesh::Crease& c) { return !used[c.a] || !used[c.b]; });
-    for (Mesh::Crease& crease : mesh.creases)
-        crease.a = now_at[crease.a], crease.b = now_at[crease.b];
+    const std::size_t points = point_count(mesh);
+    take_vertices(mesh, kept);
+    renumber_points(mesh.points, points);
+    for (std::uint32_t& v : mesh.corners) v = now_at[v];
     return mesh;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/model.h"
 
-#include <cassert>
+#include "core/base/mistake.h"
 
 namespace trivar {
 
@@ -10,7 +10,7 @@ glm::dmat4 node_to_model(const Model& model, int node)
     glm::dmat4 result(1);
     while (node >= 0) {
         const Node& n = model.nodes.at(static_cast<std::size_t>(node));
-        assert(n.parent < node);
+        ensure(n.parent < node, "a node comes before its parent");
         result = n.to_parent * result;
         node = n.parent;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
 
-#include <cassert>
 #include <cmath>
 #include <deque>
 
@@ -118,7 +118,7 @@ void cut_face(const Mesh& mesh, std::size_t face, glm::uvec3* out)
 {
     const std::uint32_t* v = mesh.corners.data() + mesh.face_begin[face];
     const std::size_t n = mesh.face_begin[face + 1] - mesh.face_begin[face];
-    assert(n >= 3);
+    ensure(n >= 3, "a face has fewer than three corners");
     if (n == 3) {
         *out = {v[0], v[1], v[2]};
         return;

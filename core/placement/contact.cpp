@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/contact.h"
 
+#include "core/base/mistake.h"
 #include "core/spline/greville_grid.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -76,7 +76,7 @@ std::vector<double> at_length_shares(const std::vector<double>& length,
                                      const std::vector<double>& parameter,
                                      const std::vector<double>& shares)
 {
-    assert(length.size() == parameter.size() && length.size() >= 2);
+    ensure(length.size() == parameter.size() && length.size() >= 2, "a curve has no length");
     std::vector<double> out;
     std::size_t i = 0;
     for (const double share : shares) {

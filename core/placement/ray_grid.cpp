@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/ray_grid.h"
 
+#include "core/base/mistake.h"
 #include "core/placement/obstacle.h"
 #include "core/placement/springs.h"
 #include "core/placement/view.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -103,7 +103,7 @@ RayGrid met(RayGrid grid, const RayScene& scene, bool skip_back_faces)
 RayGrid filled(RayGrid grid, Misses misses)
 {
     const auto hits = static_cast<std::size_t>(std::count(grid.hit.begin(), grid.hit.end(), 1));
-    assert(hits > 0);
+    ensure(hits > 0, "no ray hits anything");
     if (hits == grid.hit.size()) return grid;
     RayGrid known = grid;
     if (misses == Misses::ground)

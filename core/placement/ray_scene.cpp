@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/ray_scene.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/mesh/far_origin.h"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <embree3/rtcore.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
 namespace trivar {
@@ -165,7 +167,7 @@ RayMesh::RayMesh(Ref<Mesh> mesh) : state_(std::make_unique<State>())
     for (std::size_t f = 0; f < mesh->face_count(); ++f)
         for (std::uint32_t c = mesh->face_begin[f] + 2; c < mesh->face_begin[f + 1]; ++c)
             state_->face.push_back(static_cast<std::uint32_t>(f));
-    assert(state_->face.size() == state_->triangles.size());
+    ensure(state_->face.size() == state_->triangles.size(), "a triangle is of no face");
 
     state_->block_boxes.resize((state_->triangles.size() + block - 1) / block);
     for (std::size_t t = 0; t < state_->triangles.size(); ++t)
@@ -214,7 +216,13 @@ struct RayScene::State {
     std::vector<glm::dmat3> normal_to_world;
     std::vector<Box> boxes; // of each entry, world
     Box bounds;
+    glm::dvec3 origin{0}; // of Embree's scene in the world: single precision has its digits there
     SceneHandle handle;
+
+    RTCRayHit near_ray(const Ray& ray, double from, double to) const
+    {
+        return embree_ray({ray.origin - origin, ray.direction}, from, to);
+    }
 
     std::array<glm::dvec3, 3> corners(unsigned entry, unsigned triangle) const
     {
@@ -258,10 +266,13 @@ RayScene::RayScene(std::vector<Entry> entries) : state_(std::make_unique<State>(
                                                 : glm::dmat3(0));
         s.boxes.push_back(box_of(e.mesh->state().box, m));
         s.bounds.add(s.boxes.back());
-
+    }
+    s.origin = far_origin(s.bounds);
+    for (std::size_t i = 0; i < s.entries.size(); ++i) {
+        const Entry& e = s.entries[i];
         RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
         rtcSetGeometryInstancedScene(instance, e.mesh->state().handle.scene);
-        const glm::mat4x3 floats(m);
+        const glm::mat4x3 floats(glm::translate(glm::dmat4(1), -s.origin) * e.to_world);
         rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &floats[0][0]);
         rtcCommitGeometry(instance);
         rtcAttachGeometryByID(s.handle.scene, instance, static_cast<unsigned>(i));
@@ -286,14 +297,14 @@ Hit RayScene::State::resolve(const Ray& ray, double from, double to, bool skip_b
     // depends on single precision and on the order in which its tree was built. So all of them are
     // collected and the choice is made in double.
     const float nearest_edge = std::min({u, v, 1 - u - v});
-    const double slack = 1e-5 * (std::abs(double{nearest}) + glm::length(ray.origin));
+    const double slack = 1e-5 * (std::abs(double{nearest}) + glm::length(ray.origin - origin));
     if (nearest_edge < 0.01f || plane.outside < 0 ||
         shared_by_entries(ray.origin + double{nearest} * ray.direction, slack)) {
         Query query;
         query.skip_back_faces = skip_back_faces;
         query.collect = true;
         RTCRayHit again =
-            embree_ray(ray, std::max(from, nearest - slack), std::min(to, nearest + slack));
+            near_ray(ray, std::max(from, nearest - slack), std::min(to, nearest + slack));
         intersect(handle.scene, query, again);
         const double tie = 1e-9 * slack / 1e-5;
         for (std::size_t i = 0; i < query.count; ++i) {
@@ -334,7 +345,7 @@ std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool sk
 {
     Query query;
     query.skip_back_faces = skip_back_faces;
-    RTCRayHit found = embree_ray(ray, from, to);
+    RTCRayHit found = state_->near_ray(ray, from, to);
     intersect(state_->handle.scene, query, found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return state_->resolve(ray, from, to, skip_back_faces,
@@ -354,7 +365,7 @@ std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays, bool s
             RTCRayHit8 packet{};
             alignas(32) std::array<int, wide> valid{};
             for (std::size_t i = 0; i < count; ++i) {
-                const RTCRayHit one = embree_ray(rays[first + i], 0, until(first + i));
+                const RTCRayHit one = state_->near_ray(rays[first + i], 0, until(first + i));
                 set_lane(packet, i, one);
                 valid[i] = -1;
             }

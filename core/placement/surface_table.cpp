@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/surface_table.h"
 
+#include "core/base/mistake.h"
 #include "core/placement/contact.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -46,7 +46,7 @@ std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t,
 
 AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.breaks())
 {
-    assert(knots.closure() == Closure::open);
+    ensure(knots.closure() == Closure::open, "an axis is closed");
     for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
         const int s = knots.span(breaks_[k]);
         spans_.push_back({breaks_[k], 1 / (breaks_[k + 1] - breaks_[k]), s - order_ + 1});

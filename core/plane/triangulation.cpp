@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plane/triangulation.h"
 
+#include "core/base/mistake.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -71,7 +72,7 @@ struct Triangulation::Plane {
         Face f;
         int side = 0;
         const bool found = delaunay.is_edge(vertex(a), vertex(b), f, side);
-        assert(found);
+        ensure(found, "what encloses a region is no edge");
         return f->vertex(Delaunay::ccw(side))->info() == a ? f : f->neighbor(side);
     }
     // Returns the number of the vertex at p, which is added if it is new. A face near p shortens
@@ -118,7 +119,6 @@ Triangulation::~Triangulation() = default;
 
 int Triangulation::insert(const glm::ivec2& p, int near)
 {
-    assert(std::abs(p.x) <= most_units && std::abs(p.y) <= most_units);
     const int from = near < 0 ? static_cast<int>(points_.size()) - 1 : near;
     const int point = plane_->put(p, from < 0 ? Face() : plane_->vertex(from)->face());
     if (point == static_cast<int>(points_.size())) points_.push_back(p);
@@ -161,6 +161,9 @@ bool Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
                     rim, std::pair<int, int>(std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]))))
                 enter(f->neighbor(static_cast<int>(i)));
     }
+    // Where edges run round twice what is inside, it is on both sides of some
+    for (const auto& [a, b] : edges)
+        if (const Face f = plane_->left_of(b, a); f->info()) enclosed = false;
     return enclosed;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/mistake.h"
 #include "core/refinement/displacement_cells.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 
 namespace trivar {
@@ -73,7 +73,7 @@ private:
     const Corner* end() const { return corners_.data() + count_; }
     void add(const Corner& corner)
     {
-        assert(count_ < corners_.size());
+        ensure(count_ < corners_.size(), "a piece of a triangle has more than twelve corners");
         corners_[count_++] = corner;
     }
     std::array<Corner, 12> corners_; // each of six planes adds at most one

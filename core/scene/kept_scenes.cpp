@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/scene/life_sign.h"
 
 #include <algorithm>
 #include <ctime>
@@ -65,6 +66,10 @@ void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for)
     const auto now = std::filesystem::file_time_type::clock::now();
     for (const auto& [time, path] : scenes_in(folder, aside_name))
         if (now - time > aside_for) std::filesystem::remove(path, ignored);
+    for (const auto& each : fs::directory_iterator(folder, ignored)) // of killed programs
+        if (each.path().filename().string().starts_with(life_sign_name) &&
+            now - each.last_write_time(ignored) > aside_for)
+            fs::remove(each.path(), ignored);
     remove_unused_shapes(folder);
 }
 

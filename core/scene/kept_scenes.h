@@ -25,7 +25,8 @@ using TimedPaths = std::vector<std::pair<std::filesystem::file_time_type, std::s
 std::vector<std::string> paths_of(const TimedPaths& scenes);
 // The files in a folder whose name begins so, with the time of their last change, the latest first.
 TimedPaths scenes_in(const std::string& folder, std::string_view name);
-// Deletes scenes that were set aside at least that long ago, with the folders of their kept shapes.
+// Deletes scenes that were set aside at least that long ago, with the folders of their kept shapes,
+// and life signs as old.
 void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for);
 
 std::string free_kept_path(const std::string& folder);

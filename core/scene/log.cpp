@@ -147,6 +147,27 @@ Log read_log(std::string_view text, const std::string& name)
     return log;
 }
 
+std::string without_last_lines(std::string text, std::size_t count)
+{
+    for (; count > 0 && text.size() > 1; --count) {
+        const std::size_t end = text.rfind('\n', text.size() - 2);
+        if (end == std::string::npos) break;
+        text.resize(end + 1);
+    }
+    return text;
+}
+
+std::vector<std::string> lines_of(std::string_view text)
+{
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
 LogLine read_log_line(std::string_view line)
 {
     if (line.size() > longest_line) throw Rejected("the line is longer than 16 MiB");

@@ -49,6 +49,11 @@ struct Log {
 // version is refused.
 Log read_log(std::string_view text, const std::string& name);
 
+// The text without so many lines at its end; its first line, the header, stays.
+std::string without_last_lines(std::string text, std::size_t count);
+
+std::vector<std::string> lines_of(std::string_view text); // without line breaks
+
 // Reads one line that is not the header. Throws Rejected, without its place.
 LogLine read_log_line(std::string_view line);
 

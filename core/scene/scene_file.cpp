@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/scene/kept_scenes.h"
+#include "core/scene/life_sign.h"
 #include "core/scene/locked_file.h"
 #include "core/scene/log.h"
 #include "core/scene/moved_history.h"
@@ -18,20 +19,6 @@
 #include <utility>
 
 namespace trivar {
-namespace {
-
-std::vector<std::string> lines_of(std::string_view text)
-{
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
-} // namespace
 
 struct SceneFile::State {
     State() = default;
@@ -41,8 +28,7 @@ struct SceneFile::State {
     {
         if (file && path.empty()) put_aside(file_path);
     }
-    // Closes the file because the scene gets a name, or another one; a file without a name is
-    // removed.
+    // Closes the file, as the scene gets another name; a file without a name is removed.
     void let_go()
     {
         std::error_code ignored;
@@ -102,9 +88,9 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     state_->file.emplace(std::move(file));
 }
 
-SceneFile SceneFile::copy_of(const std::string& path)
+SceneFile SceneFile::copy_of(const std::string& path, std::size_t without_last)
 {
-    const std::string text = read_text_file(path);
+    const std::string text = without_last_lines(read_text_file(path), without_last);
     const Log log = read_log(text, path);
     SceneFile scene;
     State& s = *scene.state_;
@@ -113,6 +99,11 @@ SceneFile SceneFile::copy_of(const std::string& path)
     s.folder = absolute_folder(path);
     s.original = path;
     if (!log.notice.empty()) s.notices.push_back(log.notice);
+    if (without_last > 0)
+        s.notices.push_back(fmt::format(
+            "{}: Trivar ended twice while it read this scene; this is a copy without its last "
+            "{}, so save it under another name",
+            path, without_last == 1 ? "line" : fmt::format("{} lines", without_last)));
     return scene;
 }
 
@@ -162,10 +153,15 @@ std::optional<std::string> SceneFile::left_in(const std::string& folder)
 {
     for (const auto& [time, path] : scenes_in(folder, kept_name)) {
         try {
+            const LifeSign reading(folder, path + reading_sign, 0, true);
+            if (reading.steps_too_many() > 0) {
+                put_aside(path);
+                continue;
+            }
             const SceneFile scene(path);
             const bool in_use = scene.path().empty();
             if (!in_use && !scene.history().steps().empty()) return path;
-        } catch (const Rejected&) { // stays there, to be repaired by hand
+        } catch (const std::exception&) { // stays there, to be repaired by hand
         }
     }
     return std::nullopt;
@@ -400,6 +396,11 @@ void SceneFile::save_compact(const std::string& path)
 const std::string& SceneFile::path() const
 {
     return state_->path;
+}
+
+const std::string& SceneFile::file() const
+{
+    return state_->file ? state_->file_path : state_->path;
 }
 
 const std::string& SceneFile::original() const

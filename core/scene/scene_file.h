@@ -25,12 +25,14 @@ class SceneFile {
 public:
     SceneFile();                                 // without a name: in memory only, until keep_in()
     explicit SceneFile(const std::string& path); // replays it. Throws Rejected
-    // A copy without a path of a file that stays as it is. Throws Rejected.
-    static SceneFile copy_of(const std::string& path);
+    // A copy without a path of a file that stays as it is, or of all but its last lines. Throws
+    // Rejected.
+    static SceneFile copy_of(const std::string& path, std::size_t without_last = 0);
     // Opens a scene to look at it: it refuses every change with a sentence until it is saved under
     // another name, and follows changes of the file. Throws Rejected.
     static SceneFile looked_at(const std::string& path);
     // The file of the latest scene without a name that a program left in the folder when it ended.
+    // One that cannot be read stays there; one that ended two programs that read it is set aside.
     static std::optional<std::string> left_in(const std::string& folder);
     static SceneFile taken_up(const std::string& left); // continues a left scene. Throws Rejected
     // Sets aside a left scene, as if it had been closed. Throws Rejected.
@@ -84,6 +86,7 @@ public:
 
     const std::string& path() const;     // empty: a scene without a name, or a copy
     const std::string& original() const; // the file it is a copy of; empty: none
+    const std::string& file() const; // that is written, of a scene without a name too; empty: none
     bool as_opened() const; // nothing was done since it was opened, so closing it loses nothing
     bool in_use() const;    // a copy because another program has the file open
     bool look_only() const;

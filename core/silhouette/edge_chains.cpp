@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/edge_chains.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -40,7 +40,7 @@ struct ChainNode {
 
     void join(std::int32_t node)
     {
-        assert(next == none || other == none);
+        ensure(next == none || other == none, "three lines meet in a node");
         (next == none ? next : other) = node;
     }
     bool is_end() const { return other == none; }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/spline/greville_grid.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 
@@ -13,7 +13,7 @@ GrevilleGrid::Axis::Axis(const Knots& knots)
       count(knots.count()),
       band(static_cast<std::size_t>(count * (2 * order - 1)), 0)
 {
-    assert(knots.closure() == Closure::open);
+    ensure(knots.closure() == Closure::open, "an axis is closed");
     basis.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         basis.push_back(trivar::basis(knots, knots.into_domain(knots.greville(i)).t, 2));
@@ -49,8 +49,9 @@ GrevilleGrid::GrevilleGrid(std::array<Knots, 2> axes)
 
 Surface<glm::dvec3> GrevilleGrid::through(std::vector<glm::dvec3> values) const
 {
-    assert(values.size() ==
-           static_cast<std::size_t>(tables_[0].count) * static_cast<std::size_t>(tables_[1].count));
+    ensure(values.size() == static_cast<std::size_t>(tables_[0].count) *
+                                static_cast<std::size_t>(tables_[1].count),
+           "values are not of this grid");
     // Row r has `width` consecutive values; rows are `step` apart.
     const auto solve = [&](const Axis& axis, glm::dvec3* rows, int step, int width) {
         const auto subtract = [&](int from, int row, double factor) {

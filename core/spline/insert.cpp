@@ -2,11 +2,11 @@
 #include "core/spline/insert.h"
 
 #include "core/base/index.h"
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -45,8 +45,8 @@ std::array<double, max_order> blossom(const std::vector<double>& t, int s, int d
 
 AxisMap refinement_map(const Knots& from, const Knots& to)
 {
-    assert(from.order() == to.order());
-    assert(to.begin() >= from.begin() && to.end() <= from.end());
+    ensure(from.order() == to.order(), "knots are of two orders");
+    ensure(to.begin() >= from.begin() && to.end() <= from.end(), "knots reach beyond a domain");
     const int d = from.degree();
     AxisMap map;
     map.width = from.order();

@@ -2,6 +2,7 @@
 #include "core/split/cap.h"
 
 #include "core/base/array_copies.h"
+#include "core/plane/plane_grid.h"
 #include "core/plane/triangulation.h"
 #include "core/split/layered_cap.h"
 
@@ -14,15 +15,21 @@
 namespace trivar {
 namespace {
 
-// Inserts a point of a rim that is to be number `count`: where another one is, it goes a step
-// aside. Returns -1 where all places round it are taken.
-int put_aside(Triangulation& plane, const glm::ivec2& at, int near, std::size_t count)
+// Inserts a place of a rim; `number` holds the places of the points that are there. Where another
+// one is, it goes a step aside; a rim that comes to a place again finds it. Returns -1 where all
+// places round it are taken.
+int put_aside(Triangulation& plane, const glm::ivec2& at, int near,
+              std::vector<std::uint32_t>& number, std::uint32_t place)
 {
     constexpr std::array<glm::ivec2, 9> steps{
         {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
     for (const glm::ivec2& step : steps) {
         const int point = plane.insert(at + step, near);
-        if (point == static_cast<int>(count)) return point;
+        if (point == static_cast<int>(number.size())) {
+            number.push_back(place);
+            return point;
+        }
+        if (number[static_cast<std::size_t>(point)] == place) return point;
     }
     return -1;
 }
@@ -109,11 +116,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
             lo = glm::min(lo, options.places[place]);
             hi = glm::max(hi, options.places[place]);
         }
-    const double size = std::max({hi.x - lo.x, hi.y - lo.y, 1e-300});
-    const double scale = 2.0 * (most_units - 8) / size;
-    const auto on_grid = [&](const glm::dvec2& p) {
-        return glm::ivec2(glm::round((p - (lo + hi) / 2.0) * scale));
-    };
+    const PlaneGrid grid(lo, hi);
     Triangulation plane;
     std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
     const std::size_t first_inside = options.places.size() + cap.inside.size();
@@ -122,7 +125,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
     std::vector<std::array<std::uint32_t, 3>> slivers;
     for (const RimLoop* whole : loops) {
         const RimLoop loop =
-            thinned(*whole, left_out.steps / scale, left_out.places, options, slivers);
+            thinned(*whole, left_out.steps / grid.scale, left_out.places, options, slivers);
         if (loop.size() < 3) return false;
         std::vector<int> points(loop.size(), -1);
         // Every second one of those that are left comes next: in their order along a round loop
@@ -131,11 +134,10 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
         for (std::size_t step = coarsest; step > 0; step /= 2)
             for (std::size_t i = step == coarsest ? 0 : step; i < loop.size();
                  i += step == coarsest ? coarsest : 2 * step) {
-                const glm::ivec2 at = on_grid(options.places[loop[i]]);
+                const glm::ivec2 at = grid.at(options.places[loop[i]]);
                 const int near = i == 0 ? -1 : points[i - step];
-                points[i] = put_aside(plane, at, near, number.size());
+                points[i] = put_aside(plane, at, near, number, loop[i]);
                 if (points[i] < 0) return false;
-                number.push_back(loop[i]);
             }
         for (std::size_t i = 0; i < points.size(); ++i) {
             const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
@@ -146,11 +148,11 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
             if (options.coarseness && rim.gaps.contains({from, to})) {
                 std::vector<glm::dvec2> between;
                 add_between(options.places[from], options.places[to], options.coarseness,
-                            size / 8000, between);
+                            grid.size / 8000, between);
                 for (const glm::dvec2& each : between) {
-                    const int point = put_aside(plane, on_grid(each), last, number.size());
+                    const auto own = static_cast<std::uint32_t>(first_inside + inside.size());
+                    const int point = put_aside(plane, grid.at(each), last, number, own);
                     if (point < 0) return false;
-                    number.push_back(static_cast<std::uint32_t>(first_inside + inside.size()));
                     inside.push_back(each);
                     go(point);
                 }
@@ -158,6 +160,13 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
             go(points[(i + 1) % points.size()]);
         }
     }
+    // A rim that comes to a place again must not go along one of its edges again
+    std::vector<std::pair<int, int>> once;
+    for (const auto& [a, b] : edges) once.push_back(std::minmax(a, b));
+    std::ranges::sort(once);
+    if (std::ranges::adjacent_find(once) != once.end() ||
+        std::ranges::any_of(once, [](const auto& e) { return e.first == e.second; }))
+        return false;
     for (const auto& [a, b] : edges)
         if (plane.join(a, b) != Triangulation::JoinResult::one_edge) return false;
     if (!plane.fill(edges)) return false;
@@ -167,7 +176,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
     for (const Triangulation::Corners& t : plane.inside())
         flat.corners.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
                                 static_cast<std::uint32_t>(t[2])});
-    if (options.coarseness) make_fine_enough(flat, options.coarseness, size / 8000);
+    if (options.coarseness) make_fine_enough(flat, options.coarseness, grid.size / 8000);
     const std::size_t from_rim = number.size(), refined = first_inside + inside.size();
     const auto number_of = [&](std::uint32_t point) {
         return point < from_rim ? number[point]

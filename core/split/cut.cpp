@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/cut.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_region.h"
 #include "core/refinement/born_vertices.h"
 #include "core/split/heights_apart.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -83,16 +83,20 @@ struct CutEdge {
 // Gives the edges that are cut their copies and places.
 class Crossings {
 public:
+    // `both`: #V, or empty; see SidesOnCut
     Crossings(const Mesh& mesh, const std::vector<char>& above,
-              const std::vector<CutTriangle>& across)
+              const std::vector<CutTriangle>& across, const std::vector<char>& both = {})
         : mesh_(&mesh)
     {
         edges_.reserve(2 * across.size());
         for (const CutTriangle& t : across)
             for (int i = 0; i < 3; ++i) {
                 const std::uint32_t a = t.vertices[i], b = t.vertices[(i + 1) % 3];
-                if (above[a] != above[b]) edges_.push_back(ordered(a, b));
+                if (above[a] != above[b] && (both.empty() || !(both[a] || both[b])))
+                    edges_.push_back(ordered(a, b));
             }
+        for (std::uint32_t v = 0; v < both.size(); ++v)
+            if (both[v]) edges_.push_back({v, v});
         std::ranges::sort(edges_);
         edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
         for (const CutEdge& e : edges_) places_.push_back(by_points(e));
@@ -153,22 +157,38 @@ bool leave_whole(std::vector<CutTriangle>& across, const Mesh& mesh, const std::
     return true;
 }
 
+// An edge from one place on the cut to another of a face on one side.
+struct EdgeOnCut {
+    std::uint32_t from, to;
+    bool up;
+};
+
 // The faces that a triangle across the cut becomes: one on the side of its single corner, two on
-// the other side.
+// the other side. One of each where a corner lies on the cut.
 class FaceMaker {
 public:
     FaceMaker(CutMesh& out, const Mesh& mesh, const Crossings& crossings,
-              const std::vector<std::uint32_t>& place_of_edge)
+              const std::vector<std::uint32_t>& place_of_edge, const std::vector<char>& both)
         : out_(out),
           mesh_(mesh),
           crossings_(crossings),
-          place_of_edge_(place_of_edge)
+          place_of_edge_(place_of_edge),
+          both_(both)
     {
     }
     void operator()(const CutTriangle& t)
     {
+        if (const int lying = both(t, 0) + both(t, 1) + both(t, 2); lying > 0) {
+            bool up = true; // where all of it lies on the cut
+            for (int i = 0; i < 3; ++i) {
+                if (lying == 1 && both(t, i) && above(t, i + 1) != above(t, i + 2))
+                    return cut_at_corner(t, i);
+                if (!both(t, i)) up = above(t, i);
+            }
+            return whole(t.face, corners(t), up);
+        }
         if (above(t, 0) == above(t, 1) && above(t, 0) == above(t, 2)) { // of a larger face
-            add(t, {t.vertices.x, t.vertices.y, t.vertices.z});
+            add(t.face, corners(t));
             return;
         }
         int lone = 0; // the corner that is alone on its side
@@ -177,48 +197,96 @@ public:
         const std::uint32_t x = corner(t, lone), y = corner(t, lone + 1), z = corner(t, lone + 2);
         const bool up = out_.above[x];
         const std::uint32_t xy = crossings_.edge(x, y), xz = crossings_.edge(x, z);
-        add(t, {x, copy(xy, up), copy(xz, up)});
+        add(t.face, std::array{x, copy(xy, up), copy(xz, up)});
         // The shorter diagonal of the rest
         const glm::dvec3 p(out_.mesh.positions[copy(xy, !up)]);
         const glm::dvec3 q(out_.mesh.positions[copy(xz, !up)]);
         if (glm::distance(p, glm::dvec3(mesh_.positions[z])) <
             glm::distance(q, glm::dvec3(mesh_.positions[y]))) {
-            add(t, {copy(xy, !up), y, z});
-            add(t, {copy(xy, !up), z, copy(xz, !up)});
+            add(t.face, std::array{copy(xy, !up), y, z});
+            add(t.face, std::array{copy(xy, !up), z, copy(xz, !up)});
         } else {
-            add(t, {copy(xy, !up), y, copy(xz, !up)});
-            add(t, {y, z, copy(xz, !up)});
+            add(t.face, std::array{copy(xy, !up), y, copy(xz, !up)});
+            add(t.face, std::array{y, z, copy(xz, !up)});
         }
         const std::uint32_t from = place_of_edge_[xy], to = place_of_edge_[xz];
         out_.rim.push_back(up ? glm::uvec2(from, to) : glm::uvec2(to, from));
     }
+    // A face that is all on one side, with copies of its corners on the cut.
+    void whole(std::uint32_t face, std::span<const std::uint32_t> vertices, bool up)
+    {
+        std::vector<std::uint32_t> own(vertices.begin(), vertices.end());
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const std::uint32_t v = vertices[i], next = vertices[(i + 1) % own.size()];
+            if (!both_[v]) continue;
+            own[i] = copy(crossings_.edge(v, v), up);
+            if (both_[next]) edges_.push_back({place_of(v), place_of(next), up});
+        }
+        add(face, own);
+    }
+    // The rim along edges of the mesh, after all faces: where one above has one below beside it.
+    void add_rim()
+    {
+        const auto ends = [](const EdgeOnCut& e) { return std::minmax(e.from, e.to); };
+        std::ranges::sort(edges_, {}, ends);
+        for (std::size_t begin = 0, end = 0; begin < edges_.size(); begin = end) {
+            const auto [lo, hi] = ends(edges_[begin]);
+            std::array<int, 2> rising{}; // how many more run from lo to hi: below, above
+            for (; end < edges_.size() && ends(edges_[end]) == ends(edges_[begin]); ++end)
+                rising[edges_[end].up ? 1 : 0] += edges_[end].from == lo ? 1 : -1;
+            for (; rising[1] > 0 && rising[0] < 0; --rising[1], ++rising[0])
+                out_.rim.emplace_back(lo, hi);
+            for (; rising[1] < 0 && rising[0] > 0; ++rising[1], --rising[0])
+                out_.rim.emplace_back(hi, lo);
+        }
+    }
 
 private:
+    // A triangle between its corner i, which lies on the cut, and a place on the other edge.
+    void cut_at_corner(const CutTriangle& t, int i)
+    {
+        const std::uint32_t on = corner(t, i), y = corner(t, i + 1), z = corner(t, i + 2);
+        const std::uint32_t at = crossings_.edge(on, on), yz = crossings_.edge(y, z);
+        const bool up = out_.above[y];
+        add(t.face, std::array{copy(at, up), y, copy(yz, up)});
+        add(t.face, std::array{copy(at, !up), copy(yz, !up), z});
+        const std::uint32_t from = place_of_edge_[yz], to = place_of_edge_[at];
+        out_.rim.push_back(up ? glm::uvec2(from, to) : glm::uvec2(to, from));
+    }
     static std::uint32_t corner(const CutTriangle& t, int i) { return t.vertices[i % 3]; }
+    static std::array<std::uint32_t, 3> corners(const CutTriangle& t)
+    {
+        return {t.vertices.x, t.vertices.y, t.vertices.z};
+    }
     bool above(const CutTriangle& t, int i) const { return out_.above[corner(t, i)]; }
+    bool both(const CutTriangle& t, int i) const { return !both_.empty() && both_[corner(t, i)]; }
+    std::uint32_t place_of(std::uint32_t v) const { return place_of_edge_[crossings_.edge(v, v)]; }
     std::uint32_t copy(std::uint32_t edge, bool up) const
     {
         return out_.first_vertex + 2 * edge + (up ? 1 : 0);
     }
-    void add(const CutTriangle& t, const std::array<std::uint32_t, 3>& vertices)
+    void add(std::uint32_t face, std::span<const std::uint32_t> vertices)
     {
         add_face(out_.mesh, vertices);
         if (!mesh_.face_material.empty())
-            out_.mesh.face_material.push_back(mesh_.face_material[t.face]);
-        if (!mesh_.face_group.empty()) out_.mesh.face_group.push_back(mesh_.face_group[t.face]);
+            out_.mesh.face_material.push_back(mesh_.face_material[face]);
+        if (!mesh_.face_group.empty()) out_.mesh.face_group.push_back(mesh_.face_group[face]);
     }
 
     CutMesh& out_;
     const Mesh& mesh_;
     const Crossings& crossings_;
     const std::vector<std::uint32_t>& place_of_edge_;
+    const std::vector<char>& both_;
+    std::vector<EdgeOnCut> edges_;
 };
 
 } // namespace
 
-CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, const CutNeed* need)
+CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, const CutNeed* need,
+            const OnCut* on)
 {
-    assert(heights.size() == mesh.vertex_count());
+    ensure(heights.size() == mesh.vertex_count(), "heights are not of this mesh");
     CutMesh out;
     out.mesh = std::move(memory.mesh);
     out.above = std::move(memory.above);
@@ -227,14 +295,20 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, c
                     [&](std::size_t begin, std::size_t end) {
                         for (std::size_t v = begin; v < end; ++v) out.above[v] = heights[v] >= 0;
                     });
-    std::vector<std::uint32_t> faces = faces_across(mesh, out.above);
+    const bool lies =
+        on && std::ranges::any_of(heights, [&](double h) { return std::abs(h) <= on->within; });
+    const SidesOnCut lying = lies ? sides_on_cut(mesh, heights, *on) : SidesOnCut{};
+    if (lies) out.above = lying.above;
+    std::vector<std::uint32_t> faces = lies ? lying.across : faces_across(mesh, out.above);
     std::vector<CutTriangle> across = triangles_of(mesh, faces);
-    Crossings crossings(mesh, out.above, across);
+    Crossings crossings(mesh, out.above, across, lying.both);
     if (need && leave_whole(across, mesh, out.above, crossings, *need)) {
         faces.clear();
         for (const CutTriangle& t : across) faces.push_back(t.face);
-        crossings = Crossings(mesh, out.above, across);
+        crossings = Crossings(mesh, out.above, across, lying.both);
     }
+    faces.insert(faces.end(), lying.beside.begin(), lying.beside.end());
+    std::ranges::sort(faces);
     out.first_new_face = mesh.face_count() - faces.size();
     if (faces.empty()) {
         out.mesh = mesh;
@@ -253,13 +327,13 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, c
     crossed.reserve(crossings.edges().size());
     for (const CutEdge& e : crossings.edges())
         crossed.push_back({{mesh.point(e.a), mesh.point(e.b)}, {heights[e.a], heights[e.b]}});
-    move_apart(crossed);
+    if (!on) move_apart(crossed);
     out.moved.resize(crossings.place_count());
     std::vector<std::uint32_t> place_of_edge;
     out.edge_of_place.resize(crossings.place_count());
     for (const CutEdge& e : crossings.edges()) {
         const auto& [a, b] = crossed[out.edges.size()].heights;
-        const auto t = static_cast<float>(a / (a - b));
+        const auto t = e.a == e.b ? 0 : static_cast<float>(a / (a - b));
         place_of_edge.push_back(crossings.place(e));
         out.moved[place_of_edge.back()] =
             std::max(std::abs(a - heights[e.a]), std::abs(b - heights[e.b]));
@@ -275,8 +349,14 @@ CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory, c
     for (std::size_t e = 0; e < place_of_edge.size(); ++e)
         out.places[place_of_edge[e]] = out.mesh.positions[out.first_vertex + 2 * e];
 
-    FaceMaker make(out, mesh, crossings, place_of_edge);
+    FaceMaker make(out, mesh, crossings, place_of_edge, lying.both);
     for (const CutTriangle& t : across) make(t);
+    for (const std::uint32_t f : lying.beside)
+        make.whole(f,
+                   {mesh.corners.data() + mesh.face_begin[f],
+                    mesh.corners.data() + mesh.face_begin[f + 1]},
+                   lying.sides[f] == side_above);
+    make.add_rim();
     return out;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/finer.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/split/halve_edges.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace trivar {
@@ -189,7 +189,7 @@ void add_heights(std::vector<double>& heights, const Mesh& mesh, const SplitFiel
 FineMesh fine_enough(Mesh mesh, std::vector<char> free, const SplitField& field,
                      const SplitError& error, double tolerance, std::size_t most_triangles)
 {
-    assert(mesh.points.size() == mesh.vertex_count());
+    ensure(mesh.points.size() == mesh.vertex_count(), "vertices have no points");
     Rounds rounds(triangulated(std::move(mesh)), std::move(free), field, error, tolerance);
     for (int round = 0; rounds.mark(); ++round) {
         if (round >= most_rounds || rounds.triangle_count() >= most_triangles) break;

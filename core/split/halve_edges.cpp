@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/halve_edges.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/refinement/born_vertices.h"
 
-#include <cassert>
 #include <utility>
 
 namespace trivar {
@@ -150,7 +150,7 @@ Mesh triangulated(Mesh mesh)
 
 std::vector<std::uint32_t> halve_edges(Mesh& mesh, std::size_t points, const EdgeNumbers& marked)
 {
-    assert(mesh.points.size() == mesh.vertex_count());
+    ensure(mesh.points.size() == mesh.vertex_count(), "vertices have no points");
     std::vector<HalvedTriangle> halved = triangles_at(mesh, points, marked);
     const auto first_vertex = static_cast<std::uint32_t>(mesh.vertex_count());
     add_vertices(mesh, middles_of(halved, mesh, points, marked.count()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/layered_cap.h"
 
+#include "core/plane/plane_grid.h"
 #include "core/plane/triangulation.h"
 #include "core/split/loop_layers.h"
 
@@ -13,19 +14,8 @@ namespace {
 
 constexpr std::uint32_t no_vertex = 0xffffffff;
 
-// The grid on which loops are cut, and their parameters on it.
-struct CapGrid {
-    glm::dvec2 middle;
-    double scale, size;
-
-    glm::ivec2 at(const glm::dvec2& p) const
-    {
-        return glm::ivec2(glm::round((p - middle) * scale));
-    }
-    glm::dvec2 parameters(const glm::ivec2& p) const { return middle + glm::dvec2(p) / scale; }
-};
-
-CapGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<glm::dvec2>& places)
+// The grid on which loops are cut.
+PlaneGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<glm::dvec2>& places)
 {
     glm::dvec2 lo(1e300), hi(-1e300);
     for (const RimLoop* loop : loops)
@@ -33,8 +23,7 @@ CapGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<glm:
             lo = glm::min(lo, places[place]);
             hi = glm::max(hi, places[place]);
         }
-    const double size = std::max({hi.x - lo.x, hi.y - lo.y, 1e-300});
-    return {(lo + hi) / 2.0, 2.0 * (most_units - 8) / size, size};
+    return {lo, hi};
 }
 
 // Makes the vertices and triangles of a cap in layers.
@@ -106,7 +95,7 @@ private:
     std::uint32_t copy(std::uint32_t point, int layer)
     {
         const auto [found, is_new] = copies_.try_emplace({point, layer}, no_vertex);
-        if (is_new) found->second = add_inside(grid_.parameters(layers_->points[point]));
+        if (is_new) found->second = add_inside(grid_.point(layers_->points[point]));
         return found->second;
     }
     glm::dvec2 parameters(std::uint32_t vertex) const
@@ -215,7 +204,7 @@ private:
 
     const CapOptions& options_;
     FlatCap& cap_;
-    CapGrid grid_;
+    PlaneGrid grid_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_; // of the rim, by places
     std::optional<LoopLayers> layers_;
     std::map<Copy, std::uint32_t> copies_; // vertices of the cap

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/flatten.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace trivar {
@@ -37,7 +38,7 @@ int chords(std::span<const glm::dvec2> p, double tolerance)
 
 void append_curve(Loop& loop, std::span<const glm::dvec2> control, double tolerance)
 {
-    assert(control.size() == 3 || control.size() == 4);
+    ensure(control.size() == 3 || control.size() == 4, "a curve is not of degree 2 or 3");
     const int n = chords(control, tolerance);
     for (int i = 1; i <= n; ++i) {
         const double t = double(i) / n;

@@ -2,13 +2,13 @@
 #include "core/text/font.h"
 
 #include "core/base/digest.h"
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/text/flatten.h"
 #include "core/text/font_state.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include FT_OUTLINE_H
 #include <hb-ot.h>
@@ -84,7 +84,7 @@ Font::Font(std::string bytes, int face, const std::string& name)
     : state_(std::make_unique<FontState>())
 {
     FontState& s = *state_;
-    assert(bytes.size() <= most_bytes);
+    ensure(bytes.size() <= most_bytes, "a font is too large");
     s.bytes = std::move(bytes);
     if (FT_Init_FreeType(&s.library) != 0 ||
         FT_New_Memory_Face(s.library, reinterpret_cast<const FT_Byte*>(s.bytes.data()),

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/covered_tiles.h"
 
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_copies.h"
+#include "core/patches/pinch.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -225,7 +226,13 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
         for (std::size_t k = begin; k < end; ++k) {
             TileOnCells tile(covering, pose, tiles[k]);
             for (std::size_t v = 0; v < count; ++v) {
-                const auto [p, x, y, z] = tile.at(from.at[v]);
+                auto [p, x, y, z] = tile.at(from.at[v]);
+                if (is_pinched(x, y)) {
+                    const glm::dvec2 to_middle = 0.5 - glm::dvec2(from.at[v]);
+                    const TilePoint inside =
+                        tile.at(from.at[v] + glm::dvec3(double(pinch_inside) * to_middle, 0));
+                    x = inside.x, y = inside.y, z = inside.z;
+                }
                 const std::size_t to = k * count + v;
                 out.positions[to] = glm::vec3(p) + 0.0f; // no negative zeros
                 if (!out.normals.empty()) {
@@ -308,7 +315,7 @@ glm::dmat4 to_unit_cell(const CoverCell& cell)
 PatchedTile patched_tile(const CoverCell& cell, const Covering& covering, const CoveringPose& pose,
                          std::uint32_t tile)
 {
-    assert(cell.turns == 0);
+    ensure(cell.turns == 0, "a turned cell is no patch");
     TileOnCells on_cells(covering, pose, tile);
     const auto at = [&](double x, double y) {
         return on_cells.at({0.5 + cell.scale * (x - 0.5), 0.5 + cell.scale * (y - 0.5), 0});

@@ -2,11 +2,11 @@
 #include "core/tiles/tile_base.h"
 
 #include "core/base/box.h"
+#include "core/base/mistake.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/barycentric.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
 namespace {
@@ -93,7 +93,7 @@ TileBase::TileBase(std::vector<Piece> pieces)
         }
         add_faces(piece);
     }
-    assert(faces_.size() == triangles_.size());
+    ensure(faces_.size() == triangles_.size(), "a triangle is of no face");
     first_.push_back(static_cast<std::uint32_t>(triangles_.size()));
     for (const glm::dvec3& p : points_) box.add(p);
     diagonal_ = glm::length(box.size());

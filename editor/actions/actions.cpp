@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/actions.h"
 
+#include "core/base/mistake.h"
 #include "editor/editor.h"
 #include "ui/sentence.h"
-
-#include <cassert>
 
 namespace trivar {
 
@@ -23,8 +22,7 @@ const Action& action(const Editor& editor, const std::string& name)
 {
     for (const Action& each : editor.actions)
         if (each.name == name) return each;
-    assert(false && "no action of this name");
-    return editor.actions.front();
+    throw Mistake("there is no action of this name: " + name);
 }
 
 bool is_enabled(const Editor& editor, const Action& action)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/command_line.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "core/base/this_program.h"
 #include "core/commands/command.h"
@@ -19,7 +20,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 namespace trivar {
 namespace {
@@ -203,9 +203,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "--check", o.check,
         "compare with the digests in the file, and one thread with all threads, and\nsay what is "
         "proven of each volume: where it folds, and where it meets itself");
-    replay
-        ->add_flag("--digest", o.digest,
-                   "print the digests as a line that can be appended to the scene");
+    replay->add_flag("--digest", o.digest,
+                     "print the digests as a line that can be appended to the scene");
     replay
         ->add_option("--epsilon", o.epsilon,
                      "split the triangles of all bent objects until their surfaces are "
@@ -379,10 +378,8 @@ Status run_program(const std::vector<std::string>& arguments, const Streams& str
     } catch (const WrongUsage& error) {
         streams.talk << "trivar: " << error.what() << "\n";
         return Status::usage;
-    } catch (const std::bad_alloc&) {
-        streams.talk << "trivar: there is not enough memory for this\n";
     } catch (const std::exception& error) {
-        streams.talk << "trivar: " << error.what() << "\n";
+        streams.talk << "trivar: " << words_of(error) << "\n";
     }
     return Status::rejected;
 }

@@ -47,7 +47,7 @@ public:
               return share_of(frames_, options.shard);
           })),
           assets_(asset_store(options.scene)),
-          evaluator_(assets_)
+          evaluator_(assets_, ShutIncisions::vanish, OnFailure::leave_out)
     {
         if (!options.sheet.empty()) {
             const glm::ivec2 grid = option_value([&] { return sheet_grid(options.sheet); });

@@ -165,7 +165,7 @@ ReplayResult replay(const ReplayOptions& options, const Streams& streams,
         return scene_log(log_text(options.scene), options.scene.path, streams);
     });
     const Ref<AssetStore> assets = asset_store(options.scene);
-    Evaluator evaluator(assets);
+    Evaluator evaluator(assets, ShutIncisions::vanish, OnFailure::leave_out);
     History history;
     for (const LogLine& line : log.lines) {
         if (options.to > 0 && line.number > options.to) break;

@@ -104,6 +104,7 @@ private:
     };
     Present present() const { return {session_->scenes(), session_->scene().lines().size()}; }
     void open(const std::string& path, bool copy, std::function<void()> then);
+    SceneFile read_scene(const std::string& path, bool copy) const;
     // Takes in a scene that was read; asks once more if something was done since the request.
     void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
                      const std::function<void()>& then);
@@ -121,9 +122,10 @@ private:
                             std::function<void(const std::string& why)> lost);
     void tell_lost(Batch& batch); // when the last of them is there
     // Once the models that came are in the picture: says where one is far larger or smaller than
-    // what was there, and offers to scale it.
+    // what was there, and offers to scale it, or that it cannot be seen, and offers to frame it.
     void measure_imported();
-    void tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
+    bool tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
+    void tell_of_facets(Id id); // where a scan has no normals; offers to shade it smooth
     // What fails is said in the dialog that asked for the file, which keeps the path; else in a
     // notice.
     void write_scene(const std::string& path, bool compact, bool from_dialog = false);

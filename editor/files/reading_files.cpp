@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes in: scenes that are opened, models that are imported, files that are dropped.
 #include "core/base/rejected.h"
+#include "core/commands/shade.h"
 #include "core/files/file_bytes.h"
+#include "core/mesh/shading.h"
 #include "editor/files/files.h"
 #include "editor/files/volume_names.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
+#include "ui/camera_control.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -29,6 +32,16 @@ bool is_picture(const std::string& path)
 {
     const auto& known = image_extensions();
     return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
+}
+
+// Reads a scene in whose reading the program may end: then the third time all but its last lines.
+SceneFile Files::read_scene(const std::string& path, bool copy) const
+{
+    LifeSign reading(session_->unnamed_folder(), path + reading_sign, 0, true);
+    const std::size_t too_many = reading.steps_too_many();
+    if (too_many == 0) return copy ? SceneFile::copy_of(path) : SceneFile(path);
+    reading.take_back(0);
+    return SceneFile::copy_of(path, too_many);
 }
 
 void Files::open_scene(const std::string& path)
@@ -54,8 +67,7 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
              [this, since, path, copy, then](const Progress&) -> Jobs::Finish {
                  // Shared, for a function that is copied cannot hold what is
                  // only moved.
-                 auto scene =
-                     std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
+                 auto scene = std::make_shared<SceneFile>(read_scene(path, copy));
                  return [this, since, scene, then] {
                      if (opening_.lock() == since) opening_.reset();
                      take_opened(*since, scene, then);
@@ -190,35 +202,63 @@ void Files::read_model(const std::string& path, std::function<void(const ImportM
             return true;
         },
         [this, path](const std::string& why) {
-            session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
+            session_->notices.say(ui::NoticeKind::error, file_first(path) + " was not imported",
                                   why);
         });
 }
+
+namespace {
+
+// Whether a person sees something of what is in the box.
+bool is_seen(const Camera& camera, const Box& box)
+{
+    constexpr double least_px = 6;
+    if (box.distance(camera.eye) <= 0) return false;
+    const PicturePoint middle = project(camera, box.center());
+    if (!(middle.depth_world > 0)) return false;
+    const glm::dvec2 p = middle.p_px, size = camera.size_px;
+    const double px = glm::length(box.size()) / pixel_size_world(camera, middle.depth_world);
+    return px >= least_px && p.x > -px / 2 && p.y > -px / 2 && p.x < size.x + px / 2 &&
+           p.y < size.y + px / 2;
+}
+
+} // namespace
 
 void Files::measure_imported()
 {
     Session& s = *session_;
     if (to_measure_.empty() || !s.up_to_date() || s.proposing()) return;
     const std::vector<Id> fresh = std::exchange(to_measure_, {});
-    for (const Id id : fresh) {
+    for (auto each = fresh.begin(); each != fresh.end(); ++each) {
+        const Id id = *each;
         const auto& objects = s.document().objects;
-        if (!objects.contains(id) || objects.at(id)->tiles) continue; // tiles have their own size
-        std::vector<Id> others;
-        for (const auto& [other, each] : objects)
+        if (!objects.contains(id)) continue;
+        tell_of_facets(id);
+        if (objects.at(id)->tiles) continue; // tiles have their own size
+        std::vector<Id> others;              // those that were there before
+        for (const auto& [other, ref] : objects)
             if (other != id && visible(s.document(), other) &&
-                std::ranges::find(fresh, other) == fresh.end())
+                std::find(each, fresh.end(), other) == fresh.end())
                 others.push_back(other);
-        const double own = glm::length(bounds_of(s, id).size());
+        const Box box = bounds_of(s, id);
+        const double own = glm::length(box.size());
         const double all = others.empty() ? 0 : glm::length(bounds_of(s, others).size());
-        if (own > 0 && all > 0) tell_of_sizes(id, own, all);
+        if (!(own > 0) || !(all > 0) || tell_of_sizes(id, own, all)) continue;
+        if (s.view.frame_all_when_evaluated || is_seen(s.view.camera, box)) continue;
+        s.notices.say(
+            ui::NoticeKind::warning, name_of(s.document(), id) + " cannot be seen from here",
+            "It is out of view, tiny, or all around the camera.", "place of a model",
+            {{"Frame it", [&s, id] {
+                  s.view.go_to = ui::framed(s.view.camera, points_of(s, {id}), s.view.foot_px);
+              }}});
     }
 }
 
-void Files::tell_of_sizes(Id id, double own_m, double scene_m)
+bool Files::tell_of_sizes(Id id, double own_m, double scene_m)
 {
-    constexpr double odd = 50; // times as large or small as the rest: hardly ever meant
+    constexpr double odd = 30; // times as large or small as the rest: hardly ever meant
     const double ratio = own_m / scene_m;
-    if (ratio < odd && ratio > 1 / odd) return;
+    if (ratio < odd && ratio > 1 / odd) return false;
     const double factor = std::pow(10.0, -std::round(std::log10(ratio)));
     const std::string name = name_of(session_->document(), id);
     session_->notices.say(
@@ -236,6 +276,23 @@ void Files::tell_of_sizes(Id id, double own_m, double scene_m)
               if (session_->run(SetTransform{id, t}))
                   session_->view.frame_all_when_evaluated = true;
           }}});
+    return true;
+}
+
+void Files::tell_of_facets(Id id)
+{
+    const auto effects = session_->evaluated().objects.find(id);
+    if (effects == session_->evaluated().objects.end()) return;
+    const auto& meshes = effects->second->shape->meshes;
+    if (std::ranges::none_of(meshes, [](const auto& hung) { return looks_smooth(*hung.rest); }))
+        return;
+    session_->notices.say(
+        ui::NoticeKind::warning, name_of(session_->document(), id) + " is shaded flat",
+        "Its file has no normals. Its faces are many and meet at small angles, as in a scan.",
+        "facets of a model", {{"Shade by angle", [this, id] {
+                                   if (session_->committed().objects.contains(id))
+                                       session_->run(Shade{{id}, {ShadingWay::by_angle}});
+                               }}});
 }
 
 void Files::tell_lost(Batch& batch)
@@ -245,7 +302,8 @@ void Files::tell_lost(Batch& batch)
     constexpr std::size_t most = 4;
     const std::size_t count = batch.lost.size();
     if (count == 1) {
-        session_->notices.say(ui::NoticeKind::error, batch.lost[0].name + " was not imported",
+        session_->notices.say(ui::NoticeKind::error,
+                              file_first(batch.lost[0].name) + " was not imported",
                               batch.lost[0].why);
         return;
     }

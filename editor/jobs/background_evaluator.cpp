@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/jobs/background_evaluator.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 
 #include <chrono>
@@ -13,8 +14,9 @@ double now_s()
         .count();
 }
 
-BackgroundEvaluator::BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake)
-    : evaluator_(std::move(assets)),
+BackgroundEvaluator::BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake,
+                                         OnFailure on_failure)
+    : evaluator_(std::move(assets), ShutIncisions::vanish, on_failure),
       wake_(std::move(wake)),
       thread_([this](const std::stop_token& stop) { work(stop); })
 {
@@ -107,7 +109,8 @@ void BackgroundEvaluator::evaluate(const std::stop_token& stop, std::unique_lock
         result.problem = "The picture shows the scene as it was before.";
         result.stopped = true;
     } catch (const std::exception& trouble) {
-        result.problem = trouble.what();
+        result.problem = words_of(trouble);
+        if (is_mistake(trouble)) result.mistake = std::current_exception();
     }
     lock.lock();
     status_ = {};
@@ -118,7 +121,7 @@ void BackgroundEvaluator::evaluate(const std::stop_token& stop, std::unique_lock
 void BackgroundEvaluator::refine_view(const std::stop_token& stop,
                                       std::unique_lock<std::mutex>& lock)
 {
-    SeenResult result{std::move(*view_waiting_), {}};
+    SeenResult result{std::move(*view_waiting_), {}, {}};
     view_waiting_.reset();
     lock.unlock();
     const Progress progress = [&](double, std::string_view) {
@@ -133,7 +136,8 @@ void BackgroundEvaluator::refine_view(const std::stop_token& stop,
         if (request.deform_parts) deform_parts(result.seen.evaluated);
         done = true;
     } catch (const Cancelled&) {
-    } catch (const std::exception&) { // of memory, as it may be: then as they are
+    } catch (const std::exception& trouble) { // of memory, as it may be: then as they are
+        if (is_mistake(trouble)) result.mistake = std::current_exception();
         result.seen.evaluated = result.request.evaluated;
         done = true;
     }

@@ -4,6 +4,7 @@
 #include "core/evaluation/view_refining.h"
 
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -17,7 +18,8 @@ namespace trivar {
 class BackgroundEvaluator {
 public:
     // The other thread calls `wake` when there is a result or progress.
-    BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake);
+    BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake,
+                        OnFailure on_failure = OnFailure::pass_on);
     ~BackgroundEvaluator(); // stops the work
     BackgroundEvaluator(const BackgroundEvaluator&) = delete;
     BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
@@ -29,8 +31,9 @@ public:
     struct Result {
         long ticket = 0;
         Evaluation evaluated;
-        std::string problem;  // why there is no result; empty: there is one
-        bool stopped = false; // that is why
+        std::string problem;                  // why there is no result; empty: there is one
+        bool stopped = false;                 // that is why
+        std::exception_ptr mistake = nullptr; // of Trivar, which is why; null: it is none
     };
     std::optional<Result> poll(); // what was finished since the last call
 
@@ -47,7 +50,8 @@ public:
     void submit_view(ViewRequest request);
     struct SeenResult {
         ViewRequest request;
-        SeenEffects seen;
+        SeenEffects seen; // as asked for where they could not be split
+        std::exception_ptr mistake = nullptr;
     };
     std::optional<SeenResult> poll_view(); // what was finished since the last call
 

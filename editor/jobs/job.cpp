@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/jobs/job.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "editor/jobs/background_evaluator.h"
 
@@ -25,14 +26,15 @@ void Jobs::next()
     {
         const std::lock_guard lock(mutex_);
         if (running_ || queue_.empty()) return;
-        running_ = true;
         cancelled_ = false;
         status_ = {queue_.front().what, {}, -1, 0};
         started_s_ = now_s();
     }
     if (thread_.joinable()) thread_.join(); // it is over, or it would still be running
-    thread_ = std::jthread([this, job = std::move(queue_.front())] { run(job); });
-    queue_.pop_front();
+    const Job job = std::move(queue_.front());
+    queue_.pop_front(); // a job without a thread is not tried again
+    thread_ = std::jthread([this, job] { run(job); });
+    running_ = true;
 }
 
 void Jobs::run(const Job& job)
@@ -54,8 +56,10 @@ void Jobs::run(const Job& job)
     } catch (const Cancelled&) {
         finish = [] {};
     } catch (const std::exception& trouble) {
-        finish = [lost = job.when_lost, words = std::string(trouble.what())] {
+        finish = [lost = job.when_lost, words = words_of(trouble),
+                  mistake = is_mistake(trouble) ? std::current_exception() : nullptr] {
             if (lost) lost(words);
+            if (mistake) std::rethrow_exception(mistake);
         };
     }
     const std::lock_guard lock(mutex_);
@@ -71,9 +75,8 @@ void Jobs::poll()
         finish = std::exchange(finish_, std::nullopt);
         if (finish) running_ = false;
     }
-    if (!finish) return;
-    if (*finish) (*finish)();
-    next();
+    if (finish && *finish) (*finish)();
+    next(); // in the next frame where this one ended by an exception
 }
 
 std::optional<Jobs::Status> Jobs::status() const

@@ -16,7 +16,7 @@ inline constexpr double progress_shown_s = 0.6; // after which working on the sc
 
 // Jobs runs long work that is done once: reading a model, writing a file. Jobs run one after
 // another on a thread of their own; the function that a job returns is called on the frame thread
-// when the job is done.
+// when the job is done. A mistake of Trivar in a job is thrown there, too, once the loss was told.
 class Jobs {
 public:
     explicit Jobs(std::function<void()> wake);
@@ -31,7 +31,7 @@ public:
         std::function<void(const std::string&)> when_lost; // its exception's words, frame thread
     };
     void start(Job job);
-    void poll(); // calls what is due; once a frame
+    void poll(); // calls what is due; once a frame. An exception of that stops no other job
 
     struct Status {
         std::string what, stage;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/jobs/newest_work.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 
 #include <utility>
@@ -63,7 +64,9 @@ void NewestWork::run(const std::stop_token& stop)
             finish = task.work([&](double, std::string_view) {
                 if (*task.old) throw Cancelled();
             });
-        } catch (const std::exception&) { // it is old, or it cannot be done
+        } catch (const std::exception& trouble) { // else it is old, or it cannot be done
+            if (is_mistake(trouble))
+                finish = [mistake = std::current_exception()] { std::rethrow_exception(mistake); };
         }
         lock.lock();
         if (!*task.old) finished_ = std::move(finish);

@@ -25,10 +25,11 @@ public:
 
     using Finish = std::function<void()>;
     // The work runs on the other thread and owns what it uses. Its progress, which any thread may
-    // call, throws Cancelled once the work is old. What it throws else is as if it gave nothing.
+    // call, throws Cancelled once the work is old. Rejected is as if it gave nothing.
     void start(std::function<Finish(const Progress&)> work);
     void drop(); // what runs, waits, or was not taken in
-    // Calls what the newest work has returned; true where there was something to call.
+    // Calls what the newest work has returned; true where there was something to call. Throws what
+    // the work ended by, where that was a mistake of Trivar.
     bool poll();
     bool busy() const; // something runs or waits that was not dropped
 

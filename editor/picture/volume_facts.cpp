@@ -70,8 +70,6 @@ std::vector<gpu::Translucent> fold_veils(const EvaluatedObject& placed, const ui
     return veils_of(fold_surfaces(placed.placement->volume, *verdicts_of(placed)), color);
 }
 
-VolumeFacts::VolumeFacts() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
 VolumeFacts::~VolumeFacts()
 {
     if (given_up_) *given_up_ = true;
@@ -99,32 +97,14 @@ void VolumeFacts::look_at(const EvaluatedObject& placed)
 
 void VolumeFacts::hand_over()
 {
-    const std::lock_guard lock(mutex_);
-    waiting_ = facts_;
-    something_new_.notify_one();
-}
-
-void VolumeFacts::work(const std::stop_token& stop)
-{
-    std::unique_lock lock(mutex_);
-    while (something_new_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
-        const Facts facts = std::move(*waiting_);
-        waiting_.reset();
-        working_ = true;
-        lock.unlock();
-        const auto newer = [&] {
-            const std::lock_guard inside(mutex_);
-            return stop.stop_requested() || waiting_.has_value();
-        };
-        try {
-            (void)*facts.surfaces;
-            if (!newer()) (void)*facts.deviations;
-            if (facts.overlap_wanted && !newer()) (void)*facts.overlap;
-        } catch (const Cancelled&) { // another volume is looked at
-        }
-        lock.lock();
-        working_ = false;
-    }
+    work_.start([facts = facts_](const Progress& go_on) -> NewestWork::Finish {
+        (void)*facts.surfaces;
+        report(go_on, 0, {});
+        (void)*facts.deviations;
+        report(go_on, 0, {});
+        if (facts.overlap_wanted) (void)*facts.overlap;
+        return {};
+    });
 }
 
 const std::vector<gpu::Translucent>& VolumeFacts::folds(const EvaluatedObject& placed,
@@ -183,10 +163,10 @@ std::vector<gpu::Translucent> VolumeFacts::meeting(const EvaluatedObject& placed
     return out;
 }
 
-bool VolumeFacts::busy() const
+bool VolumeFacts::busy()
 {
-    const std::lock_guard lock(mutex_);
-    return working_ || waiting_.has_value();
+    work_.poll();
+    return work_.busy();
 }
 
 int VolumeFacts::known() const

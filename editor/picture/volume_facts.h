@@ -3,13 +3,9 @@
 
 #include "core/evaluation/evaluate.h"
 #include "core/ffd/overlap.h"
+#include "editor/jobs/newest_work.h"
 #include "editor/picture/volume_surface.h"
 #include "ui/palette.h"
-
-#include <atomic>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 namespace trivar {
 
@@ -33,7 +29,7 @@ struct FoldMark {
 // computed on a thread of its own. Frame thread only.
 class VolumeFacts {
 public:
-    VolumeFacts();
+    VolumeFacts() = default;
     ~VolumeFacts(); // stops the work
     VolumeFacts(const VolumeFacts&) = delete;
     VolumeFacts& operator=(const VolumeFacts&) = delete;
@@ -55,7 +51,7 @@ public:
     std::vector<gpu::Translucent> meeting(const EvaluatedObject& placed,
                                           const ui::Palette& color) const;
 
-    bool busy() const;
+    bool busy();       // throws what the work ended by, where that was a mistake of Trivar
     int known() const; // grows with each new fact
 
 private:
@@ -69,19 +65,13 @@ private:
     };
     void look_at(const EvaluatedObject& placed);
     void hand_over(); // to the thread
-    void work(const std::stop_token& stop);
 
     Facts facts_;
     std::shared_ptr<std::atomic<bool>> given_up_; // once another volume is looked at
     Ref<Placement> drawn_of_;                     // the veils
     std::array<ui::Color, 2> drawn_in_{};
     std::vector<gpu::Translucent> veils_;
-
-    mutable std::mutex mutex_;
-    std::condition_variable_any something_new_;
-    std::optional<Facts> waiting_;
-    bool working_ = false;
-    std::jthread thread_; // last: it stops before the rest goes
+    NewestWork work_;
 };
 
 } // namespace trivar

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/record/contact_sheet.h"
 
+#include "core/base/mistake.h"
 #include "core/base/rejected.h"
 #include "core/base/whole_numbers.h"
 
 #include <algorithm>
-#include <cassert>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -38,7 +38,7 @@ std::vector<int> evenly_chosen(const std::vector<int>& frames, int count)
 
 Image contact_sheet(const std::vector<Image>& pictures, int columns)
 {
-    assert(!pictures.empty() && columns >= 1);
+    ensure(!pictures.empty() && columns >= 1, "a sheet has no pictures");
     const glm::ivec2 size = pictures.front().size_px;
     const int gap = std::max(1, size.x / 100);
     const glm::ivec2 grid(columns, (static_cast<int>(pictures.size()) + columns - 1) / columns);
@@ -48,7 +48,7 @@ Image contact_sheet(const std::vector<Image>& pictures, int columns)
     for (std::size_t k = width * static_cast<std::size_t>(out.size_px.y); k > 0; --k)
         out.rgba.insert(out.rgba.end(), gap_rgba, gap_rgba + 4);
     for (int k = 0; const Image& picture : pictures) {
-        assert(picture.size_px == size);
+        ensure(picture.size_px == size, "pictures of a sheet have two sizes");
         const glm::ivec2 corner = glm::ivec2(k % columns, k / columns) * (size + gap);
         const auto row = static_cast<std::ptrdiff_t>(size.x) * 4;
         for (int y = 0; y < size.y; ++y) {

@@ -18,10 +18,10 @@ struct CrossingHold {
     double highest = 0;             // metres on the model: about the length of the flap
 };
 
-// What is seen of an object's incisions. By number; those that are hidden have no line.
+// What is seen of an object's incisions, by number; nothing of those that are hidden.
 struct SeenIncising {
     const Incising& incising;
-    const std::vector<SeenCut>& cuts;
+    const std::vector<std::optional<SeenCut>>& cuts;
     const std::vector<CutCrossing>& crossings;
 };
 // The handles at the crossings of incision `number`; of flaps, those at the crossing that is

@@ -58,25 +58,27 @@ SurfaceHit mixed_hit(const SurfaceHit& a, const SurfaceHit& b, double t)
 
 } // namespace
 
-std::vector<CutCrossing> crossings_of(const std::vector<SeenCut>& cuts)
+std::vector<CutCrossing> crossings_of(const std::vector<std::optional<SeenCut>>& cuts)
 {
     std::vector<CutCrossing> out;
     std::vector<Box> boxes;
-    for (const SeenCut& each : cuts) boxes.push_back(box_of_line(each));
+    for (const auto& each : cuts) boxes.push_back(each ? box_of_line(*each) : Box{});
     constexpr auto steps = static_cast<double>(SeenCut::steps);
     for (std::size_t a = 0; a < cuts.size(); ++a)
         for (std::size_t b = a + 1; b < cuts.size(); ++b) {
-            if (cuts[a].line.empty() || cuts[b].line.empty()) continue;
-            const double step = (cuts[a].length + cuts[b].length) / steps;
+            if (!cuts[a] || !cuts[b]) continue;
+            const double step = (cuts[a]->length + cuts[b]->length) / steps;
             if (!boxes_meet(boxes[a], boxes[b], step)) continue;
             for (std::size_t i = 0; i < SeenCut::steps; ++i) {
-                const SurfaceHit &a0 = cuts[a].line[i], &a1 = cuts[a].line[i + 1];
+                if (!cuts[a]->on_skin[i] || !cuts[a]->on_skin[i + 1]) continue;
+                const SurfaceHit &a0 = cuts[a]->line[i], &a1 = cuts[a]->line[i + 1];
                 Box near;
                 near.add(a0.at_rest.p);
                 near.add(a1.at_rest.p);
                 if (!boxes_meet(near, boxes[b], step)) continue;
                 for (std::size_t k = 0; k < SeenCut::steps; ++k) {
-                    const SurfaceHit &b0 = cuts[b].line[k], &b1 = cuts[b].line[k + 1];
+                    if (!cuts[b]->on_skin[k] || !cuts[b]->on_skin[k + 1]) continue;
+                    const SurfaceHit &b0 = cuts[b]->line[k], &b1 = cuts[b]->line[k + 1];
                     if (glm::distance(a0.at_rest.p, b0.at_rest.p) > 2 * step) continue;
                     const auto at =
                         crossing_of_segments(a0.at_rest, a1.at_rest, b0.at_rest, b1.at_rest);

@@ -16,6 +16,6 @@ struct CutCrossing {
 
 // All crossings of incisions, by number; those that are not seen have no line. Incisions that
 // cross themselves are no crossing of two.
-std::vector<CutCrossing> crossings_of(const std::vector<SeenCut>& cuts);
+std::vector<CutCrossing> crossings_of(const std::vector<std::optional<SeenCut>>& cuts);
 
 } // namespace trivar

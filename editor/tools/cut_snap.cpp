@@ -19,10 +19,10 @@ SurfacePoint mixed_place(const SurfacePoint& a, const SurfacePoint& b, double t)
 
 void add_snaps(CutSnaps& snaps, const SeenCut& cut, const std::vector<SurfacePoint>& stroke)
 {
-    if (cut.line.empty()) return;
-    snaps.ends.push_back({stroke.front(), cut.line.front().p_world});
-    snaps.ends.push_back({stroke.back(), cut.line.back().p_world});
-    snaps.lines.push_back(cut.line);
+    if (cut.on_skin.front()) snaps.ends.push_back({stroke.front(), cut.line.front().p_world});
+    if (cut.on_skin.back()) snaps.ends.push_back({stroke.back(), cut.line.back().p_world});
+    snaps.lines.emplace_back(cut.line.begin() + static_cast<std::ptrdiff_t>(cut.first),
+                             cut.line.begin() + static_cast<std::ptrdiff_t>(cut.last) + 1);
 }
 
 void forget_place(CutSnaps& snaps, const CutEnd& place)

@@ -19,7 +19,7 @@ struct CutSnaps {
     std::vector<std::vector<SurfaceHit>> lines; // of incisions, from start to end
     bool empty() const { return ends.empty() && lines.empty(); }
 };
-// Adds an incision and both its ends.
+// Adds an incision, and those of its ends that are on the skin; of one in parts the longest.
 void add_snaps(CutSnaps& snaps, const SeenCut& cut, const std::vector<SurfacePoint>& stroke);
 // Takes away what begins or ends at a place, or goes through it.
 void forget_place(CutSnaps& snaps, const CutEnd& place);

@@ -97,9 +97,9 @@ void InciseTool::look(const Session& session)
     for (std::size_t i = 0; i < std::min(told.size(), open_.cuts.size()); ++i)
         open_.cuts[i].opening.to = told[i].open_to;
     const auto see = [&](std::size_t i) {
-        cuts_[i] = incising.cuts[i].hidden
-                       ? SeenCut{}
-                       : seen_cut(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
+        cuts_[i].reset();
+        if (!incising.cuts[i].hidden)
+            cuts_[i] = seen_cut(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
     };
     const int other = crossing_drag_ ? crossing_drag_->held.crossing.other_than(number) : 0;
     for (int i = 0; i < static_cast<int>(cuts_.size()); ++i) // in a drag only what is in the hand
@@ -111,8 +111,8 @@ void InciseTool::look(const Session& session)
 const SeenCut* InciseTool::seen_chosen(const Session& session) const
 {
     const auto number = static_cast<std::size_t>(session.incision.number);
-    if (!chosen(session) || number > cuts_.size() || cuts_[number - 1].line.empty()) return nullptr;
-    return &cuts_[number - 1];
+    if (!chosen(session) || number > cuts_.size() || !cuts_[number - 1]) return nullptr;
+    return &*cuts_[number - 1];
 }
 
 std::vector<IncisionHoldPoint> InciseTool::holds(const Session& session, double scale) const
@@ -141,7 +141,8 @@ CutSnaps InciseTool::snaps_but(int number) const
 {
     CutSnaps out;
     for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i)
-        if (static_cast<int>(i) + 1 != number) add_snaps(out, cuts_[i], known_->cuts[i].cut.stroke);
+        if (static_cast<int>(i) + 1 != number && cuts_[i])
+            add_snaps(out, *cuts_[i], known_->cuts[i].cut.stroke);
     return out;
 }
 
@@ -183,7 +184,7 @@ void InciseTool::hover(Session& session, const ViewportInput& input)
         hovered_ = hold->hold;
     double nearest = cut_reach_px * input.scale;
     for (std::size_t i = 0; i < cuts_.size(); ++i)
-        if (const auto near = near_cut(cuts_[i], camera, input.mouse);
+        if (const auto near = cuts_[i] ? near_cut(*cuts_[i], camera, input.mouse) : std::nullopt;
             near && near->away_px < nearest) {
             nearest = near->away_px;
             hovered_cut_ = static_cast<int>(i) + 1;

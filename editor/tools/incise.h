@@ -99,7 +99,7 @@ private:
     Id known_of_ = 0;
     Incising open_; // the same, as far as blades open them now
     Ref<EvaluatedObject> known_shown_;
-    std::vector<SeenCut> cuts_; // by number
+    std::vector<std::optional<SeenCut>> cuts_; // by number; nothing: it is not seen
     std::vector<CutCrossing> crossings_;
     IncisionHold hovered_ = IncisionHold::none;
     std::optional<CrossingHold> hovered_crossing_;

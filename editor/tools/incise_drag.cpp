@@ -10,10 +10,13 @@ namespace trivar {
 void InciseTool::begin_drag(const Session& session, const IncisionHoldPoint& held,
                             const ViewportInput& input, glm::dvec2 at_px)
 {
+    const NamedIncision* one = chosen(session);
+    const SeenCut* seen = seen_chosen(session);
+    if (!one || !seen) return;
     drag_ = IncisionDrag{session.selected,
                          session.incision.number,
-                         *chosen(session),
-                         *seen_chosen(session),
+                         *one,
+                         *seen,
                          skin_,
                          held,
                          snaps_but(session.incision.number),
@@ -29,16 +32,11 @@ void InciseTool::begin_crossing_drag(const Session& session, const CrossingHold&
 {
     const int number = session.incision.number;
     const auto other = static_cast<std::size_t>(held.crossing.other_than(number)) - 1;
-    crossing_drag_ = CrossingDrag{session.selected,
-                                  number,
-                                  known_->cuts[other],
-                                  *seen_chosen(session),
-                                  cuts_[other],
-                                  skin_,
-                                  held,
-                                  session.view.camera,
-                                  at_px,
-                                  input.scale};
+    const SeenCut* seen = seen_chosen(session);
+    if (!seen || other >= cuts_.size() || !cuts_[other]) return;
+    crossing_drag_ = CrossingDrag{
+        session.selected,    number, known_->cuts[other], *seen, *cuts_[other], skin_, held,
+        session.view.camera, at_px,  input.scale};
     moved_ = by_key_ = entered_ = false;
     typed_ = {};
 }

@@ -77,8 +77,8 @@ std::vector<gpu::Line> InciseTool::lines(const Session& session, const ui::Theme
     };
     const SeenCut* one = gesture_ ? nullptr : seen_chosen(session);
     if (one) add(cage_of(*one, theme));
-    for (const SeenCut& each : cuts_)
-        add(dashes_of(each, session.view.camera, theme, &each == one));
+    for (const auto& each : cuts_)
+        if (each) add(dashes_of(*each, session.view.camera, theme, &*each == one));
     return out;
 }
 
@@ -108,9 +108,10 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
     const NamedIncision* one = chosen(session);
     const SeenCut* seen = seen_chosen(session);
     if (hovered_cut_ != 0 && !hovers() && !dragging() && hovered_cut_ != session.incision.number &&
-        static_cast<std::size_t>(hovered_cut_) <= cuts_.size()) {
+        static_cast<std::size_t>(hovered_cut_) <= cuts_.size() &&
+        cuts_[static_cast<std::size_t>(hovered_cut_) - 1]) {
         std::vector<glm::dvec3> line;
-        for (const SurfaceHit& each : cuts_[static_cast<std::size_t>(hovered_cut_) - 1].line)
+        for (const SurfaceHit& each : cuts_[static_cast<std::size_t>(hovered_cut_) - 1]->line)
             line.push_back(each.p_world);
         paint_haloed(theme, seen_path(line, camera, input), theme.color.hovered, 2);
     }
@@ -154,11 +155,12 @@ void InciseTool::paint_crossings(const Session& session, const ui::Theme& theme,
                           c.incision, theme.px(2));
         if (!is_lit) continue;
         // A bar along the one that is cut first
-        const SeenCut& first = cuts_[static_cast<std::size_t>(each.crossing.first) - 1];
+        const auto& first = cuts_.at(static_cast<std::size_t>(each.crossing.first) - 1);
+        if (!first) continue;
         const double s = each.crossing.share_of_first;
         const Camera& camera = session.view.camera;
-        const glm::vec2 way = glm::vec2(project(camera, first.at(s + 0.01)).p_px -
-                                        project(camera, first.at(s - 0.01)).p_px);
+        const glm::vec2 way = glm::vec2(project(camera, first->at(s + 0.01)).p_px -
+                                        project(camera, first->at(s - 0.01)).p_px);
         if (const float length = glm::length(way); length > 0.01f) {
             const glm::vec2 half = way / length * theme.px(15);
             paint_haloed(theme, {p - half, p + half}, c.selected, 2);

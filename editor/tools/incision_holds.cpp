@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/incision_holds.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "ui/widgets.h"
 
@@ -36,18 +37,21 @@ double world_per_px(const Camera& camera, const glm::dvec3& p_world)
     return pixel_size_world(camera, project(camera, p_world).depth_world);
 }
 
-// The first of some steps that is away from where others cross; the first one where none is.
-std::size_t step_away_from(std::span<const double> crossed,
+// The first of some steps that is on the longest part on the skin and away from where others cross;
+// the first one that is on it where none is.
+std::size_t step_away_from(const SeenCut& seen, std::span<const double> crossed,
                            std::initializer_list<std::size_t> steps)
 {
     constexpr double apart = 0.09;
+    const auto on_part = [&](std::size_t step) { return std::clamp(step, seen.first, seen.last); };
     for (const std::size_t step : steps) {
         const double share = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
-        if (std::ranges::none_of(crossed,
-                                 [&](double each) { return std::abs(each - share) < apart; }))
+        if (step == on_part(step) && std::ranges::none_of(crossed, [&](double each) {
+                return std::abs(each - share) < apart;
+            }))
             return step;
     }
-    return *steps.begin();
+    return on_part(*steps.begin());
 }
 
 // Where the handles of the opening stand: where it is widest, or about there.
@@ -56,7 +60,7 @@ std::size_t step_of_opening(const SeenCut& seen, std::span<const double> crossed
     constexpr std::size_t off = 8, least = 10;
     const std::size_t k = seen.widest_at;
     if (k < least || k + least > SeenCut::steps) return k;
-    return step_away_from(crossed, {k, k - off, k + off, k - least, k + least});
+    return step_away_from(seen, crossed, {k, k - off, k + off, k - least, k + least});
 }
 
 // What of the width the lips are apart at a step, as a share, when it is quite open.
@@ -157,7 +161,6 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
                                               std::span<const double> crossed)
 {
     std::vector<IncisionHoldPoint> out;
-    if (seen.line.empty()) return out;
     const auto add = [&](IncisionHold hold, std::size_t step, const glm::dvec3& way_world,
                          double least_px, double metres, double per_metre) {
         const glm::dvec3& base = seen.line[step].p_world;
@@ -186,7 +189,7 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
         }
         out.push_back(point);
     };
-    add(IncisionHold::place, step_away_from(crossed, {32, 40, 26, 48, 14, 54}), {}, 0, 0, 0);
+    add(IncisionHold::place, step_away_from(seen, crossed, {32, 40, 26, 48, 14, 54}), {}, 0, 0, 0);
     add(IncisionHold::start, 0, {}, 0, 0, 0);
     add(IncisionHold::end, SeenCut::steps, {}, 0, 0, 0);
     const std::size_t k = step_of_opening(seen, crossed);
@@ -194,7 +197,7 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
     const double half = full * incision.opening.share / 2;
     add(IncisionHold::open_left, k, -seen.across[k], least_open_px, half, 2 / full);
     add(IncisionHold::open_right, k, seen.across[k], least_open_px, half, 2 / full);
-    const std::size_t d = step_away_from(crossed, {19, 45, 12, 52});
+    const std::size_t d = step_away_from(seen, crossed, {19, 45, 12, 52});
     add(IncisionHold::depth, d, -seen.line[d].normal_world, least_deep_px, incision.cut.depth, 1);
     // The knot hangs beside the cut, so that it never lies on an end
     const glm::dvec3 zip = seen.at(incision.opening.to);
@@ -325,14 +328,15 @@ std::string words_of(IncisionHold hold, const NamedIncision& incision, const See
     case IncisionHold::place: return "Length " + metres(seen.length);
     case IncisionHold::open_left:
     case IncisionHold::open_right:
-        return fmt::format("Opening {:.3g} %, {}", 100 * incision.opening.share,
+        return fmt::format("Opening {} %, {}", number_text(100 * incision.opening.share),
                            metres(incision.opening.share * incision.cut.width * seen.widest));
     case IncisionHold::depth: {
         std::string words = "Depth " + metres(incision.cut.depth);
         if (seen.depth < 0.98 * incision.cut.depth) words += ", here at most " + metres(seen.depth);
         return words;
     }
-    case IncisionHold::zip: return fmt::format("Open until {:.3g} %", 100 * incision.opening.to);
+    case IncisionHold::zip:
+        return fmt::format("Open until {} %", number_text(100 * incision.opening.to));
     }
     return "";
 }

@@ -15,7 +15,7 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
                                  bool strong)
 {
     std::vector<gpu::Line> out;
-    if (cut.line.empty() || !(cut.length_world > 0)) return out;
+    if (!(cut.length_world > 0)) return out;
     const glm::dvec3 middle = cut.line[SeenCut::steps / 2].p_world;
     const double px = pixel_size_world(camera, project(camera, middle).depth_world);
     const double period = static_cast<double>(theme.px(dash_px + gap_px)) * px;
@@ -26,16 +26,19 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
     const glm::vec4 halo = ui::linear_light(theme.color.halo);
     const glm::vec4 color =
         ui::linear_light(strong ? theme.color.incision : ui::faded(theme.color.incision, 0.6f));
+    const auto step_at = [](double share) {
+        const auto i = static_cast<std::size_t>(share * static_cast<double>(SeenCut::steps) + 0.5);
+        return std::min(i, SeenCut::steps);
+    };
     // A little off the skin, so that no face of it hides the line
     const auto at = [&](double share) {
-        const auto i = static_cast<std::size_t>(share * static_cast<double>(SeenCut::steps) + 0.5);
-        return glm::vec3(cut.at(share) +
-                         1.5 * px * cut.line[std::min(i, SeenCut::steps)].normal_world);
+        return glm::vec3(cut.at(share) + 1.5 * px * cut.line[step_at(share)].normal_world);
     };
     for (const bool rim : {true, false})
         for (double k = 0; k < count; ++k) {
             gpu::Line line{{}, rim ? halo : color, theme.line(rim ? 4.5f : strong ? 2.4f : 1.6f)};
             const double from = (k + (1 - dash) / 2) / count, to = from + dash / count;
+            if (!cut.on_skin[step_at((from + to) / 2)]) continue;
             const int pieces =
                 1 + static_cast<int>((to - from) * static_cast<double>(SeenCut::steps));
             for (int i = 0; i <= pieces; ++i)
@@ -48,7 +51,6 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
 std::vector<gpu::Line> cage_of(const SeenCut& cut, const ui::Theme& theme)
 {
     std::vector<gpu::Line> out;
-    if (cut.line.empty()) return out;
     const glm::vec4 outer = ui::linear_light(ui::faded(theme.color.lattice, 0.7f)),
                     inner = ui::linear_light(ui::faded(theme.color.lattice, 0.32f));
     const auto add = [&](const std::vector<glm::dvec3>& points, bool outside) {

@@ -134,9 +134,7 @@ void LatticePointsTool::keep_what_is_there(const Session& session)
     if (!laid || laid->id != object_) chosen_.clear();
     object_ = laid ? laid->id : 0;
     if (!laid) return;
-    const glm::ivec3 n = point_count(laid->placement->volume);
-    std::erase_if(chosen_,
-                  [&](const glm::ivec3& p) { return p.x >= n.x || p.y >= n.y || p.z >= n.z; });
+    chosen_ = within(std::move(chosen_), point_count(laid->placement->volume));
 }
 
 Ref<Lattice> LatticePointsTool::cage(const Session& session) const
@@ -213,11 +211,11 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
     outside_ = !input.hovered;
+    keep_what_is_there(session);
     if (gesture_) {
-        if (!selected_volume(session)) return cancel(session);
+        if (chosen_.empty()) return cancel(session);
         return go_on(session, input);
     }
-    keep_what_is_there(session);
     hovered_.reset();
     hovered_handle_ = {};
     if (object_ == 0) {
@@ -417,8 +415,11 @@ void LatticePointsTool::tell(Session& session)
 std::vector<VolumePart> LatticePointsTool::held_parts(const Session& session) const
 {
     const EvaluatedObject* laid = selected_volume(session);
-    if (!laid || laid->id != object_ || chosen_.empty()) return {};
-    return with_mirrored(bent_by(laid->placement->volume, chosen_), mirror_.y);
+    if (!laid || laid->id != object_) return {};
+    const Lattice& volume = laid->placement->volume;
+    const Points chosen = within(chosen_, point_count(volume));
+    if (chosen.empty()) return {};
+    return with_mirrored(bent_by(volume, chosen), mirror_.y);
 }
 
 void LatticePointsTool::cancel(Session& session)

@@ -112,11 +112,11 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
                                 const ViewportInput& input) const
 {
     const EvaluatedObject* laid = selected_volume(session);
-    if (!laid) return;
+    if (!laid || laid->id != object_) return; // it was selected after the points were looked at
     paint_points(session, theme, input);
     if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px)
         paint_choice_box(theme, input, *box_px_);
-    if (chosen_.empty() || box_px_ || laid->id != object_) return;
+    if (chosen_.empty() || box_px_) return;
     paint_gizmo(theme, input.rect.lo,
                 gizmo_shapes(gesture_ ? kind_ : MotionKind::move, session.view.camera,
                              frame_of(*cage(session)), input.scale),

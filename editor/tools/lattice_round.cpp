@@ -11,6 +11,7 @@ namespace trivar {
 
 Id common_parent(const Document& document, const std::vector<Id>& ids)
 {
+    if (ids.empty()) return 0;
     const Id parent = object(document, ids.front()).parent;
     for (const Id id : ids)
         if (object(document, id).parent != parent) return 0;

@@ -59,6 +59,7 @@ Id MaskTool::layer(const Session& session)
 
 std::optional<SurfaceHit> MaskTool::hit(const Session& session, Id layer, const Ray& ray)
 {
+    if (!is_tile_layer(session.document(), layer)) return {};
     const Id base = object(session.document(), layer).tiles->base;
     if (session.evaluated().objects.contains(base)) return surface_.hit(session, base, ray);
     std::optional<SurfaceHit> on_tiles = surface_.hit(session, layer, ray);

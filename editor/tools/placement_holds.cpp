@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/placement_holds.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "core/commands/changes.h"
 #include "core/placement/height_map.h"
@@ -303,8 +304,8 @@ std::string words_of(const Hold& hold, const PlacementParameters& p, const Place
 {
     const auto sized = [&](const char* name, double size, const std::vector<glm::dvec2>& profile,
                            int point) {
-        const double factor =
-            profile.empty() ? 1 : Profile(profile).at(profile[static_cast<std::size_t>(point)].x);
+        const auto at = static_cast<std::size_t>(point);
+        const double factor = at < profile.size() ? Profile(profile).at(profile[at].x) : 1;
         return fmt::format("{} {}", name, in_metres(size * factor));
     };
     switch (hold.kind) {
@@ -317,20 +318,22 @@ std::string words_of(const Hold& hold, const PlacementParameters& p, const Place
     case HoldKind::across: return sized("height", report.height_world, p.height_across, hold.index);
     case HoldKind::map: {
         const HeightMap map(p.height_map);
-        const auto columns = p.height_map.front().size(), at = static_cast<std::size_t>(hold.index);
+        const auto columns = map.across().size(), at = static_cast<std::size_t>(hold.index);
+        if (at >= map.along().size() * columns) return {}; // another hand removed it
         const double u = map.along()[at / columns], v = map.across()[at % columns];
         return "height " + in_metres(report.height_world * Profile(p.height_profile).at(u) *
                                      Profile(p.height_across).at(v) * map.at(u, v));
     }
     case HoldKind::rise: {
+        if (static_cast<std::size_t>(hold.index) >= p.rise_profile.size()) return {};
         const glm::dvec2 at = p.rise_profile[static_cast<std::size_t>(hold.index)];
-        return fmt::format("{:.0f} % of the model in {:.0f} % of the height", at.x * 100,
-                           ShareCurve(p.rise_profile).at(at.x) * 100);
+        return fmt::format("{} of the model in {} of the height", percent_text(at.x),
+                           percent_text(ShareCurve(p.rise_profile).at(at.x)));
     }
-    case HoldKind::start: return fmt::format("start {:.0f} %", p.start * 100);
-    case HoldKind::end: return fmt::format("end {:.0f} %", (p.start + p.fill) * 100);
+    case HoldKind::start: return fmt::format("start {}", percent_text(p.start));
+    case HoldKind::end: return fmt::format("end {}", percent_text(p.start + p.fill));
     case HoldKind::contact: return "clearance " + in_metres(p.clearance);
-    case HoldKind::sunk: return fmt::format("sunk {:.0f} %", p.contact_level * 100);
+    case HoldKind::sunk: return fmt::format("sunk {}", percent_text(p.contact_level));
     }
     return {};
 }

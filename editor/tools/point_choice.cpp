@@ -28,6 +28,14 @@ glm::ivec3 point_count(const Lattice& volume)
     return {axes[0].count(), axes[1].count(), axes[2].count()};
 }
 
+Points within(Points points, const glm::ivec3& count)
+{
+    std::erase_if(points, [&](const glm::ivec3& p) {
+        return p.x >= count.x || p.y >= count.y || p.z >= count.z;
+    });
+    return points;
+}
+
 Points all_points(const glm::ivec3& count)
 {
     Points out;

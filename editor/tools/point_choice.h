@@ -12,6 +12,8 @@ namespace trivar {
 using Points = std::vector<glm::ivec3>;
 
 glm::ivec3 point_count(const Lattice& volume);
+// Those that are among so many points.
+Points within(Points points, const glm::ivec3& count);
 Points all_points(const glm::ivec3& count);
 Points row_of(const glm::ivec3& point, int axis, const glm::ivec3& count);   // along the axis
 Points plane_of(const glm::ivec3& point, int axis, const glm::ivec3& count); // across the axis

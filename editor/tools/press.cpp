@@ -321,7 +321,8 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
     const EvaluatedObject* laid = selected_volume(session);
     if (!laid || (!at_ && !gesture_)) return;
     const Lattice& start = gesture_ ? gesture_->volume : laid->placement->volume;
-    const Lattice& now = laid->placement->volume;
+    const Lattice& shown = laid->placement->volume;
+    const Lattice& now = shown.displacement.axes == start.displacement.axes ? shown : start;
     const Press press =
         gesture_ ? gesture_->press
                  : Press{.decay = decay_, .radius = radius(*laid->placement), .mirror = mirror_};

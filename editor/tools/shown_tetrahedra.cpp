@@ -8,8 +8,10 @@ namespace trivar {
 const EvaluatedObject* shown_tetrahedra(const Session& session, Id id)
 {
     const auto found = session.evaluated().objects.find(id);
-    return found != session.evaluated().objects.end() && found->second->tetrahedra ? &*found->second
-                                                                                   : nullptr;
+    return found != session.evaluated().objects.end() && found->second->tetrahedra &&
+                   tetrahedra_shape(session.document(), id) // which may be ahead
+               ? &*found->second
+               : nullptr;
 }
 
 const TetrahedraShape* tetrahedra_shape(const Document& document, Id id)

@@ -82,8 +82,8 @@ bool SplitHandles::use(Session& session, const ViewportInput& input, SplitHandle
         if (!shown) return true;
         const Object& own = object(session.document(), shown->id);
         drag_ = SplitHoldDrag{shown->id,
-                              own.splitting,
-                              own.cutting,
+                              own.splitting.value_or(Splitting{}),
+                              own.cutting.value_or(Cutting{}),
                               shown->own_to_world,
                               stands_of(session.document(), over->obstacles),
                               *over,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/split_holds.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
-#include "core/split/cut_sheet.h"
 #include "editor/tools/hand_motion.h"
+#include "editor/tools/shown_cut.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -70,9 +71,10 @@ std::vector<SplitHoldPoint> split_holds(const Document& document, const Evaluate
             const double open = opening.wall_cells[s].value(vw);
             point.hold = {SplitHoldKind::clearance, number, side};
             point.p_world = at(side * open);
-            for (const ObstacleUse& use : trivar::object(document, object.id).splitting->obstacles)
-                if (std::ranges::find(point.obstacles, use.object) != point.obstacles.end())
-                    point.value = std::max(point.value, use.clearance);
+            if (const auto& splitting = trivar::object(document, object.id).splitting)
+                for (const ObstacleUse& use : splitting->obstacles)
+                    if (std::ranges::find(point.obstacles, use.object) != point.obstacles.end())
+                        point.value = std::max(point.value, use.clearance);
             out.push_back(point);
             point.hold.kind = SplitHoldKind::reach;
             point.p_world = at(side * opening.reach[s]);
@@ -89,24 +91,22 @@ std::vector<SplitHoldPoint> cut_holds(const Cutting& cutting, const EvaluatedObj
 {
     std::vector<SplitHoldPoint> out;
     if (object.bounds->empty()) return out;
-    const glm::dmat4 world_to_own = glm::inverse(object.own_to_world);
     const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(object.own_to_world)));
     for (std::size_t i = 0; i < cutting.cuts.size(); ++i) {
         const PlainCut& cut = cutting.cuts[i];
         if (!(glm::length(cut.normal) > 1e-9)) continue;
-        const CutSheet sheet(cut, world_to_own);
-        const glm::dvec3 middle = sheet.uvw(object.bounds->center());
+        const ShownCut shown = shown_cut(cutting, i, object);
         SplitHoldPoint point;
         point.hold = {SplitHoldKind::level, static_cast<int>(i), 0};
         point.way = glm::normalize(normals * glm::normalize(cut.normal));
-        point.base_world = point.p_world = sheet.point({middle.y, middle.z});
+        point.base_world = point.p_world = shown.middle;
         out.push_back(point);
         if (cut.keep != CutKeep::both) continue;
         const glm::dvec3 up = point.way;
         for (const int side : {-1, 1}) {
             point.hold = {SplitHoldKind::gap, static_cast<int>(i), side};
             point.way = static_cast<double>(side) * up;
-            point.p_world = point.base_world + point.way * (cut.gap / 2);
+            point.p_world = shown.faces[side > 0 ? 1 : 0];
             point.value = cut.gap;
             out.push_back(point);
         }
@@ -160,8 +160,10 @@ Command dragged(const SplitHoldDrag& drag, glm::dvec2 to_px, bool snap)
     }
     const double by = dragged_along(drag.camera, held.p_world, held.way, drag.from_px, to_px);
     if (held.hold.kind == SplitHoldKind::level || held.hold.kind == SplitHoldKind::gap) {
-        Cutting cutting = *drag.cutting;
-        PlainCut& cut = cutting.cuts.at(number);
+        Cutting cutting = drag.cutting;
+        if (number >= cutting.cuts.size()) // it was only proposed
+            return CutThrough{{drag.object}, std::move(cutting)};
+        PlainCut& cut = cutting.cuts[number];
         if (held.hold.kind == SplitHoldKind::gap) {
             cut.gap = handy_metres(held.value + 2 * by, snap);
         } else {
@@ -170,11 +172,11 @@ Command dragged(const SplitHoldDrag& drag, glm::dvec2 to_px, bool snap)
             const glm::dvec3 way = glm::inverse(glm::dmat3(drag.own_to_world)) * (held.way * step);
             const glm::dvec3 n = glm::normalize(cut.normal);
             cut.point += n * glm::dot(n, way);
-            for (int i = 0; i < 3; ++i) cut.point[i] = rounded(cut.point[i], 6);
+            for (int i = 0; i < 3; ++i) cut.point[i] = rounded(cut.point[i], 9);
         }
         return CutThrough{{drag.object}, std::move(cutting)};
     }
-    Splitting splitting = *drag.splitting;
+    Splitting splitting = drag.splitting;
     for (ObstacleUse& use : splitting.obstacles) {
         if (std::ranges::find(held.obstacles, use.object) == held.obstacles.end()) continue;
         const double value = handy_metres(held.value + by, snap);
@@ -192,10 +194,10 @@ std::string words_of(const SplitHoldPoint& point)
     case SplitHoldKind::none: return "";
     case SplitHoldKind::place: return "Obstacle";
     case SplitHoldKind::level: return "Place of the cut";
-    case SplitHoldKind::gap: return fmt::format("Gap {:.3g} m", point.value);
-    case SplitHoldKind::clearance: return fmt::format("Clearance {:.3g} m", point.value);
+    case SplitHoldKind::gap: return fmt::format("Gap {} m", number_text(point.value));
+    case SplitHoldKind::clearance: return fmt::format("Clearance {} m", number_text(point.value));
     case SplitHoldKind::reach:
-        return fmt::format("Reach {:.3g} m{}", point.value,
+        return fmt::format("Reach {} m{}", number_text(point.value),
                            point.value > point.least * 1.0001 ? "" : ", the least");
     }
     return "";

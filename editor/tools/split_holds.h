@@ -47,8 +47,8 @@ std::optional<SplitHoldPoint> hold_at(const std::vector<SplitHoldPoint>& points,
 // A drag, with all as it was when it began.
 struct SplitHoldDrag {
     Id object = 0;
-    std::optional<Splitting> splitting;
-    std::optional<Cutting> cutting;
+    Splitting splitting;          // without obstacles: it is not split
+    Cutting cutting;              // without cuts: it is not cut
     glm::dmat4 own_to_world{1};   // of the object
     std::vector<Stand> obstacles; // of the opening, those that can be moved
     SplitHoldPoint held;

@@ -75,7 +75,8 @@ void TetrahedraClouds::use(Session& session, const ViewportInput& input)
     outside_ = !input.hovered;
     follow(session);
     if (gesture_) {
-        if (object_ == 0 || !vertex_) return cancel(session);
+        const SimplexDomain<3>& was = before_->domain();
+        if (object_ == 0 || !vertex_ || domain().cells != was.cells) return cancel(session);
         return go_on(session, input);
     }
     hovered_.reset();

@@ -334,7 +334,7 @@ void TetrahedraPoints::finish(Session& session)
         by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
     const bool clicked = !meant && pressed_ && !by_key_;
     gesture_.reset();
-    if (clicked) chosen_ = {*pressed_};
+    if (clicked && *pressed_ < static_cast<int>(places_.size())) chosen_ = {*pressed_};
     if (meant && moved && session.propose(EditTetrahedra{object_, {.pull = last}}))
         session.commit();
     else

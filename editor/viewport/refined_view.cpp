@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport/refined_view.h"
 
+#include "core/base/number_text.h"
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@ void RefinedView::follow(Session& session, double tolerance_px, bool moving, dou
         finished_ = std::move(result);
         changed = true;
     }
+    if (finished_ && finished_->mistake)
+        std::rethrow_exception(std::exchange(finished_->mistake, nullptr));
     tolerance_px_ = tolerance_px;
     if (tolerance_px <= 0) {
         changed = changed || finished_;
@@ -63,16 +66,16 @@ std::string RefinedView::words(double time_s) const
 {
     constexpr double patience_s = 0.3; // it is said of no moment of a camera's way
     if (tolerance_px_ <= 0) return {};
-    const std::string within = fmt::format("within {:.3g} px", tolerance_px_);
+    const std::string within = fmt::format("within {} px", number_text(tolerance_px_));
     if (!finished_ || finished_->request.tolerance_px != tolerance_px_ ||
         (!up_to_date() && time_s - done_s_ > patience_s))
         return "Refining to " + within;
     const SeenEffects& seen = finished_->seen;
     if (seen.triangles == 0) return {};
     if (seen.open == 0)
-        return "W" + within.substr(1) + ": " + ui::with_commas(seen.triangles) + " triangles";
-    return ui::with_commas(seen.open) + " of " + ui::with_commas(seen.triangles) +
-           " triangles are not " + within;
+        return "W" + within.substr(1) + ": " + with_commas(seen.triangles) + " triangles";
+    return with_commas(seen.open) + " of " + with_commas(seen.triangles) + " triangles are not " +
+           within;
 }
 
 } // namespace trivar

@@ -11,6 +11,7 @@
 #include "editor/panels/help/welcome.h"
 #include "editor/session/scene_names.h"
 #include "editor/window/draw_editor.h"
+#include "editor/window/guarded.h"
 #include "ui/window.h"
 
 #include <cstdio>
@@ -49,7 +50,8 @@ int run_editor(const EditorOptions& options)
         std::optional<gpu::ShaderFolder> shaders;
         if (!options.shaders.empty()) shaders.emplace(options.shaders);
         ui::Window window({.scale = options.scale});
-        Editor editor(window.waker(), all_actions(), kept("unnamed"));
+        Editor editor(window.waker(), all_actions(), kept("unnamed"), OnFailure::leave_out);
+        editor.memory.of<MistakeReports>().folder = kept("mistakes");
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
         editor.preferences_path = preferences.path();

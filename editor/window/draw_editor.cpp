@@ -9,6 +9,7 @@
 #include "editor/panels/panels.h"
 #include "editor/session/recent_scenes.h"
 #include "editor/session/recent_views.h"
+#include "editor/window/guarded.h"
 
 #include <filesystem>
 #include <imgui.h>
@@ -148,11 +149,9 @@ void paint_focus(const Editor& editor, const ui::Theme& theme, const Layout& lay
                                             2 * half);
 }
 
-} // namespace
-
-void draw_editor(Editor& editor, ui::Frame& frame)
+// Takes in what came since the last frame.
+void take_in(Editor& editor, ui::Frame& frame)
 {
-    const ui::Theme& theme = frame.theme;
     apply_preferences(editor);
     editor.session.poll();
     editor.stored_pictures.poll();
@@ -166,7 +165,10 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     remember_view(editor, frame);
     editor.session.warnings_beside =
         editor.preferences.show_dock && !editor.only_view && editor.tab == Editor::Tab::inspector;
-    const long change = editor.session.change();
+}
+
+void hear(Editor& editor, const ui::Frame& frame)
+{
     for (const ui::Event& event : frame.events) {
         if (event.kind == ui::Event::Kind::drop && !drop_tiles(editor, event.paths))
             editor.files.drop(event.paths);
@@ -180,6 +182,24 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     if (editor.active_tool().busy()) editor.panel = Editor::Panel::view;
     run_keys(editor);
     meet_scene(editor);
+}
+
+} // namespace
+
+void draw_editor(Editor& editor, ui::Frame& frame)
+{
+    const ui::Theme& theme = frame.theme;
+    const auto guarded = [&](const std::function<void()>& part) {
+        const bool whole = do_guarded(editor, part);
+        constexpr double soon_s = 0.1; // without what may have failed
+        if (!whole) frame.again_in(soon_s);
+        return whole;
+    };
+    editor.session.be_at_work(true);
+    guarded([&] { take_in(editor, frame); });
+    guarded([&] { tell_failed_steps(editor); });
+    const long change = editor.session.change();
+    guarded([&] { hear(editor, frame); });
 
     const auto arranged = [&] {
         return layout_of(theme, frame.size_px, editor.preferences, editor.tools.size(),
@@ -191,45 +211,43 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     paint_ground(theme, frame.size_px);
     editor.timeline.hovered = false;
     editor.keys_under_mouse = {};
-    if (!editor.only_view) {
-        draw_top_bar(editor, theme, layout);
-        draw_tool_strip(editor, theme, layout);
-        draw_options_bar(editor, theme, layout);
-        draw_timeline(editor, theme, layout);
-    }
+    using Panel = void (*)(Editor&, const ui::Theme&, const Layout&);
+    const auto draw = [&](Panel panel) { guarded([&] { panel(editor, theme, layout); }); };
+    if (!editor.only_view)
+        for (const Panel each : {draw_top_bar, draw_tool_strip, draw_options_bar, draw_timeline})
+            draw(each);
     const bool history = layout.dock && editor.tab == Editor::Tab::history;
-    if (!history) editor.session.preview(nullptr);
+    if (!history) guarded([&] { editor.session.preview(nullptr); });
     if (layout.dock) {
-        draw_outliner(editor, theme, layout);
-        draw_tabs(editor, theme, layout);
-        if (editor.tab == Editor::Tab::inspector)
-            draw_inspector(editor, theme, layout);
-        else if (editor.tab == Editor::Tab::history)
-            draw_history(editor, theme, layout);
-        else
-            draw_log(editor, theme, layout);
+        draw(draw_outliner);
+        draw(draw_tabs);
+        draw(editor.tab == Editor::Tab::inspector ? draw_inspector
+             : editor.tab == Editor::Tab::history ? draw_history
+                                                  : draw_log);
     }
-    finish_edit(editor);
-    follow_steps(editor.adjustment, editor.session);
-    follow_hints(editor);
-    draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
-    draw_status_line(editor, theme, layout);
+    guarded([&] {
+        finish_edit(editor);
+        follow_steps(editor.adjustment, editor.session);
+        follow_hints(editor);
+    });
+    // Last of the panels: it shows what they changed.
+    if (!guarded([&] { draw_viewport(editor, frame, layout); }))
+        editor.session.notices.draw(frame, layout.view);
+    draw(draw_status_line);
     paint_focus(editor, theme, layout);
-    editor.files.draw(theme);
-    draw_manual(editor, theme);
-    draw_preferences(editor, theme);
-    draw_record_dialog(editor, theme);
-    draw_export_dialog(editor, theme);
-    draw_plain_mesh_dialog(editor, theme);
-    draw_volume_dialog(editor, theme);
-    draw_not_certified(editor, theme);
-    draw_command_palette(editor, theme);
+    guarded([&] { editor.files.draw(theme); });
+    using Dialog = void (*)(Editor&, const ui::Theme&);
+    for (const Dialog dialog :
+         {draw_manual, draw_preferences, draw_record_dialog, draw_export_dialog,
+          draw_plain_mesh_dialog, draw_volume_dialog, draw_not_certified, draw_command_palette})
+        guarded([&] { dialog(editor, theme); });
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);
     frame.close = editor.files.close_agreed();
     frame.interface_scale = editor.preferences.scale;
     frame.look = editor.preferences.look;
     frame.full_screen = editor.full_screen;
+    editor.session.be_at_work(false);
 }
 
 } // namespace trivar

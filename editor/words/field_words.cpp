@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/words/field_words.h"
 
+#include "core/base/mistake.h"
 #include "core/commands/command.h"
 
-#include <cassert>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -34,7 +34,8 @@ Helps all_helps()
 std::string without_unit(std::string_view sentence)
 {
     std::string help(sentence);
-    for (const std::string_view unit : {", metres", ", in degrees", ", in radians", ", degrees"}) {
+    for (const std::string_view unit :
+         {", metres", ", in degrees", ", in radians", ", degrees", ", pixels", "; pixels"}) {
         const std::size_t at = help.find(unit);
         if (at != help.npos) help.erase(at, unit.size());
     }
@@ -45,7 +46,7 @@ std::string help_of_field(const std::string& verb, const std::string& name)
 {
     static const Helps helps = all_helps();
     const auto found = helps.find(verb + " " + name);
-    assert(found != helps.end());
+    ensure(found != helps.end(), "there is no field of this name");
     return without_unit(found->second);
 }
 

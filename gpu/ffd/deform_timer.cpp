@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/ffd/deform_timer.h"
 
-#include <cassert>
+#include "core/base/mistake.h"
+
 #include <cmath>
 #include <limits>
 
@@ -22,7 +23,7 @@ double between_deg(const glm::dvec3& n, const glm::dvec3& m)
 
 DeformErrors errors_of(const DeformedArrays& found, const DeformedArrays& exact)
 {
-    assert(found.positions.size() == exact.positions.size());
+    ensure(found.positions.size() == exact.positions.size(), "meshes of two sizes are compared");
     Box box;
     for (const glm::vec3& p : exact.positions) box.add(p);
     DeformErrors out;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/tiles/tile_rule.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -20,7 +21,7 @@ constexpr double half_pixels_off = 4;
 TileRule rule_of(const Camera& camera, const glm::dmat4& to_world, const glm::dvec3& origin,
                  bool draft, const std::vector<TileLevel>& levels)
 {
-    assert(levels.size() <= TileRule::most_levels);
+    ensure(levels.size() <= TileRule::most_levels, "a tile has too many levels");
     TileRule out;
     const glm::dmat4 to_view = glm::translate(view_matrix(camera) * to_world, origin);
     const glm::dvec2 size = glm::max(camera.size_px, glm::dvec2(1));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/casting/cast_ray.h"
 #include "core/voxels/volume_summary.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
+#include "tests/casting/cast_ray.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/casting/cast_ray.h"
+#include "tests/casting/cast_ray.h"
 #include "tests/casting/volumes.h"
 
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "core/document/parameters.h"
 #include "core/evaluation/evaluate.h"
 #include "core/evaluation/shown_volume.h"
-#include "core/voxels/volume_writers.h"
 #include "tests/support/fixtures.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <gmock/gmock.h>
 

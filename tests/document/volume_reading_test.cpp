@@ -8,8 +8,8 @@
 #include "core/scene/scene_file.h"
 #include "core/voxels/coarsened.h"
 #include "core/voxels/read_volume.h"
-#include "core/voxels/volume_writers.h"
 #include "tests/support/fixtures.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <gmock/gmock.h>
 

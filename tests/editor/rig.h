@@ -16,10 +16,10 @@ namespace trivar::testing {
 // The whole editor without a screen, driven by the mouse and keys of nobody.
 struct Rig {
     explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {},
-                 const std::string& unnamed_folder = {})
+                 const std::string& unnamed_folder = {}, OnFailure on_failure = OnFailure::pass_on)
         : size_px(size),
           screen(size, options),
-          editor([] {}, all_actions(), unnamed_folder)
+          editor([] {}, all_actions(), unnamed_folder, on_failure)
     {
     }
     glm::ivec2 size_px;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/files/image.h"
-#include "core/voxels/volume_writers.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
-#include "core/casting/cast_ray.h"
+#include "tests/casting/cast_ray.h"
 #include "tests/casting/volumes.h"
 #include "tests/gpu/support.h"
 

@@ -122,6 +122,9 @@ std::vector<std::string> complaints(const std::string& path, const std::string& 
     const auto lines = std::count(text.begin(), text.end(), '\n');
     if (lines > (header ? most_lines_header : most_lines_source))
         out.push_back(path + " has " + std::to_string(lines) + " lines: it is two topics");
+    for (const std::string& name : includes_of(text, '<', '>'))
+        if (name == "cassert" || name == "assert.h")
+            out.push_back(path + " would end the program; core/base/mistake.h has `ensure`");
     return out;
 }
 
@@ -292,6 +295,12 @@ TEST(Floors, LongFilesAndFilesOnNoFloorAreComplaints)
     EXPECT_TRUE(complaints("ui/a.cpp", lines(most_lines_source)).empty());
     EXPECT_EQ(complaints("ui/a.cpp", lines(most_lines_source + 1)).size(), 1u);
     EXPECT_EQ(complaints("attic/a.h", "").size(), 1u);
+}
+
+TEST(Floors, AssertionsThatEndTheProgramAreComplaints)
+{
+    EXPECT_EQ(complaints("ui/a.cpp", "#include <cassert>\n").size(), 1u);
+    EXPECT_TRUE(complaints("ui/a.cpp", "#include \"core/base/mistake.h\"\n").empty());
 }
 
 TEST(Floors, ForeignHeadersStayBehindSources)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/voxels/volume_writers.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/reading.h"
 #include "tests/voxels/volume_files.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <cstring>
 #include <gmock/gmock.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/image.h"
 #include "core/voxels/coarsened.h"
-#include "core/voxels/volume_writers.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/dicom_files.h"
 #include "tests/voxels/reading.h"
 #include "tests/voxels/volume_files.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <cstdio>
 #include <filesystem>

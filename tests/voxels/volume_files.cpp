@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/voxels/volume_files.h"
 
-#include "core/voxels/volume_writers.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <algorithm>
 #include <bzlib.h>

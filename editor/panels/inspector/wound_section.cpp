@@ -169,12 +169,12 @@ WoundSection section_of(const IncisedSkin& skin, const NamedIncision& incision,
                         const std::vector<IncisionLayer>& layers)
 {
     WoundSection out;
-    const SeenCut seen = seen_cut(skin, incision, nullptr);
-    if (seen.line.empty()) return out;
+    const std::optional<SeenCut> seen = seen_cut(skin, incision, nullptr);
+    if (!seen) return out;
     std::vector<SurfacePoint> at;
-    for (const SurfaceHit& each : seen.line) at.push_back(each.at_rest);
+    for (const SurfaceHit& each : seen->line) at.push_back(each.at_rest);
     out.thickness = skin.thickness(at);
-    out.length = seen.length;
+    out.length = seen->length;
     for (const IncisionLayer& layer : layers)
         out.layers.emplace_back(layer.depth, layer.look.base_color);
     return out;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/voxels/volume_writers.h"
 #include "editor/command_line/command_line.h"
 #include "tests/support/fixtures.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <gmock/gmock.h>
 #include <sstream>

@@ -75,7 +75,7 @@ struct InciseRig : Rig {
     {
         IncisedSkin skin;
         skin.look(editor.session, 1);
-        return words_of(of, one(), seen_cut(skin, one(), &outcome()));
+        return words_of(of, one(), seen_cut(skin, one(), &outcome()).value());
     }
 };
 

@@ -170,5 +170,29 @@ TEST(LatticePoints, AreLeftAsTheyAreByAClickAndByEscape)
     EXPECT_EQ(rig.point(near_roof), before);
 }
 
+TEST(LatticePoints, ThatTheLatticeLostAreForgotten)
+{
+    LatticeRig rig;
+    const auto lay_with = [&](const glm::ivec3& grid) {
+        PlacementParameters p = object(rig.editor.session.document(), 2).stroke->parameters;
+        p.grid = grid;
+        EXPECT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
+        rig.wait();
+    };
+    rig.drag({8, 0, 2}, {0, 0}); // chooses it
+    lay_with({4, 3, 2});
+    rig.key({'G'});
+    rig.move(rig.layout().view.center());
+    rig.wait();
+    EXPECT_EQ(rig.shaped(), 0u);
+    rig.key({ui::key_escape});
+    lay_with({9, 4, 3});
+    rig.drag({8, 0, 2}, {6, -20}, false);
+    lay_with({4, 3, 2}); // with the hand on one
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.wait();
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+}
+
 } // namespace
 } // namespace trivar

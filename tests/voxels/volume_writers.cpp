@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/voxels/volume_writers.h"
+#include "tests/voxels/volume_writers.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
