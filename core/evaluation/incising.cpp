@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/incising.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/inside_material.h"
 
@@ -15,8 +16,7 @@ namespace {
 constexpr double reach_of_strokes = 0.01; // of the diagonal of the skin
 constexpr double hardly_narrowed = 0.995; // share of the width
 constexpr double much_narrowed = 0.5;     // share of the opening or of the depth at a place
-constexpr const char* over_two = "it goes over two meshes; draw one on each";
-constexpr const char* off_the_mesh = "it begins where the surface is not";
+constexpr const char* off_the_mesh = "it leaves the surface";
 
 // The way of strokes from the model to one of its meshes.
 struct ToMesh {
@@ -48,12 +48,60 @@ struct ToMesh {
     double metres; // on the model, of a unit of the mesh
 };
 
-// Whether keys or a blade may open any of these incisions.
-bool change_in_time(const Object& object, const std::vector<std::size_t>& incisions)
+using PartOfIncision = IncisingStep::PartOfIncision;
+
+// The parts of an incision, by what of its stroke lies on which mesh.
+std::vector<PartOfIncision> parts_by_mesh(const Incision& cut, std::size_t number,
+                                          const std::vector<std::size_t>& mesh_of_point)
 {
-    return std::ranges::any_of(incisions, [&](std::size_t i) {
-        const std::string of_incision = fmt::format("incising.cuts.{}.", i);
-        return object.incising->cuts[i].blade != 0 ||
+    std::vector<PartOfIncision> out;
+    const double whole = length_of(cut.stroke);
+    double length = 0;
+    for (std::size_t i = 0; i < cut.stroke.size(); ++i) {
+        if (i > 0) length += glm::distance(cut.stroke[i - 1].p, cut.stroke[i].p);
+        const std::size_t mesh = mesh_of_point[i];
+        const double share = whole > 0 ? length / whole : 0;
+        auto part = std::ranges::find(out, mesh, &PartOfIncision::mesh);
+        if (part == out.end()) {
+            part = out.insert(part, {number, mesh, share, share, cut});
+            part->cut.stroke.clear();
+        }
+        part->to = share;
+        part->cut.stroke.push_back(cut.stroke[i]);
+    }
+    if (out.size() == 1) out[0].from = 0, out[0].to = 1;
+    return out;
+}
+
+// What became of an incision, with that of one more part of it.
+void add(IncisingEffects::OfIncision& told, const PartOfIncision& part,
+         const IncisedMesh::Outcome& outcome, double metres)
+{
+    const bool first = !(told.length > 0);
+    if (!outcome.refusal.empty()) {
+        if (first) told.refusal = outcome.refusal;
+        return;
+    }
+    told.refusal.clear();
+    told.length += outcome.length * metres;
+    told.depth = std::max(told.depth, outcome.depth * metres);
+    told.widest = first ? outcome.widest : std::max(told.widest, outcome.widest);
+    told.least = std::min(told.least, outcome.least);
+    told.least_depth = std::min(told.least_depth, outcome.least_depth);
+    if (!outcome.shortfall.empty()) told.shortfall = outcome.shortfall;
+    if (!outcome.notice.empty()) told.notice = outcome.notice;
+    if (!first)
+        told.notice = "it goes over several meshes, and each has its part";
+    else if (part.from > 0 || part.to < 1)
+        if (told.notice.empty()) told.notice = "it ends where the surface does";
+}
+
+// Whether keys or a blade may open any of these incisions.
+bool change_in_time(const Object& object, const std::vector<PartOfIncision>& incisions)
+{
+    return std::ranges::any_of(incisions, [&](const PartOfIncision& part) {
+        const std::string of_incision = fmt::format("incising.cuts.{}.", part.number);
+        return object.incising->cuts[part.number].blade != 0 ||
                std::ranges::any_of(object.tracks, [&](const Track& t) {
                    return t.parameter.starts_with(of_incision);
                });
@@ -109,26 +157,30 @@ void tell_of_incisions(Stage& stage, const Incising& incising)
                 of.shortfall));
         else if (of.widest < hardly_narrowed)
             stage.notices.push_back(
-                fmt::format("{} opens to {:.0f} % of its width, because its walls would meet "
+                fmt::format("{} opens to {} of its width, because its walls would meet "
                             "beyond; reduce its width or its depth",
-                            told_as(incising, i), 100 * of.widest));
+                            told_as(incising, i), percent_text(of.widest)));
         else if (of.least < much_narrowed)
             stage.notices.push_back(
                 fmt::format("{} opens less at a place, because its walls would meet there",
                             told_as(incising, i)));
         else if (of.least_depth < much_narrowed)
             stage.notices.push_back(
-                fmt::format("{} is shallower at a place, where the body has room for {:.0f} % of "
+                fmt::format("{} is shallower at a place, where the body has room for {} of "
                             "its depth",
-                            told_as(incising, i), 100 * of.least_depth));
+                            told_as(incising, i), percent_text(of.least_depth)));
     }
 }
 
 // Where a flap lies, by the incisions of a wound; nothing: not in that wound.
-std::optional<FlapPlace> place_of(const PeeledFlap& flap, const std::vector<std::size_t>& incisions)
+std::optional<FlapPlace> place_of(const PeeledFlap& flap,
+                                  const std::vector<PartOfIncision>& incisions)
 {
-    const auto first = std::ranges::find(incisions, static_cast<std::size_t>(flap.first) - 1),
-               second = std::ranges::find(incisions, static_cast<std::size_t>(flap.second) - 1);
+    const auto of = [&](int number) {
+        return std::ranges::find(incisions, static_cast<std::size_t>(number) - 1,
+                                 &PartOfIncision::number);
+    };
+    const auto first = of(flap.first), second = of(flap.second);
     if (first == incisions.end() || second == incisions.end()) return {};
     return FlapPlace{static_cast<std::uint32_t>(first - incisions.begin()),
                      static_cast<std::uint32_t>(second - incisions.begin()), flap.side_of_first,
@@ -210,49 +262,57 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
         ways.emplace_back(hung.to_model);
         skins.push_back(skin_of(hung.rest, input));
     }
-    const auto place_on = [&](std::size_t m, const SurfacePoint& at) {
-        const SurfacePoint there = ways[m](at);
-        const double reach = reach_of_strokes * skins[m]->diagonal();
-        return skins[m]->locate(std::span(&there, 1), reach).front();
+    // How far points are from a mesh, metres on the model; infinite: they do not lie on it.
+    const auto distances = [&](std::size_t m, std::span<const SurfacePoint> points) {
+        std::vector<SurfacePoint> there;
+        for (const SurfacePoint& each : points) there.push_back(ways[m](each));
+        const auto places = skins[m]->locate(there, reach_of_strokes * skins[m]->diagonal());
+        std::vector<double> out(points.size(), std::numeric_limits<double>::infinity());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!places[i]) continue;
+            const glm::uvec3& t = skins[m]->triangle(places[i]->triangle);
+            glm::dvec3 p(0);
+            for (int k = 0; k < 3; ++k) p += places[i]->weights[k] * skins[m]->position(t[k]);
+            out[i] =
+                glm::length(glm::dvec3(shape.meshes[m].to_model * glm::dvec4(p, 1)) - points[i].p);
+        }
+        return out;
     };
-    const auto distance = [&](std::size_t m, const SurfacePoint& at) {
-        const std::optional<SkinPlace> place = place_on(m, at);
-        if (!place) return std::numeric_limits<double>::infinity();
-        const glm::uvec3& t = skins[m]->triangle(place->triangle);
-        glm::dvec3 p(0);
-        for (int i = 0; i < 3; ++i) p += place->weights[i] * skins[m]->position(t[i]);
-        return glm::length(glm::dvec3(shape.meshes[m].to_model * glm::dvec4(p, 1)) - at.p);
+    // Which mesh each point of a stroke lies on: that of the point before where it does, else the
+    // nearest, else still that; `meshes`: none.
+    const auto meshes_under = [&](const std::vector<SurfacePoint>& stroke) {
+        std::vector<std::size_t> out(stroke.size(), 0);
+        std::vector<std::vector<double>> away(meshes); // of all points, by mesh that was found
+        for (std::size_t i = 0; i < stroke.size() && meshes > 1; ++i) {
+            out[i] = i > 0 ? out[i - 1] : meshes;
+            if (out[i] < meshes && std::isfinite(away[out[i]][i])) continue;
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t m = 0; m < meshes; ++m)
+                if (const double d = distances(m, std::span(&stroke[i], 1)).front(); d < least) {
+                    least = d;
+                    out[i] = m;
+                }
+            if (out[i] < meshes && away[out[i]].empty()) away[out[i]] = distances(out[i], stroke);
+        }
+        return out;
     };
 
     Wounds out;
     out.told.resize(incising.cuts.size());
-    std::vector<std::vector<std::size_t>> of_mesh(meshes);
+    std::vector<std::vector<PartOfIncision>> of_mesh(meshes);
     for (std::size_t i = 0; i < incising.cuts.size(); ++i) {
         if (incising.cuts[i].hidden) continue;
-        const std::vector<SurfacePoint>& stroke = incising.cuts[i].cut.stroke;
-        std::size_t nearest = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t m = 0; m < meshes && meshes > 1; ++m)
-            if (const double d = distance(m, stroke.front()); d < least) {
-                least = d;
-                nearest = m;
-            }
-        if (meshes > 1 && !(least < std::numeric_limits<double>::infinity()))
-            out.told[i].refusal = off_the_mesh;
-        if (meshes > 1 && out.told[i].refusal.empty())
-            for (const SurfacePoint& each : stroke) {
-                if (place_on(nearest, each)) continue;
-                for (std::size_t m = 0; m < meshes; ++m)
-                    if (place_on(m, each)) out.told[i].refusal = over_two;
-                break;
-            }
-        if (out.told[i].refusal.empty()) of_mesh[nearest].push_back(i);
+        const Incision& cut = incising.cuts[i].cut;
+        for (PartOfIncision& part : parts_by_mesh(cut, i, meshes_under(cut.stroke)))
+            if (part.mesh < meshes && part.cut.stroke.size() > 1)
+                of_mesh[part.mesh].push_back(std::move(part));
+        out.told[i].refusal = off_the_mesh; // until it is known better
     }
     for (std::size_t m = 0; m < meshes; ++m) {
         if (of_mesh[m].empty()) continue;
         std::vector<Incision> cuts;
-        for (const std::size_t i : of_mesh[m]) {
-            cuts.push_back(ways[m](incising.cuts[i].cut));
+        for (const PartOfIncision& part : of_mesh[m]) {
+            cuts.push_back(ways[m](part.cut));
             // Rows of all incisions share steps of the deepest one's depth, so that none may be
             // deeper than any body
             cuts.back().depth = std::min(cuts.back().depth, 0.5 * skins[m]->diagonal());
@@ -263,23 +323,16 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
             const Ref<IncisedMesh> incised = timed(input.timings, "incise", [&] {
                 return make_ref(incise(*skins[m], cuts, options, made_));
             });
-            for (std::size_t k = 0; k < cuts.size(); ++k) {
-                const IncisedMesh::Outcome& outcome = incised->outcomes[k];
-                out.told[of_mesh[m][k]] = {outcome.refusal,
-                                           outcome.length * ways[m].metres,
-                                           outcome.depth * ways[m].metres,
-                                           outcome.widest,
-                                           outcome.least,
-                                           outcome.least_depth,
-                                           outcome.shortfall,
-                                           outcome.notice,
-                                           1};
-            }
+            for (std::size_t k = 0; k < cuts.size(); ++k)
+                add(out.told[of_mesh[m][k].number], of_mesh[m][k], incised->outcomes[k],
+                    ways[m].metres);
             if (incised->rest != incised->original)
                 out.all.push_back({m, incised, of_mesh[m], cuts, ways[m].metres,
                                    std::make_shared<const Extent>(incised->rest)});
         } catch (const Rejected& error) {
-            for (const std::size_t i : of_mesh[m]) out.told[i].refusal = error.what();
+            for (const PartOfIncision& part : of_mesh[m])
+                if (!(out.told[part.number].length > 0))
+                    out.told[part.number].refusal = error.what();
         }
     }
     return out;
@@ -318,8 +371,11 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
         std::vector<char> lifted(incising->flaps.size(), 0);
         for (const Wound& wound : wounds->all) {
             std::vector<IncisionOpening> openings;
-            for (const std::size_t i : wound.incisions)
-                openings.push_back(incising->cuts[i].opening);
+            std::vector<std::size_t> incisions;
+            for (const PartOfIncision& part : wound.incisions) {
+                openings.push_back(part.opened(incising->cuts[part.number].opening));
+                incisions.push_back(part.number);
+            }
             std::vector<FlapPlace> places;
             std::vector<double> lifts;
             std::vector<std::size_t> numbers;
@@ -345,7 +401,7 @@ Ref<Stage> IncisingStep::operator()(const Ref<Stage>& before, const StepInput& i
             });
             if (open.mesh == wound.incised->original) continue;
             Shape::NodeMesh& hung = shape.meshes[wound.mesh];
-            out.incised_meshes.push_back({hung.slot, wound.incised, wound.incisions});
+            out.incised_meshes.push_back({hung.slot, wound.incised, std::move(incisions)});
             hung.rest = open.mesh;
             hung.extent = open.extent;
             if (hung.posed) hung.posed = posed_later(open.mesh, hung.posed->pose);

@@ -11,21 +11,35 @@
 namespace trivar {
 
 // IncisingStep cuts the skin of a shape at rest open, before anything poses, lays or bends it. What
-// is cut depends on strokes, depths and widths; an opening that changes moves vertices only. A
-// stroke belongs to the mesh that is nearest to its first point. Where all incisions are shut, the
-// meshes are those that were there before. Stage: incise.
+// is cut depends on strokes, depths and widths; an opening that changes moves vertices only. Of a
+// stroke that goes over several meshes each is cut by what lies on it. Where all incisions are
+// shut, the meshes are those that were there before. Stage: incise.
 class IncisingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
-    // A mesh of the shape that is cut, and which incisions of the object do so.
+    // What of an incision lies on one mesh.
+    struct PartOfIncision {
+        std::size_t number; // of the incision, the first one is 0
+        std::size_t mesh;   // of the shape
+        double from, to;    // shares of the stroke's length
+        Incision cut;       // the part, on the model
+
+        IncisionOpening opened(IncisionOpening of_all) const
+        {
+            of_all.from = (of_all.from - from) / (to - from);
+            of_all.to = (of_all.to - from) / (to - from);
+            return of_all;
+        }
+    };
+    // A mesh of the shape that is cut, and what of the object's incisions does so.
     struct Wound {
         std::size_t mesh;
         Ref<IncisedMesh> incised;
-        std::vector<std::size_t> incisions; // by those of `incised`
-        std::vector<Incision> cuts;         // the same, in the mesh's space
-        double metres;                      // on the model, of a unit of the mesh
-        Ref<Extent> rest;                   // of `incised->rest`
+        std::vector<PartOfIncision> incisions; // by those of `incised`
+        std::vector<Incision> cuts;            // the same, in the mesh's space
+        double metres;                         // on the model, of a unit of the mesh
+        Ref<Extent> rest;                      // of `incised->rest`
     };
     struct Wounds {
         std::vector<Wound> all; // by mesh

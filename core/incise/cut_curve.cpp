@@ -18,20 +18,19 @@ glm::dvec3 unit_or_null(const glm::dvec3& v)
 
 } // namespace
 
-CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward, double width)
+CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward)
 {
-    std::vector<glm::dvec3> up;
     for (const CutRun::At& at : run.at) {
         s_.push_back(at.s);
         points_.push_back(drawing.position(at.point));
-        up.push_back(unit_or_null(inward.outward(drawing.point(at.point))));
+        up_.push_back(unit_or_null(inward.outward(drawing.point(at.point))));
     }
     const double window = std::max({edges_of_window * drawing.skin().usual_edge(),
-                                    share_of_window * run.length, widths_of_window * width});
+                                    share_of_window * run.length, widths_of_window * run.width});
     const std::size_t last = s_.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
         const auto left_of = [&](const glm::dvec3& along) {
-            return unit_or_null(glm::cross(up[i], along));
+            return unit_or_null(glm::cross(up_[i], along));
         };
         const glm::dvec3 l1 =
             left_of(i > 0 ? points_[i] - points_[i - 1] : points_[1] - points_[0]);

@@ -9,8 +9,7 @@ namespace trivar {
 // the cut and along the skin, unit, or shorter where there is none (a spur).
 class CutCurve {
 public:
-    // `width` is that of the widest gap: the direction along the cut is taken over such a length.
-    CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward, double width);
+    CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward);
 
     struct Foot {
         std::size_t segment;
@@ -23,16 +22,18 @@ public:
     double s(std::size_t i) const { return s_[i]; }
     glm::dvec3 point(double s, std::size_t segment) const { return mixed(points_, s, segment); }
     glm::dvec3 left(double s, std::size_t segment) const { return mixed(left_, s, segment); }
+    glm::dvec3 up(double s, std::size_t segment) const { return mixed(up_, s, segment); }
     glm::dvec3 point(double s) const { return point(s, segment_at(s)); }
     glm::dvec3 left(double s) const { return left(s, segment_at(s)); }
 
+    double share(double s, std::size_t segment) const; // of the segment, at s
+
 private:
-    double share(double s, std::size_t segment) const;
     glm::dvec3 mixed(const std::vector<glm::dvec3>& values, double s, std::size_t segment) const;
     Foot foot_on(const glm::dvec3& p, std::size_t segment) const;
 
     std::vector<double> s_;
-    std::vector<glm::dvec3> points_, left_;
+    std::vector<glm::dvec3> points_, left_, up_; // up: out of the skin, unit
 };
 
 } // namespace trivar

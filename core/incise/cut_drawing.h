@@ -6,10 +6,12 @@
 
 namespace trivar {
 
-// A DrawnChain is a stroke as a chain of lattice points, each on one triangle with the next.
+// A DrawnChain is a stroke, or a part of one, as a chain of lattice points, each on one triangle
+// with the next.
 struct DrawnChain {
     std::vector<LatticePoint> points;
     std::vector<std::uint32_t> triangles; // between each point and the next
+    double from = 0, to = 1;              // shares of the stroke's length that it covers
 };
 
 // A CutDrawing is a graph of straight segments on a skin: all strokes of its cuts. Points have

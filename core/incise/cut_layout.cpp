@@ -14,6 +14,7 @@ namespace trivar {
 namespace {
 
 constexpr double steepest_lean_deg = 75;
+constexpr double most_smoothed = 0.25;  // of its length, over which columns of a cut turn
 constexpr double least_last_row = 0.02; // of the thickness, where it is a bevel
 
 const char* unfit(const Incision& incision)
@@ -28,62 +29,44 @@ const char* unfit(const Incision& incision)
     return nullptr;
 }
 
-// Where a stroke meets the skin: its longest part there, with a sentence where that is not all.
-std::vector<SkinPlace> places_of(const CutSkin& skin, const Incision& incision, double reach,
-                                 std::string& notice)
+// The parts of a stroke that meet the skin.
+std::vector<StrokePart> parts_on(const CutSkin& skin, const Incision& incision, double reach)
 {
     const std::vector<std::optional<SkinPlace>> all = skin.locate(incision.stroke, reach);
-    std::size_t first = 0, count = 0, parts = 0;
-    double longest = -1, length = 0;
-    for (std::size_t i = 0, begin = 0; i < all.size(); ++i) {
+    const double whole = length_of(incision.stroke);
+    std::vector<StrokePart> out;
+    double length = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i > 0) length += glm::distance(incision.stroke[i].p, incision.stroke[i - 1].p);
         if (!all[i]) continue;
-        if (i == 0 || !all[i - 1]) {
-            ++parts;
-            begin = i;
-            length = 0;
-        } else
-            length += glm::distance(incision.stroke[i].p, incision.stroke[i - 1].p);
-        if (length < longest) continue;
-        longest = length;
-        first = begin;
-        count = i + 1 - begin;
+        if (i == 0 || !all[i - 1]) out.emplace_back();
+        out.back().places.push_back(*all[i]);
+        out.back().shares.push_back(i + 1 == all.size() ? 1 : whole > 0 ? length / whole : 0);
     }
-    std::vector<SkinPlace> out;
-    for (std::size_t i = first; i < first + count; ++i) out.push_back(*all[i]);
-    if (parts > 1)
-        notice = "only its longest part on the surface is cut";
-    else if (count < all.size())
-        notice = "it ends where the surface does";
     return out;
 }
 
-// Draws all strokes that can be drawn. Which incision each is of is returned.
-std::vector<std::uint32_t> draw(CutDrawing& drawing, std::span<const Incision> all, double reach,
-                                std::vector<IncisedMesh::Outcome>& outcomes)
+// Draws all strokes that can be drawn, and tells whose they are.
+std::vector<DrawnStroke> draw(CutDrawing& drawing, std::span<const Incision> all, double reach,
+                              std::vector<IncisedMesh::Outcome>& outcomes)
 {
     const CutSkin& skin = drawing.skin();
-    std::vector<std::uint32_t> incisions;
+    std::vector<DrawnStroke> strokes;
     for (std::uint32_t k = 0; k < all.size(); ++k) {
-        std::string& refusal = outcomes[k].refusal;
         if (const char* const why = unfit(all[k])) {
-            refusal = why;
+            outcomes[k].refusal = why;
             continue;
         }
-        const std::vector<SkinPlace> places =
-            places_of(skin, all[k], reach * skin.diagonal(), outcomes[k].notice);
-        if (places.size() < 2) {
-            refusal = "it leaves the surface";
-            continue;
+        Traced traced = trace(drawing, parts_on(skin, all[k], reach * skin.diagonal()));
+        outcomes[k].refusal = std::move(traced.refusal);
+        outcomes[k].notice = std::move(traced.notice);
+        for (const DrawnChain& chain : traced.chains) {
+            drawing.add(chain);
+            strokes.push_back({k, chain.from, chain.to});
         }
-        Traced traced = trace(drawing, places);
-        refusal = std::move(traced.refusal);
-        if (!refusal.empty()) continue;
-        if (!traced.notice.empty()) outcomes[k].notice = std::move(traced.notice);
-        drawing.add(traced.chain);
-        incisions.push_back(k);
     }
     drawing.arrange();
-    return incisions;
+    return strokes;
 }
 
 std::vector<std::uint32_t> region_of_cuts(const CutLayout& layout)
@@ -95,6 +78,23 @@ std::vector<std::uint32_t> region_of_cuts(const CutLayout& layout)
                  triangles_round(layout.drawing.skin(), layout.drawing.point(at.point)))
                 region.push_back(t);
     return region;
+}
+
+// The directions of columns in the region of the cuts.
+void find_inward(CutLayout& layout, std::span<const Incision> all)
+{
+    layout.inward.emplace(layout.drawing.skin(), region_of_cuts(layout));
+    std::vector<Inward::Source> sources;
+    for (const CutRun& run : layout.runs)
+        for (std::size_t i = 0; i <= run.last; ++i) {
+            const std::uint32_t point = run.at[i].point;
+            const double length =
+                (run.at[std::min(i + 1, run.last)].s - run.at[i > 0 ? i - 1 : 0].s) / 2;
+            sources.push_back({layout.drawing.position(point),
+                               layout.inward->outward(layout.drawing.point(point)), length,
+                               std::min(all[run.incision].depth, most_smoothed * run.length)});
+        }
+    layout.inward->follow(std::move(sources));
 }
 
 // The far sides of runs that go through, by run. Where columns along the skin's normals are of no
@@ -141,7 +141,7 @@ void meet_at_crossings(CutLayout& layout)
 
 // Draws the far sides of all runs that go through. Why one cannot goes to its shortfall.
 void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
-                std::vector<std::uint32_t>& incision_of_stroke, Shortfalls& shortfalls)
+                std::vector<DrawnStroke>& strokes, Shortfalls& shortfalls)
 {
     const CutSkin& skin = layout.drawing.skin();
     for (std::uint32_t r = 0; r < layout.runs.size(); ++r) {
@@ -157,18 +157,19 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
         std::string& shortfall = shortfalls[before[r].incision];
         shortfall = far[r].refusal;
         if (!shortfall.empty()) continue;
-        const Traced traced = trace(layout.drawing, far[r].places);
+        const StrokePart whole{far[r].places};
+        const Traced traced = trace(layout.drawing, std::span(&whole, 1));
         if (const std::string& why = traced.refusal.empty() ? traced.notice : traced.refusal;
             !why.empty()) {
             shortfall = "of its other side it is said that " + why;
             continue;
         }
-        const std::uint32_t stroke = layout.drawing.add(traced.chain);
-        incision_of_stroke.push_back(before[r].incision);
+        const std::uint32_t stroke = layout.drawing.add(traced.chains.front());
+        strokes.push_back({before[r].incision, before[r].from, before[r].to});
         layout.throughs.push_back({r, stroke, {}});
     }
     layout.drawing.arrange();
-    layout.runs = runs_of(layout.drawing, incision_of_stroke);
+    layout.runs = runs_of(layout.drawing, strokes, all);
     for (std::size_t r = 0; r < before.size(); ++r) layout.runs[r].kind = before[r].kind;
     for (const ThroughCut& cut : layout.throughs)
         layout.runs[cut.far].kind = CutRun::Kind::far_side;
@@ -206,9 +207,9 @@ std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incisio
                                     Shortfalls& shortfalls)
 {
     auto layout = std::make_unique<CutLayout>(skin);
-    std::vector<std::uint32_t> incision_of_stroke = draw(layout->drawing, all, reach, outcomes);
-    layout->runs = runs_of(layout->drawing, incision_of_stroke);
-    layout->inward.emplace(skin, region_of_cuts(*layout));
+    std::vector<DrawnStroke> strokes = draw(layout->drawing, all, reach, outcomes);
+    layout->runs = runs_of(layout->drawing, strokes, all);
+    find_inward(*layout, all);
     bool any = false;
     for (CutRun& run : layout->runs)
         if (all[run.incision].floor == Incision::Floor::through &&
@@ -222,9 +223,9 @@ std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incisio
         return layout;
     }
     const Shortfalls before = shortfalls;
-    go_through(*layout, all, rows, incision_of_stroke, shortfalls);
+    go_through(*layout, all, rows, strokes, shortfalls);
     if (shortfalls != before) return nullptr;
-    layout->inward.emplace(skin, region_of_cuts(*layout));
+    find_inward(*layout, all);
     return layout;
 }
 

@@ -11,7 +11,10 @@
 namespace trivar {
 namespace {
 
-constexpr double wrong_side = -0.2; // cosine: a front that came round the end of a cut
+// How far below a cut the skin gives way: shares of its reach, and of the body's thickness.
+constexpr double reach_of_room = 0.5, thickness_of_room = 0.7;
+constexpr double room_smoothed_over = 0.25; // of the reach
+constexpr double wrong_side = -0.2;         // cosine: a front that came round the end of a cut
 
 // How a piece runs through a node: which sectors lie left (1) and right (-1) of it; 0: it ends.
 struct Passage {
@@ -105,12 +108,14 @@ struct FieldOfPiece {
     const CutCurve& curve;
     const CutPiece& piece;
     const Incision& incision;
+    double reach;
+    std::vector<double> room = {}; // by point of the run: how far below the skin it gives way
 
     // At a node that the piece does not pass.
     struct AtNode {
         std::uint32_t node;
-        double s, distance;
-        int side;
+        double s;
+        glm::dvec3 way;
     };
     std::vector<CutTerm> terms = {};
     std::vector<AtNode> others = {};
@@ -132,22 +137,39 @@ struct FieldOfPiece {
                 if (!fresh && found->second != side) found->second = 0;
             }
             for (const auto& [vertex, side] : sides)
-                add(vertex, side, passage.s, 1, depth_of(vertex));
+                if (side != 0)
+                    add(vertex, double(side) * curve.left(passage.s), passage.s, depth_of(vertex));
         }
         for (const AtNode& at : others) {
             sides.clear();
             for (const std::uint32_t vertex : graph.nodes[at.node].corners)
                 sides.emplace(vertex, 0);
-            for (const auto& [vertex, unused] : sides)
-                add(vertex, at.side, at.s, fade(at.distance), depth_of(vertex));
+            for (const auto& [vertex, unused] : sides) add(vertex, at.way, at.s, depth_of(vertex));
         }
     }
 
 private:
-    double fade(double distance) const
+    // The way of the field at p, on a side of the cut, of length 1 at the cut: less with the
+    // distance, and none as far below it as the other side of a thin body. It turns with the skin,
+    // whose tangents turn by twice the angle of a chord.
+    glm::dvec3 way_at(const glm::dvec3& p, const CutCurve::Foot& foot, int side) const
     {
-        const double x = distance / reach_of(incision);
-        return (1 - x * x) * (1 - x * x);
+        const auto bump = [](double x) { return x < 1 ? (1 - x * x) * (1 - x * x) : 0; };
+        const glm::dvec3 up = curve.up(foot.s, foot.segment),
+                         left = double(side) * curve.left(foot.s, foot.segment);
+        const glm::dvec3 off = p - curve.point(foot.s, foot.segment);
+        const double below = -glm::dot(off, up);
+        const double most =
+            glm::mix(room[foot.segment], room[foot.segment + 1], curve.share(foot.s, foot.segment));
+        const double faded =
+            bump(foot.distance / reach) * bump(std::max(0.0, 2 * below / most - 1));
+        const glm::dvec3 level = off + below * up;
+        const double beside = glm::length(level);
+        if (!(faded > 0) || !(beside > 0)) return faded * left;
+        const double turn = std::atan2(below, std::hypot(beside, run.width));
+        const double across = glm::dot(left, level) / beside;
+        return faded *
+               (left + across * ((std::cos(turn) - 1) / beside * level - std::sin(turn) * up));
     }
     double opening(double s) const
     {
@@ -160,20 +182,19 @@ private:
         return run.kind == CutRun::Kind::far_side ? far_bevel(incision, depth_at(run, s))
                                                   : bevel_at(run, incision, s);
     }
-    void add(std::uint32_t vertex, int side, double s, double faded, double depth)
+    void add(std::uint32_t vertex, const glm::dvec3& way, double s, double depth)
     {
-        if (side == 0) return;
         const double floor = depth_at(run, s);
         const double below = !run.has_floor() ? 1
                              : floor > 0      ? share_at_depth(incision, depth / floor)
                                               : depth == 0;
-        double amount = 0.5 * incision.width * opening(s) * faded * below;
+        double amount = 0.5 * run.width * opening(s) * below;
         if (const double set_back = bevel(s); depth < set_back)
-            amount += set_back * opening(s) * faded * share_of_bevel(incision, depth / set_back);
+            amount += set_back * opening(s) * share_of_bevel(incision, depth / set_back);
         if (!(amount > 0)) return;
         const double under = floor > 0 ? std::min(1.0, depth / floor) : 0;
         terms.push_back({vertex, run.incision, static_cast<float>(run.share(s)),
-                         static_cast<float>(under), glm::vec3(side * amount * curve.left(s))});
+                         static_cast<float>(under), glm::vec3(amount * way)});
     }
 
     void flood()
@@ -189,29 +210,29 @@ private:
             int side;
         };
         std::vector<Open> open;
-        const double limit = reach_of(incision), slack = 1e-12 * run.length;
+        const double slack = 1e-12 * run.length;
         const auto accept = [&](std::uint32_t point, std::size_t near, int side, bool at_slit) {
             if (seen.contains(point)) return;
             const glm::dvec3 p = drawing.position(point);
             const CutCurve::Foot foot = curve.foot(p, near, first, last);
-            if (foot.distance >= limit) return;
-            const glm::dvec3 left = curve.left(foot.s, foot.segment);
+            const glm::dvec3 way = way_at(p, foot, side);
+            if (!(way != glm::dvec3(0))) return;
             if (!at_slit && foot.s > piece.begin + slack && foot.s < piece.end - slack &&
-                glm::dot(left, p - curve.point(foot.s, foot.segment)) * side <
+                glm::dot(curve.left(foot.s, foot.segment), p - curve.point(foot.s, foot.segment)) *
+                        side <
                     wrong_side * foot.distance)
                 return;
             seen.number(point);
             open.push_back({point, foot.segment, side});
             const std::uint32_t node = graph.node_of_point.find(point);
             if (node != KeyNumbers::none) {
-                others.push_back({node, foot.s, foot.distance, side});
+                others.push_back({node, foot.s, way});
                 return;
             }
-            const double amount = (0.5 * incision.width + bevel(foot.s)) * opening(foot.s) *
-                                  fade(foot.distance) * side;
+            const double amount = (0.5 * run.width + bevel(foot.s)) * opening(foot.s);
             if (amount != 0)
                 terms.push_back({point, run.incision, static_cast<float>(run.share(foot.s)), 0,
-                                 glm::vec3(amount * left)});
+                                 glm::vec3(amount * way)});
         };
         for (const Passage& passage : passages) seen.number(graph.nodes[passage.node].point);
         for (const Passage& passage : passages) start_at(passage, first, last, accept);
@@ -274,8 +295,7 @@ std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
                               double step)
 {
     std::vector<CutCurve> curves;
-    for (const CutRun& run : runs)
-        curves.emplace_back(run, drawing, inward, incisions[run.incision].width);
+    for (const CutRun& run : runs) curves.emplace_back(run, drawing, inward);
     const std::vector<std::vector<Passage>> passages = passages_of(graph, pieces.size());
     const Neighbours neighbours(patch.triangles);
     std::vector<std::vector<CutTerm>> terms(pieces.size());
@@ -289,7 +309,12 @@ std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
                            run,
                            curves[pieces[p].run],
                            pieces[p],
-                           incisions[run.incision]};
+                           incisions[run.incision],
+                           reach_of(incisions[run.incision], run.length)};
+        for (const CutRun::At& at : run.at)
+            field.room.push_back(
+                std::min(reach_of_room * field.reach, thickness_of_room * at.thickness));
+        smooth_room(run, room_smoothed_over * field.reach, field.room);
         field(walls, step);
         terms[p] = std::move(field.terms);
     });

@@ -13,6 +13,7 @@ struct CutTerm {
     float share;    // of the incision's length, at which the vertex stands
     float below;    // depth of the vertex, as a share of the floor's there; 1 at most
     glm::vec3 move; // units of the mesh
+    float held = 1; // what is left of it beside other incisions
 };
 
 // The field of each incision: continuous everywhere but across its own slit. Beside the cut the

@@ -177,7 +177,8 @@ IncisedFlaps flaps_of(const IncisedMesh& incised, std::span<const Incision> inci
             flap_unit(from_a + into(of_b, field_b.shares[tip], place.side_of_second));
         out.backs.back() = glm::vec3(back);
         out.lengths.back() =
-            std::min(reach_of(a), reach_of(b)) / std::max(0.3, glm::dot(back, from_a));
+            std::min(reach_of(a, length_of(a.stroke)), reach_of(b, length_of(b.stroke))) /
+            std::max(0.3, glm::dot(back, from_a));
     }
     find_skin(out, incised);
     return out;

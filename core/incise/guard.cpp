@@ -4,23 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace trivar {
 namespace {
 
-constexpr double narrower = 0.7, as_good_as_shut = 0.02; // shares
-constexpr double least_share = 0.6; // of the move of the incision that moves a pair most
+constexpr double narrower = 0.7, narrower_below = 0.4, as_good_as_shut = 0.02; // shares
+constexpr double shorter_dent = 0.35, so_much_wider = 0.7; // of what an opening lacks with others
 // Openings at which nothing may pierce.
 constexpr std::array looked_at{1.0, 0.9, 0.8, 0.75, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.1};
-constexpr std::array quite_open{1.0};
 constexpr std::array quite_and_half_open{1.0, 0.5};
 constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
 
 } // namespace
 
 CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
-    : radius_(incisions.size(), 1),
+    : incisions_(incisions),
+      radius_(incisions.size(), 1),
       round_(incisions.size(), 0)
 {
     const CutSkin& skin = shape.drawing.skin();
@@ -70,29 +69,53 @@ CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
         const Incision& incision = incisions[run.incision];
         simple_ = simple_ && run.has_floor() && incision.lean_deg == 0 && incision.bevel == 0;
         radius_[run.incision] =
-            std::max(edges_of_dent * edge, widths_of_dent * incisions[run.incision].width) /
-            run.length;
-        round_[run.incision] = run.closed();
+            run.as_share(std::max(edges_of_dent * edge, widths_of_dent * run.width));
+        round_[run.incision] = run.goes_round();
+        if (run.kind != CutRun::Kind::far_side) parts_.push_back({run.incision, run.from, run.to});
     }
 }
 
-std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted,
-                                              std::span<const double> shares) const
+std::vector<glm::dvec3> CutGuard::moves(std::span<const Admitted> admitted,
+                                        std::span<const char> open) const
 {
-    std::vector<std::vector<glm::dvec3>> times(shares.size(),
-                                               std::vector(rest_.size(), glm::dvec3(0)));
+    std::vector<glm::dvec3> out(rest_.size(), glm::dvec3(0));
     for (const CutTerm& term : terms_) {
+        if (!open[term.incision]) continue;
         const auto let =
             static_cast<float>(admitted[term.incision].at(double{term.share}, double{term.below}));
-        const glm::dvec3 move(term.move * let);
-        for (std::size_t i = 0; i < shares.size(); ++i) times[i][term.vertex] += shares[i] * move;
+        out[term.vertex] += glm::dvec3(term.move * let);
     }
-    for (std::vector<glm::dvec3>& each : times)
-        for (std::size_t v = 0; v < rest_.size(); ++v) each[v] += rest_[v];
-    std::vector<char> moved(triangles_.size(), 0);
+    return out;
+}
+
+bool CutGuard::pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const
+{
+    glm::uvec3 second(3, 4, 5); // numbers of corners; a common one has its first
+    for (std::uint32_t i = 0; i < 9; ++i)
+        if (corner(pair, i / 3) == corner(pair, 3 + i % 3)) second[static_cast<int>(i % 3)] = i / 3;
+    return std::ranges::any_of(looked_at, [&](double share) {
+        std::array<glm::dvec3, 6> p;
+        for (std::size_t i = 0; i < 6; ++i)
+            p[i] = rest_[corner(pair, i)] + share * quite[corner(pair, i)];
+        return pierce(p, {0, 1, 2}, second);
+    });
+}
+
+std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted,
+                                              std::span<const char> open,
+                                              std::span<const double> shares,
+                                              std::uint32_t moved_by) const
+{
+    const std::vector<glm::dvec3> quite = moves(admitted, open);
+    std::vector<std::vector<glm::dvec3>> times(shares.size(), rest_);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        for (std::size_t v = 0; v < rest_.size(); ++v) times[i][v] += shares[i] * quite[v];
+    std::vector<char> moving(rest_.size(), 0), moved(triangles_.size(), 0);
+    for (const CutTerm& term : terms_)
+        if (moved_by == any || term.incision == moved_by)
+            moving[term.vertex] = quite[term.vertex] != glm::dvec3(0);
     for (std::size_t t = 0; t < moved.size(); ++t)
-        for (int i = 0; i < 3; ++i)
-            moved[t] |= times.front()[triangles_[t][i]] != rest_[triangles_[t][i]];
+        for (int i = 0; i < 3; ++i) moved[t] |= moving[triangles_[t][i]];
     std::vector<PiercingPair> out = trivar::piercings(times, triangles_, moved);
     std::erase_if(out, [&](const PiercingPair& pair) {
         return pierce(rest_, triangles_[pair.a], triangles_[pair.b]);
@@ -100,92 +123,130 @@ std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted
     return out;
 }
 
-// How much the incisions change the place of two triangles to each other: the greatest distance
-// between their moves of the corners, by incision, ascending.
-std::vector<CutGuard::Share> CutGuard::shares_of(const PiercingPair& pair,
-                                                 std::span<const Admitted> admitted) const
+std::vector<CutGuard::Walls> CutGuard::walls_in_the_way() const
 {
-    std::map<std::uint32_t, std::array<glm::dvec3, 6>> moves;
-    for (std::size_t i = 0; i < 6; ++i)
-        for (const CutTerm& term : terms_at(corner(pair, i))) {
-            auto& of = moves.try_emplace(term.incision).first->second;
-            of[i] += admitted[term.incision].at(double{term.share}, double{term.below}) *
-                     glm::dvec3(term.move);
-        }
-    std::vector<Share> out;
-    for (const auto& [incision, move] : moves) {
-        double most = 0;
-        for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t k = 0; k < i; ++k)
-                most = std::max(most, glm::distance(move[i], move[k]));
-        out.push_back({incision, most});
-    }
-    return out;
-}
-
-std::vector<std::uint32_t> CutGuard::walls_in_the_way() const
-{
-    std::vector<std::uint32_t> out;
+    std::vector<Walls> out;
     std::vector<char> walls(triangles_.size(), 0);
     std::fill_n(walls.begin() + static_cast<std::ptrdiff_t>(first_wall_), walls_.size(), 1);
-    for (const PiercingPair& pair : trivar::piercings(rest_, triangles_, walls))
-        for (const std::uint32_t t : {pair.a, pair.b})
-            if (is_wall(t)) out.push_back(walls_[t - first_wall_]);
-    std::ranges::sort(out);
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    for (const PiercingPair& pair : trivar::piercings(rest_, triangles_, walls)) {
+        const std::uint32_t a = is_wall(pair.a) ? pair.a : pair.b,
+                            b = is_wall(pair.b) ? pair.b : pair.a;
+        if (is_wall(a)) out.push_back({walls_[a - first_wall_], walls_[b - first_wall_]});
+    }
     return out;
 }
 
-void CutGuard::narrow(std::span<const PiercingPair> pairs, double dent,
-                      std::vector<Admitted>& admitted) const
+double CutGuard::lacks(std::uint32_t incision, const Admitted& admitted) const
 {
-    const std::vector<Admitted> before = admitted;
-    for (const PiercingPair& pair : pairs) {
-        const std::vector<Share> shares = shares_of(pair, before);
-        double most = 0;
-        for (const Share& share : shares) most = std::max(most, share.move);
-        std::vector<const CutTerm*> terms; // of those that move the pair most
-        for (std::size_t i = 0; i < 6; ++i)
-            for (const CutTerm& term : terms_at(corner(pair, i)))
-                if (std::ranges::find(shares, term.incision, &Share::incision)->move >=
-                    least_share * most)
-                    terms.push_back(&term);
-        const auto lower = [&](const CutTerm& term, Narrowing Admitted::*what) {
-            const double x = double{term.share};
-            const double next = narrower * (before[term.incision].*what).at(x);
-            (admitted[term.incision].*what)
-                .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[term.incision],
-                        round_[term.incision] != 0);
-        };
-        // First what lies below the skin is drawn together
-        std::vector<const CutTerm*> below = terms;
-        std::erase_if(below, [&](const CutTerm* term) {
-            return !(term->below > 0 && before[term->incision].below.at(double{term->share}) > 0);
-        });
-        for (const CutTerm* term : below) lower(*term, &Admitted::below);
-        if (below.empty())
-            for (const CutTerm* term : terms) lower(*term, &Admitted::opening);
-    }
+    double sum = 0;
+    for (const Part& part : parts_)
+        if (part.incision == incision)
+            sum += 1 - admitted.opening.widest(incisions_[incision].opening_profile, part.from,
+                                               part.to);
+    return sum;
 }
 
 bool CutGuard::admits_all() const
 {
     // Upright walls of one piece that are apart when quite and half open are so before
     const std::vector<Admitted> all(radius_.size());
-    return simple_ ? piercings(all, quite_and_half_open).empty()
-                   : piercings(all, looked_at).empty();
+    const std::vector<char> open(radius_.size(), 1);
+    return simple_ ? piercings(all, open, quite_and_half_open).empty()
+                   : piercings(all, open, looked_at).empty();
 }
 
-std::vector<Admitted> CutGuard::admitted(double dent) const
+std::vector<Admission> CutGuard::admitted() const
 {
-    std::vector<Admitted> out(radius_.size());
-    for (bool holds = false; !holds;) { // ends, as what moves nothing any more pierces nothing
-        std::vector<PiercingPair> pairs = piercings(out, quite_open);
-        if (pairs.empty()) pairs = piercings(out, looked_at);
-        holds = pairs.empty();
-        narrow(pairs, dent, out);
+    const auto count = static_cast<std::uint32_t>(radius_.size());
+    std::vector<Admission> out(count);
+    std::vector<Admitted> all(count);
+    std::vector<char> open(count, 1);
+    for (const PiercingPair& pair : piercings(all, open, looked_at))
+        for (std::size_t i = 0; i < 6; ++i)
+            for (const CutTerm& term : terms_at(corner(pair, i))) open[term.incision] = 0;
+    for (std::uint32_t k = 0; k < count; ++k) { // one after the other beside those in no one's way
+        if (open[k]) continue;
+        open[k] = 1;
+        out[k] = admitted(k, all, open);
+        all[k] = out[k].with_others;
+        if (out[k].held_by.empty()) continue;
+        std::vector<char> alone(count, 0);
+        alone[k] = 1;
+        out[k].alone = admitted(k, std::vector<Admitted>(count), alone).with_others;
     }
+    for (;;) { // what one of those that are open already kept apart
+        const std::vector<PiercingPair> pairs = piercings(all, open, looked_at);
+        if (pairs.empty()) return out;
+        const std::vector<Admitted> before = all;
+        for (const PiercingPair& pair : pairs)
+            for (std::uint32_t k = count; k-- > 0;)
+                if (lower(pair, k, 1, before[k], all[k])) break;
+        for (std::uint32_t k = 0; k < count; ++k) out[k].with_others = all[k];
+    }
+}
+
+Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>& all,
+                             std::span<const char> open) const
+{
+    Admission out;
+    std::vector<char> holds(all.size(), 0);
+    out.with_others = narrowed(incision, all, open, 1, holds);
+    if (const double lack = lacks(incision, out.with_others); lack > 0)
+        if (const Admitted other = narrowed(incision, all, open, shorter_dent, holds);
+            lacks(incision, other) < so_much_wider * lack)
+            out.with_others = other;
+    out.alone = out.with_others;
+    for (std::uint32_t k = 0; k < holds.size(); ++k)
+        if (holds[k] && k != incision) out.held_by.push_back(k);
     return out;
+}
+
+Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
+                            std::span<const char> open, double dent, std::vector<char>& holds) const
+{
+    for (;;) { // ends, as what moves nothing any more pierces nothing
+        std::vector<PiercingPair> pairs = piercings(all, open, quite_and_half_open, incision);
+        if (pairs.empty()) pairs = piercings(all, open, looked_at, incision);
+        bool lowers = false;
+        while (!pairs.empty()) { // these alone, before all are looked at again
+            const Admitted before = all[incision];
+            std::erase_if(pairs, [&](const PiercingPair& pair) {
+                if (!lower(pair, incision, dent, before, all[incision])) return true;
+                for (std::size_t i = 0; i < 6; ++i)
+                    for (const CutTerm& term : terms_at(corner(pair, i)))
+                        if (open[term.incision]) holds[term.incision] = 1;
+                return false;
+            });
+            lowers = lowers || !pairs.empty();
+            const std::vector<glm::dvec3> quite = moves(all, open);
+            std::erase_if(pairs, [&](const PiercingPair& pair) { return !pierces(pair, quite); });
+        }
+        if (!lowers) return all[incision];
+    }
+}
+
+bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double dent,
+                     const Admitted& before, Admitted& after) const
+{
+    std::vector<const CutTerm*> terms, below; // of the incision; and below the skin
+    for (std::size_t i = 0; i < 6; ++i)
+        for (const CutTerm& term : terms_at(corner(pair, i))) {
+            const double share{term.share}, depth{term.below};
+            if (term.incision != incision || !(before.opening.at(share) > 0)) continue;
+            terms.push_back(&term);
+            if (depth > 0 && before.below.at(share) > 0) below.push_back(&term);
+        }
+    const auto step = [&](const CutTerm& term, Narrowing Admitted::*what, double factor) {
+        const double x{term.share}, next = factor * (before.*what).at(x);
+        (after.*what)
+            .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[incision],
+                    round_[incision] != 0);
+    };
+    // First what lies below the skin is drawn together
+    for (const CutTerm* term : below) step(*term, &Admitted::below, narrower_below);
+    if (below.empty())
+        for (const CutTerm* term : terms) step(*term, &Admitted::opening, narrower);
+    return !terms.empty();
 }
 
 } // namespace trivar

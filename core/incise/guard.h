@@ -15,32 +15,51 @@ class CutGuard {
 public:
     CutGuard(const CutShape& shape, std::span<const Incision> incisions);
 
-    // The walls, of CutShape::walls, that pierce something while all is shut, ascending.
-    std::vector<std::uint32_t> walls_in_the_way() const;
+    // The pairs of walls, of CutShape::walls, that pierce each other while all is shut; one that
+    // pierces the skin is a pair with itself.
+    struct Walls {
+        std::uint32_t a, b;
+    };
+    std::vector<Walls> walls_in_the_way() const;
     // Whether nothing pierces at any share at which it is looked at, with all that was asked for.
     bool admits_all() const;
-    // How far incisions may open along their length: quite where nothing pierces then, otherwise
-    // less for those that move what does, where they move it: within `dent` times the usual length.
-    std::vector<Admitted> admitted(double dent) const;
+    // How far incisions may open along their length: quite where nothing pierces then. Where two
+    // are in each other's way the later one opens less, where it moves what pierces.
+    std::vector<Admission> admitted() const;
+    // By how much an incision opens less than was asked for, in all its parts.
+    double lacks(std::uint32_t incision, const Admitted& admitted) const;
 
 private:
-    struct Share {
+    struct Part { // of an incision, as shares of its length
         std::uint32_t incision;
-        double move; // units of the mesh
+        double from, to;
     };
     bool is_wall(std::uint32_t triangle) const
     {
         return triangle >= first_wall_ && triangle < end_of_walls_;
     }
-    // With each incision open by one of these shares of what it is let have, the greatest first:
-    // those that do not when all of them are shut. Ascending.
+    // What moves each vertex while those that are open are quite so, as far as they are let.
+    std::vector<glm::dvec3> moves(std::span<const Admitted> admitted,
+                                  std::span<const char> open) const;
+    // Whether a pair pierces at any share at which it is looked at.
+    bool pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const;
+    // With each incision that is open by one of these shares of what it is let have, the greatest
+    // first: those that do not when all of them are shut. Ascending; of all, or with a corner that
+    // one incision moves.
+    static constexpr std::uint32_t any = ~0u;
     std::vector<PiercingPair> piercings(std::span<const Admitted> admitted,
-                                        std::span<const double> shares) const;
-    // Narrows the incisions that move a corner of one of both, there, by one step.
-    void narrow(std::span<const PiercingPair> pairs, double dent,
-                std::vector<Admitted>& admitted) const;
-    std::vector<Share> shares_of(const PiercingPair& pair,
-                                 std::span<const Admitted> admitted) const;
+                                        std::span<const char> open, std::span<const double> shares,
+                                        std::uint32_t moved_by = any) const;
+    // Lets an incision open as far as it can while some others are open as they are let, and tells
+    // which of these hold it.
+    Admission admitted(std::uint32_t incision, const std::vector<Admitted>& all,
+                       std::span<const char> open) const;
+    // The same, with dents of one size.
+    Admitted narrowed(std::uint32_t incision, std::vector<Admitted> all, std::span<const char> open,
+                      double dent, std::vector<char>& holds) const;
+    // Narrows an incision by one step where it moves what pierces. False: it moves nothing of it.
+    bool lower(const PiercingPair& pair, std::uint32_t incision, double dent,
+               const Admitted& before, Admitted& after) const;
     std::uint32_t corner(const PiercingPair& pair, std::size_t i) const
     {
         return triangles_[i < 3 ? pair.a : pair.b][static_cast<int>(i % 3)];
@@ -55,6 +74,8 @@ private:
     std::size_t first_wall_ = 0, end_of_walls_ = 0;
     std::vector<std::uint32_t> walls_;
     std::vector<CutTerm> terms_; // by local vertex, ascending
+    std::span<const Incision> incisions_;
+    std::vector<Part> parts_;
     std::vector<double> radius_; // of a dent, by incision, as a share of its length
     std::vector<char> round_;    // whether it is a loop
     bool simple_ = false;        // one piece, with upright walls and no bevel

@@ -19,8 +19,8 @@ constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.7; // shares
 // Times that depths give way while all is shut, and for the opening; and that folds are halved.
 constexpr int most_at_rest = 12, most_when_open = 4, most_halvings = 6;
 constexpr int near_the_place = 8; // so often where walls meet alone, then all along the incision
-constexpr std::array shorter_dents{0.5, 0.25};
-constexpr double worth_it = 0.7; // of what an opening lacks, for less depth
+constexpr double worth_it = 0.7;  // of what an opening lacks, for less depth
+constexpr double much_narrowed = 0.9, rung = 0.70710678; // shares of widths
 constexpr double edges_of_dent_in_depth = 1.5;
 constexpr const char* no_room = "the body has no room for its depth there";
 constexpr const char* no_way = "its walls would meet others on their way through";
@@ -45,35 +45,17 @@ double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> inc
 struct Made {
     CutShape shape;
     std::vector<LeftOutPieces::Kept> kept;
-    std::vector<Admitted> admitted = {};
+    std::vector<Admission> admitted = {};
+    double lacks = 0; // of openings, in all
 };
 
 // By how much incisions open less than was asked for, in all.
-double lacking(const Made& made, std::span<const Incision> all)
+double lacking(const Made& made, const CutGuard& guard)
 {
     double sum = 0;
-    for (const CutRun& run : made.shape.runs)
-        if (run.kind != CutRun::Kind::far_side)
-            sum +=
-                1 - made.admitted[run.incision].opening.widest(all[run.incision].opening_profile);
+    for (std::uint32_t k = 0; k < made.admitted.size(); ++k)
+        sum += guard.lacks(k, made.admitted[k].with_others);
     return sum;
-}
-
-// Narrows it with long dents, or with short ones where that leaves it so much wider.
-void narrow(Made& made, const CutGuard& guard, std::span<const Incision> all)
-{
-    made.admitted = guard.admitted(1);
-    double least = lacking(made, all);
-    for (const double dent : shorter_dents) {
-        if (least == 0) return;
-        std::vector<Admitted> other = guard.admitted(dent);
-        std::swap(made.admitted, other);
-        const double lacks = lacking(made, all);
-        if (lacks < worth_it * least)
-            least = lacks;
-        else
-            std::swap(made.admitted, other);
-    }
 }
 
 class Cutter {
@@ -104,11 +86,13 @@ public:
         std::optional<CutGuard> guard;
         for (int turn = 0; made; ++turn, made = attempt()) {
             guard.emplace(made->shape, all_);
-            const std::vector<std::uint32_t> walls = guard->walls_in_the_way();
+            const std::vector<CutGuard::Walls> walls = guard->walls_in_the_way();
             if (walls.empty()) break;
             if (blocks_a_way(made->shape, walls, shortfalls)) return {};
             if (turn == most_at_rest) {
-                for (Admitted& each : made->admitted) each.opening.narrow(0.5, 0, infinite);
+                for (Admission& each : made->admitted)
+                    for (Admitted* of : {&each.with_others, &each.alone})
+                        of->opening.narrow(0.5, 0, infinite);
                 return made;
             }
             make_shallower(made->shape, walls, turn < near_the_place);
@@ -116,12 +100,14 @@ public:
         if (!made || guard->admits_all()) return made;
         std::unique_ptr<Made> other = with_halved_folds(*made);
         if (other && CutGuard(other->shape, all_).admits_all()) return other;
-        narrow(*made, *guard, all_);
-        if (lacking(*made, all_) == 0) return made;
+        made->admitted = guard->admitted();
+        made->lacks = lacking(*made, *guard);
+        if (made->lacks == 0) return made;
         if (other) take_better(made, other);
-        for (int turn = 0; turn < most_when_open && lacking(*made, all_) > 0; ++turn) {
+        for (int turn = 0; turn < most_when_open && made->lacks > 0; ++turn) {
             for (std::size_t k = 0; k < all_.size(); ++k)
-                depths_[k].lower_where_narrowed(made->admitted[k].opening, shallower_when_open);
+                depths_[k].lower_where_narrowed(made->admitted[k].with_others.opening,
+                                                shallower_when_open);
             other = attempt();
             if (!other) break;
             take_better(made, other);
@@ -143,8 +129,9 @@ private:
     {
         const CutGuard guard(other->shape, all_);
         if (!guard.walls_in_the_way().empty()) return;
-        narrow(*other, guard, all_);
-        if (lacking(*other, all_) < worth_it * lacking(*made, all_)) made = std::move(other);
+        other->admitted = guard.admitted();
+        other->lacks = lacking(*other, guard);
+        if (other->lacks < worth_it * made->lacks) made = std::move(other);
     }
 
     // With pieces of skin that can follow the field where those of another attempt turn over; of
@@ -190,45 +177,59 @@ private:
         LeftOutPieces left_out = left_out_pieces(shape, all_);
         shape.left_out = std::move(left_out.pieces);
         return std::make_unique<Made>(
-            Made{std::move(shape), std::move(left_out.kept), std::vector<Admitted>(all_.size())});
+            Made{std::move(shape), std::move(left_out.kept), std::vector<Admission>(all_.size())});
     }
 
-    // Calls visit(run, s) with the runs whose walls these are.
-    void visit_runs(const CutShape& shape, const std::vector<std::uint32_t>& walls,
-                    const auto& visit) const
+    // The first incision that passes a wall, whose it is.
+    std::uint32_t owner(const CutShape& shape, std::uint32_t wall) const
     {
-        for (const std::uint32_t wall : walls) {
-            const SlitEdge& edge = shape.graph.edges[shape.walls.walls[wall].corners[0].edge];
-            for (const SlitEdge::Pass& pass : edge.passes)
-                visit(shape.runs[pieces_[pass.piece].run], (pass.s_a + pass.s_b) / 2);
-        }
+        std::uint32_t first = ~0u;
+        visit_runs(shape, wall,
+                   [&](const CutRun& run, double) { first = std::min(first, run.incision); });
+        return first;
+    }
+    // Calls visit(run, s) with the runs whose wall it is.
+    void visit_runs(const CutShape& shape, std::uint32_t wall, const auto& visit) const
+    {
+        const SlitEdge& edge = shape.graph.edges[shape.walls.walls[wall].corners[0].edge];
+        for (const SlitEdge::Pass& pass : edge.passes)
+            visit(shape.runs[pieces_[pass.piece].run], (pass.s_a + pass.s_b) / 2);
     }
 
     // Whether walls through the body are among those that pierce others.
-    bool blocks_a_way(const CutShape& shape, const std::vector<std::uint32_t>& walls,
+    bool blocks_a_way(const CutShape& shape, const std::vector<CutGuard::Walls>& walls,
                       Shortfalls& shortfalls) const
     {
         bool any = false;
-        visit_runs(shape, walls, [&](const CutRun& run, double) {
-            if (run.has_floor()) return;
-            shortfalls[run.incision] = no_way;
-            any = true;
-        });
+        for (const auto& [a, b] : walls)
+            for (const std::uint32_t wall : {a, b})
+                visit_runs(shape, wall, [&](const CutRun& run, double) {
+                    if (run.has_floor()) return;
+                    shortfalls[run.incision] = no_way;
+                    any = true;
+                });
         return any;
     }
 
-    void make_shallower(const CutShape& shape, const std::vector<std::uint32_t>& walls,
+    // Of two walls that pierce each other that of the later incision gives way.
+    void make_shallower(const CutShape& shape, const std::vector<CutGuard::Walls>& walls,
                         bool near_alone)
     {
         const std::vector<Narrowing> before = depths_;
-        visit_runs(shape, walls, [&](const CutRun& run, double s) {
+        const auto lower = [&](const CutRun& run, double s) {
             const double x = run.share(s);
             const double around =
                 std::max(edges_of_dent_in_depth * layout_.drawing.skin().usual_edge(),
                          all_[run.incision].depth);
             depths_[run.incision].narrow(x, shallower_at_rest * before[run.incision].at(x),
-                                         near_alone ? around / run.length : infinite, run.closed());
-        });
+                                         near_alone ? run.as_share(around) : infinite,
+                                         run.goes_round());
+        };
+        for (const auto& [a, b] : walls) {
+            const std::uint32_t of_a = owner(shape, a), of_b = owner(shape, b);
+            if (of_a >= of_b) visit_runs(shape, a, lower);
+            if (of_b >= of_a && b != a) visit_runs(shape, b, lower);
+        }
     }
 
     CutLayout& layout_;
@@ -241,6 +242,13 @@ private:
     std::vector<SkinTriangle> pieces_of_skin_;
 };
 
+// What a part of an incision opens to where it is widest, as a share of what was asked for.
+double widest_of(const CutRun& run, const Admitted& admitted, const Incision& asked)
+{
+    return (asked.width > 0 ? run.width / asked.width : 1) *
+           admitted.opening.widest(asked.opening_profile, run.from, run.to);
+}
+
 void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision> all,
                    const Shortfalls& shortfalls)
 {
@@ -249,12 +257,15 @@ void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision>
         IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
         for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
         if (run.kind == CutRun::Kind::far_side) continue;
-        outcome.length = run.length;
-        outcome.least_depth = run.least_depth;
-        const Admitted& of = made.admitted[run.incision];
-        outcome.widest = of.opening.widest(all[run.incision].opening_profile);
-        outcome.least = of.opening.least();
-        outcome.least_below = of.below.least();
+        outcome.length += run.length;
+        outcome.least_depth = std::min(outcome.least_depth, run.least_depth);
+        const Incision& asked = all[run.incision];
+        const Admission& of = made.admitted[run.incision];
+        outcome.widest = std::max(outcome.widest, widest_of(run, of.with_others, asked));
+        outcome.widest_alone = std::max(outcome.widest_alone, widest_of(run, of.alone, asked));
+        outcome.held_by = of.held_by;
+        outcome.least = of.with_others.opening.least();
+        outcome.least_below = of.with_others.below.least();
     }
     for (const LeftOutPieces::Kept& kept : made.kept)
         out.outcomes[kept.incision].shortfall = kept.loop ? one_piece : no_piece;
@@ -285,27 +296,23 @@ std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
         for (const CutRun& run : layout.runs) out.outcomes[run.incision].refusal = no_room;
         return out;
     }
-    for (CutTerm& term : made->shape.terms)
-        term.move *= static_cast<float>(
-            made->admitted[term.incision].at(double{term.share}, double{term.below}));
+    for (CutTerm& term : made->shape.terms) {
+        const Admission& of = made->admitted[term.incision];
+        const double share{term.share}, below{term.below};
+        const double held = of.with_others.at(share, below), alone = of.alone.at(share, below);
+        term.held = alone > 0 ? static_cast<float>(held / alone) : 1;
+        term.move *= static_cast<float>(alone > 0 ? alone : held);
+    }
     tell_outcomes(out, *made, all, shortfalls);
     for (const ThroughCut& each : layout.throughs)
-        out.outcomes[layout.runs[each.near].incision].crossed_through =
+        out.outcomes[layout.runs[each.near].incision].crossed_through +=
             static_cast<int>(each.crossings.size());
     make_rest(out, made->shape, all, cutter.borders(), options.layers, lender);
     return out;
 }
 
-} // namespace
-
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
-{
-    Lender<Mesh> none;
-    return incise(skin, all, options, none);
-}
-
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options,
-                   Lender<Mesh>& made)
+IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
+                     const InciseOptions& options, Lender<Mesh>& made)
 {
     Shortfalls shortfalls(all.size());
     for (;;) { // ends as every turn without a result adds a shortfall
@@ -320,6 +327,49 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
                 cut(*layout, all, options, none.outcomes, shortfalls, made))
             return *std::move(whole);
     }
+}
+
+} // namespace
+
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
+{
+    Lender<Mesh> none;
+    return incise(skin, all, options, none);
+}
+
+IncisedMesh incise(const CutSkin& skin, std::span<const Incision> asked,
+                   const InciseOptions& options, Lender<Mesh>& made)
+{
+    std::vector<Incision> all(asked.begin(), asked.end());
+    IncisedMesh best = as_asked(skin, all, options, made);
+    const auto gap = [&](const IncisedMesh& of, std::size_t k) {
+        return of.outcomes[k].widest * all[k].width;
+    };
+    // One that is much narrowed may be wider where less is asked for: widths of a ladder are tried,
+    // so that it never opens less where more is asked for
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const double widest = width_of(all[k], best.outcomes[k].length);
+        if (!(gap(best, k) < much_narrowed * widest)) continue;
+        Incision any = all[k];
+        any.width = infinite;
+        for (double width = width_of(any, best.outcomes[k].length); width > gap(best, k);
+             width *= rung) {
+            if (!(width < widest)) continue;
+            const double before = gap(best, k), asked_before = all[k].width;
+            all[k].width = width;
+            IncisedMesh other = as_asked(skin, all, options, made);
+            if (gap(other, k) > before)
+                best = std::move(other);
+            else
+                all[k].width = asked_before;
+        }
+    }
+    for (std::size_t k = 0; k < all.size(); ++k)
+        for (double IncisedMesh::Outcome::*of :
+             {&IncisedMesh::Outcome::widest, &IncisedMesh::Outcome::widest_alone})
+            if (all[k].width != asked[k].width)
+                best.outcomes[k].*of *= all[k].width / asked[k].width;
+    return best;
 }
 
 } // namespace trivar

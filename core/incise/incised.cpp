@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/incised.h"
 
+#include "core/base/mistake.h"
+
 #include <algorithm>
-#include <cassert>
 
 namespace trivar {
+
+namespace {
+
+constexpr double quite_held = 0.1; // opening from which on an incision holds others as it can
+
+} // namespace
+
+double held_open(const IncisedMesh& incised, std::uint32_t incision,
+                 std::span<const IncisionOpening> openings)
+{
+    double most = 0;
+    for (const std::uint32_t by : incised.outcomes[incision].held_by)
+        if (openings[by].to > openings[by].from) most = std::max(most, openings[by].share);
+    return std::min(1.0, most / quite_held);
+}
 
 OpenedVertices opened_vertices(const IncisedMesh& incised,
                                std::span<const IncisionOpening> openings,
                                std::vector<glm::dvec3> more)
 {
-    assert(openings.size() == incised.outcomes.size());
-    assert(more.empty() || more.size() == incised.slots);
+    ensure(openings.size() == incised.outcomes.size(), "an incision has no opening");
+    ensure(more.empty() || more.size() == incised.slots, "moves are not of this mesh");
     const Mesh& rest = *incised.rest;
     std::vector<glm::dvec3> moves = std::move(more);
     moves.resize(incised.slots, glm::dvec3(0));
+    std::vector<double> held; // how far those are open that hold each, up to 1
+    for (std::uint32_t k = 0; k < openings.size(); ++k)
+        held.push_back(held_open(incised, k, openings));
     for (const IncisedMesh::Term& term : incised.terms) {
         const IncisionOpening& opening = openings[term.incision];
         const bool whole = opening.from <= 0 && opening.to >= 1;
         const double share = whole ? opening.share : share_at(opening, term.share);
-        moves[term.slot] += share * glm::dvec3(term.move);
+        const double left = 1 - held[term.incision] * (1 - double{term.held});
+        moves[term.slot] += share * left * glm::dvec3(term.move);
     }
     OpenedVertices out;
     out.positions.reserve(incised.moved.size());
@@ -51,7 +71,7 @@ bool is_open(const IncisedMesh& incised, std::span<const IncisionOpening> openin
     if (incised.rest == incised.original) return false;
     if (incised.has_hole) return true;
     for (std::size_t k = 0; k < openings.size(); ++k)
-        if (openings[k].share * incised.outcomes[k].widest != 0) return true;
+        if (openings[k].share * incised.outcomes[k].widest_alone != 0) return true;
     return false;
 }
 

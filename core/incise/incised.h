@@ -24,6 +24,9 @@ struct IncisedMesh {
         // the least share anywhere along the incision; and the least to which what lies below the
         // skin is drawn together beyond that.
         double widest = 0, least = 0, least_below = 0;
+        // The widest opening while those are shut that hold it: incisions before it.
+        double widest_alone = 0;
+        std::vector<std::uint32_t> held_by = {};
         // The least share of the depth that was asked for, but near its ends, that there is room
         // for along the incision; of a cut through the body 1.
         double least_depth = 1;
@@ -32,6 +35,7 @@ struct IncisedMesh {
     struct Term {
         std::uint32_t slot, incision;
         float share;    // of the incision's length
+        float held;     // what is left of the move beside those that hold the incision
         glm::vec3 move; // units of the mesh, when quite open; the guard has narrowed it
     };
     Ref<Mesh> original;
@@ -43,7 +47,13 @@ struct IncisedMesh {
     // The vertices of `rest` that move, and the slot of each: copies of a point move as one.
     std::vector<std::uint32_t> moved, slot_of_moved;
     std::uint32_t first_wall_vertex = 0, first_wall_face = 0; // in `rest`, where walls come last
+    std::vector<glm::vec3>
+        wall_tops; // of each vertex of a wall: where its column begins on the skin
 };
+
+// How far incisions are open that hold one at some openings: 0, all are shut, to 1.
+double held_open(const IncisedMesh& incised, std::uint32_t incision,
+                 std::span<const IncisionOpening> openings);
 
 // Where the vertices that move are at some openings, one for each incision, and the normals of the
 // walls. `more`: by slot, what else moves them; none: nothing does. O(#terms + #walls), whatever

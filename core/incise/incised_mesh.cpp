@@ -52,6 +52,7 @@ public:
                 corners[k] = wall_vertex(wall.corners[k], wall.floor);
             add(rest, corners, face, layers.empty() ? material_of(face) : layers[layer].material);
         }
+        out.wall_tops = std::move(wall_tops_);
         add_births(rest, births_);
         for (const auto& [vertex, point] : new_points_) rest.points[vertex] = point;
         set_wall_normals(rest, out);
@@ -180,18 +181,19 @@ private:
         born(c.vertex, vertices, blend_of(skin_, p).weights);
         BirthVertex& birth = births_.back();
         birth.wall = true;
+        wall_tops_.emplace_back(shape_.drawing.position(node.point));
         double down = shape_.depth(c.vertex);
         if (floor) { // across it, beyond the left wall
             const SlitEdge& e = shape_.graph.edges[c.edge];
             const std::size_t i = node.edge_number(c.edge);
             const bool right = e.starts_at(node.point) ? c.sector != i : c.sector == i;
-            const Incision& incision = incisions_[shape_.runs[of.first].incision];
-            if (right) down += incision.floor_width * incision.width;
+            const CutRun& run = shape_.runs[of.first];
+            if (right) down += incisions_[run.incision].floor_width * run.width;
         }
         const CutRun& run = shape_.runs[of.first];
         const bool far = run.kind == CutRun::Kind::far_side;
         if (far) down = depth_at(run, of.second);
-        birth.uv = glm::vec2(far ? run.share(of.second) * run.near_length : of.second, down);
+        birth.uv = glm::vec2(far ? run.own_share(of.second) * run.near_length : of.second, down);
         return number;
     }
 
@@ -264,7 +266,7 @@ private:
         KeyNumbers slots(shape_.terms.size()); // by vertex of the cut
         for (const CutTerm& term : shape_.terms)
             out.terms.push_back(
-                {slots.number(term.vertex).first, term.incision, term.share, term.move});
+                {slots.number(term.vertex).first, term.incision, term.share, term.held, term.move});
         out.slots = slots.size();
         KeyNumbers listed(shape_.terms.size() + births_.size());
         const auto list = [&](std::uint32_t vertex, std::uint32_t cut_vertex) {
@@ -291,6 +293,7 @@ private:
     std::uint32_t first_new_;
     std::vector<BirthVertex> births_;
     std::vector<std::uint32_t> vertex_of_birth_;
+    std::vector<glm::vec3> wall_tops_;                                // by birth of a wall
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_points_; // of vertices of the mesh
     KeyNumbers taken_; // vertices of the mesh at nodes that some vertex of the cut has kept
     KeyNumbers skin_number_, wall_number_;

@@ -2,13 +2,16 @@
 #include "core/incise/incision.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace trivar {
 namespace {
 
 constexpr double cut_taper = 0.15;    // share of the length at each end over which a profile rises
 constexpr double widths_of_reach = 3; // where an incision does not say it
-constexpr double blade_taper = 0.1;   // share of the length over which a wound closes at the blade
+// Both lips together are twice as long as the cut, and go round a circle of this width.
+constexpr double widest_of_length = 2 / std::numbers::pi;
+constexpr double blade_taper = 0.1; // share of the length over which a wound closes at the blade
 
 double smooth_step(double x)
 {
@@ -54,9 +57,24 @@ double value_round(const CutProfile& profile, double x)
     return std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
 
-double reach_of(const Incision& cut)
+double width_of(const Incision& cut, double length)
 {
-    return cut.reach > 0 ? cut.reach : widths_of_reach * (cut.width + 2 * cut.bevel);
+    return std::min(cut.width, widest_of_length * length);
+}
+
+double reach_of(const Incision& cut, double length)
+{
+    if (cut.reach > 0) return cut.reach;
+    return std::min(widths_of_reach * (width_of(cut, length) + 2 * cut.bevel),
+                    length + 2 * cut.bevel);
+}
+
+double length_of(std::span<const SurfacePoint> stroke)
+{
+    double out = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i)
+        out += glm::distance(stroke[i - 1].p, stroke[i].p);
+    return out;
 }
 
 Incision reversed(Incision cut)

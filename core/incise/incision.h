@@ -4,6 +4,7 @@
 #include "core/limit/surface_point.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace trivar {
@@ -44,8 +45,12 @@ struct Incision {
     bool operator==(const Incision&) const = default;
 };
 
-// How far beside a cut the skin gives way, units of the mesh: what it says, or three widths.
-double reach_of(const Incision& cut);
+// Of a cut that is so long, the width of its gap where it is widest, when it is quite open: what it
+// says, as far as its lips go round.
+double width_of(const Incision& cut, double length);
+// And how far beside it the skin gives way: what it says, or three widths, as far as it is long.
+double reach_of(const Incision& cut, double length);
+double length_of(std::span<const SurfacePoint> stroke);
 // The same cut with its stroke from end to start.
 Incision reversed(Incision cut);
 // Its mirror image in the plane x = 0.

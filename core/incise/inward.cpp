@@ -12,6 +12,8 @@ constexpr int most_turns = 60;
 constexpr double turn_share = 0.3;   // of the normal of the face that sees it worst
 constexpr double well_seen = 0.2;    // cosine
 constexpr double hardly_seen = 0.02; // cosine; less: not at all
+constexpr double least_radius = 2.5; // edges: nearer sources tell nothing that rings do not
+constexpr double same_side = 0.2;    // cosine with what is told for the other side of a thin body
 constexpr double least_layer = 0.15; // of the area at the skin
 constexpr double shallower = 0.8;    // the next depth to try
 constexpr int most_depths = 24;
@@ -26,7 +28,7 @@ glm::dvec3 unit_or_none(const glm::dvec3& v)
 
 Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
 {
-    std::vector<std::uint32_t> points;
+    std::vector<std::uint32_t>& points = points_;
     const auto put = [&](std::uint32_t p) {
         if (number_.number(p).second) points.push_back(p);
     };
@@ -61,6 +63,32 @@ Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : 
     for (std::size_t i = 0; i < asked; ++i) {
         directions_[i].outward = now[i];
         turn_to_faces(points[i], directions_[i]);
+    }
+}
+
+void Inward::follow(std::vector<Source> sources)
+{
+    std::erase_if(sources, [&](const Source& each) {
+        return each.radius < least_radius * skin_->usual_edge();
+    });
+    if (sources.empty()) return;
+    std::ranges::stable_sort(sources, {}, [](const Source& each) { return each.p.x; });
+    double widest = 0;
+    for (const Source& each : sources) widest = std::max(widest, each.radius);
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+        const glm::dvec3& x = skin_->position(points_[i]);
+        glm::dvec3 sum(0);
+        auto source = std::ranges::lower_bound(sources, x.x - widest, {},
+                                               [](const Source& each) { return each.p.x; });
+        for (; source != sources.end() && source->p.x < x.x + widest; ++source) {
+            const double away = glm::distance(source->p, x) / source->radius;
+            if (!(away < 1) || glm::dot(source->outward, directions_[i].outward) < same_side)
+                continue;
+            sum += source->length * (1 - away * away) * (1 - away * away) * source->outward;
+        }
+        if (sum == glm::dvec3(0)) continue;
+        directions_[i].outward = unit_or_none(sum);
+        turn_to_faces(points_[i], directions_[i]);
     }
 }
 

@@ -14,6 +14,16 @@ public:
     // For the corners of some triangles. O(#triangles and their rings).
     Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles);
 
+    // A Source is a point of a cut, with the outward direction there and the length of the cut that
+    // it stands for. How far it counts is its radius.
+    struct Source {
+        glm::dvec3 p, outward;
+        double length, radius;
+    };
+    // Takes for each point the mean of what is told round it, as far as the faces there see that:
+    // walls are as smooth as they are deep, however rough the skin is.
+    void follow(std::vector<Source> sources);
+
     // Unit, at a point of these triangles; elsewhere the normal.
     glm::dvec3 outward(std::uint32_t point) const;
     glm::dvec3 outward(const LatticePoint& p) const;
@@ -32,6 +42,7 @@ private:
 
     const CutSkin* skin_;
     KeyNumbers number_;
+    std::vector<std::uint32_t> points_; // by number; more than have directions
     std::vector<Direction> directions_;
 };
 

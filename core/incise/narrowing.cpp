@@ -38,13 +38,13 @@ void Narrowing::lower_where_narrowed(const Narrowing& other, double factor)
         share_[i] *= 1 - (1 - factor) * std::min(1.0, 2 * (1 - other.share_[i]));
 }
 
-double Narrowing::widest(const CutProfile& profile) const
+double Narrowing::widest(const CutProfile& profile, double from, double to) const
 {
     double before = 0, after = 0;
     for (std::size_t i = 0; i <= steps; ++i) {
-        const double value = value_at(profile, static_cast<double>(i) / steps);
+        const double x = static_cast<double>(i) / steps, value = value_at(profile, x);
         before = std::max(before, value);
-        after = std::max(after, value * share_[i]);
+        after = std::max(after, value * at(from + (to - from) * x));
     }
     return before > 0 ? after / before : 0;
 }

@@ -21,8 +21,9 @@ public:
     // Takes it times `factor` where another is half or less, and times less than that where it is
     // more.
     void lower_where_narrowed(const Narrowing& other, double factor);
-    // The greatest opening along the incision, as a share of the greatest of a profile.
-    double widest(const CutProfile& profile) const;
+    // The greatest opening of a part between two shares of the length, as a share of the greatest
+    // of a profile along the part.
+    double widest(const CutProfile& profile, double from = 0, double to = 1) const;
 
 private:
     static constexpr std::size_t steps = 256; // along the incision
@@ -45,6 +46,13 @@ struct Admitted {
         const double whole = opening.at(x);
         return depth > 0 ? whole * (1 - std::min(1.0, 2 * depth) * (1 - below.at(x))) : whole;
     }
+};
+
+// An Admission is what an incision is let have beside the older ones, as far as these are let open,
+// and while all others are shut.
+struct Admission {
+    Admitted with_others, alone;
+    std::vector<std::uint32_t> held_by; // incisions without which it is as if it were alone
 };
 
 } // namespace trivar

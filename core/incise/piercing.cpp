@@ -95,8 +95,14 @@ unsigned common_corners(const glm::uvec3& s, const glm::uvec3& t)
 
 } // namespace
 
-bool pierce(const std::vector<glm::dvec3>& p, const glm::uvec3& s, const glm::uvec3& t)
+bool pierce(std::span<const glm::dvec3> p, const glm::uvec3& s, const glm::uvec3& t)
 {
+    for (int i = 0; i < 3; ++i) // most are far from each other at a time
+        if (std::max({p[s.x][i], p[s.y][i], p[s.z][i]}) <
+                std::min({p[t.x][i], p[t.y][i], p[t.z][i]}) ||
+            std::max({p[t.x][i], p[t.y][i], p[t.z][i]}) <
+                std::min({p[s.x][i], p[s.y][i], p[s.z][i]}))
+            return false;
     const unsigned common = common_corners(s, t);
     if ((common & (common - 1)) != 0) return false; // more than one
     const int pair = std::countr_zero(common), at_s = common == 0 ? -1 : pair / 3,

@@ -16,7 +16,7 @@ struct PiercingPair {
 
 // Whether two triangles pierce each other and have at most one vertex in common. It decides with
 // doubles: what they cannot tell from touching is no piercing.
-bool pierce(const std::vector<glm::dvec3>& positions, const glm::uvec3& a, const glm::uvec3& b);
+bool pierce(std::span<const glm::dvec3> positions, const glm::uvec3& a, const glm::uvec3& b);
 
 // Finds the pairs that do, ascending; where triangles are `asked` for, those with one of them.
 // Costs O(#triangles + #pairs whose boxes meet) where they are of like size. In parallel; the same

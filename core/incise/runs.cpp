@@ -12,6 +12,7 @@ constexpr double turned_round = -0.3;       // cosine of the turn of a piece
 constexpr std::size_t most_pieces = 64;     // of a run
 constexpr double least_overlap = 1e-9;      // of the length
 constexpr double bevel_of_depth = 0.5;      // of the depth, at most
+constexpr double room_over = 0.5;           // of the depth, over which its limits are smooth
 constexpr double well_inside = 0.5;         // share of the greatest depth that is asked for there
 constexpr double far_bevel_of_thickness = 0.25;
 constexpr double gone_round = 0.1;  // of the length: so far a loop goes on
@@ -40,10 +41,8 @@ void flatten(CutRun& run)
     for (std::size_t i = last + 1; i < run.at.size(); ++i) run.at[i].depth = run.at[i - last].depth;
 }
 
-// The least thickness of the body below the points of each run, along `inward`.
-std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs,
-                                                 const CutDrawing& drawing,
-                                                 const CutColumns& columns)
+// Finds the thickness of the body below the points of each run, along its columns.
+void find_thickness(std::vector<CutRun>& runs, const CutDrawing& drawing, const CutColumns& columns)
 {
     std::vector<Ray> rays;
     std::vector<double> slants; // of the way down to the depth
@@ -55,21 +54,17 @@ std::vector<std::vector<double>> thickness_below(const std::vector<CutRun>& runs
             rays.push_back(
                 {drawing.position(at.point), length > 0 ? -n / length : glm::dvec3(0, 0, -1)});
         }
-    std::vector<double> all = drawing.skin().thickness(rays);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] /= slants[i];
-    std::vector<std::vector<double>> out;
+    const std::vector<double> all = drawing.skin().thickness(rays);
+    auto slant = slants.begin();
     auto next = all.begin();
-    for (const CutRun& run : runs) {
-        const auto end = next + static_cast<std::ptrdiff_t>(run.at.size());
-        out.emplace_back(next, end);
-        next = end;
-    }
-    return out;
+    for (CutRun& run : runs)
+        for (CutRun::At& at : run.at) at.thickness = *next++ / *slant++;
 }
 
 } // namespace
 
-std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions)
+std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStroke> strokes,
+                            std::span<const Incision> incisions)
 {
     std::vector<std::vector<CutDrawing::Segment>> segments(drawing.stroke_count());
     for (const CutDrawing::Segment& g : drawing.segments())
@@ -77,7 +72,10 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint
     std::vector<CutRun> out;
     for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
         std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
-        CutRun run{incisions[k], drawing.length(k), {}};
+        const DrawnStroke& of = strokes[k];
+        const Incision& incision = incisions[of.incision];
+        const double length = drawing.length(k);
+        CutRun run{of.incision, length, of.from, of.to, width_of(incision, length), {}};
         for (const CutDrawing::Segment& g : segments[k]) {
             if (run.at.empty()) run.at.push_back({g.a, g.s_a});
             run.at.push_back({g.b, g.s_b});
@@ -96,23 +94,27 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
     double deepest = 0;
     for (const CutRun& run : runs)
         if (run.has_floor()) deepest = std::max(deepest, incisions[run.incision].depth);
-    const std::vector<std::vector<double>> thickness = thickness_below(runs, drawing, columns);
+    find_thickness(runs, drawing, columns);
     KeyNumbers known;
     std::vector<double> below;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        CutRun& run = runs[k];
+    for (CutRun& run : runs) {
         if (!run.has_floor()) continue;
         const Incision& incision = incisions[run.incision];
+        std::vector<double> room; // for the depth, by point
         for (std::size_t i = 0; i <= run.last; ++i) {
-            CutRun::At& at = run.at[i];
-            at.depth = std::min(incision.depth * run.value(incision.depth_profile, at.s),
-                                share_of_thickness * thickness[k][i]);
-            for (const std::uint32_t t : triangles_round(drawing.skin(), drawing.point(at.point))) {
+            room.push_back(std::min(incision.depth, share_of_thickness * run.at[i].thickness));
+            for (const std::uint32_t t :
+                 triangles_round(drawing.skin(), drawing.point(run.at[i].point))) {
                 const auto [number, fresh] = known.number(t);
                 if (fresh) below.push_back(inward.depth_below(t, deepest));
-                at.depth = std::min(at.depth, below[number]);
+                room.back() = std::min(room.back(), below[number]);
             }
-            at.depth *= shares[run.incision].at(run.share(at.s));
+        }
+        smooth_room(run, room_over * incision.depth, room);
+        for (std::size_t i = 0; i <= run.last; ++i) {
+            CutRun::At& at = run.at[i];
+            at.depth = std::min(incision.depth * run.value(incision.depth_profile, at.s), room[i]) *
+                       shares[run.incision].at(run.share(at.s));
         }
         for (std::size_t i = 1; i <= run.last; ++i) {
             CutRun::At &a = run.at[i - 1], &b = run.at[i];
@@ -129,6 +131,35 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
         if (!run.closed()) run.at.front().depth = run.at.back().depth = 0;
         flatten(run);
     }
+}
+
+void smooth_room(const CutRun& run, double way, std::vector<double>& room)
+{
+    const bool round = run.closed();
+    const std::size_t count = run.last + (round ? 0 : 1);
+    const auto visit_near = [&](std::size_t i, const auto& visit) {
+        visit(i);
+        for (const bool on : {true, false})
+            for (std::size_t d = 1; d < count && (round || (on ? i + d < count : d <= i)); ++d) {
+                const std::size_t k = (on ? i + d : i + count - d) % count;
+                const double away = std::abs(run.at[k].s - run.at[i].s);
+                if ((round ? std::min(away, run.length - away) : away) > way) break;
+                visit(k);
+            }
+    };
+    std::vector<double> least = room;
+    for (std::size_t i = 0; i < count; ++i)
+        visit_near(i, [&](std::size_t k) { least[i] = std::min(least[i], room[k]); });
+    for (std::size_t i = 0; i < count; ++i) {
+        double sum = 0, lengths = 0;
+        visit_near(i, [&](std::size_t k) {
+            const double length = run.at[std::min(k + 1, run.last)].s - run.at[k > 0 ? k - 1 : 0].s;
+            sum += length * least[k];
+            lengths += length;
+        });
+        room[i] = lengths > 0 ? std::min(room[i], sum / lengths) : least[i];
+    }
+    for (std::size_t i = count; i < room.size(); ++i) room[i] = room[i - run.last];
 }
 
 double depth_at(const CutRun& run, double s)

@@ -12,12 +12,15 @@ namespace trivar {
 struct CutRun {
     struct At {
         std::uint32_t point;
-        double s;         // length from the beginning
-        double depth = 0; // of the floor there; of a cut through the body: of its last row
+        double s;             // length from the beginning
+        double depth = 0;     // of the floor there; of a cut through the body: of its last row
+        double thickness = 0; // of the body below it; infinite: it is open there
     };
     enum class Kind { to_floor, through, far_side };
-    std::uint32_t incision = 0; // of which it is
+    std::uint32_t incision = 0; // of which it is, or is a part
     double length = 0;
+    double from = 0, to = 1; // shares of its incision's length that it covers
+    double width = 0;        // of its gap where it is widest, when it is quite open
     std::vector<At> at;
     std::size_t last = 0; // number of the point at `length`
     Kind kind = Kind::to_floor;
@@ -27,17 +30,28 @@ struct CutRun {
     double least_depth = 1;
 
     bool closed() const { return last > 0 && at.front().point == at[last].point; }
+    bool goes_round() const { return closed() && from == 0 && to == 1; } // all of its incision
     bool has_floor() const { return kind == Kind::to_floor; }
-    double share(double s) const // of the length
+    double own_share(double s) const // of its own length
     {
         return (closed() && s > length ? s - length : s) / length;
     }
+    double share(double s) const { return from + (to - from) * own_share(s); } // of its incision's
+    // Each part of an incision has the whole profile.
     double value(const CutProfile& profile, double s) const
     {
-        return closed() ? value_round(profile, share(s)) : value_at(profile, s / length);
+        return closed() ? value_round(profile, own_share(s)) : value_at(profile, s / length);
     }
+    // A length along it as a share of its incision's length.
+    double as_share(double way) const { return way * (to - from) / length; }
 };
-std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint32_t> incisions);
+// A DrawnStroke says whose stroke of a drawing is, and what of it.
+struct DrawnStroke {
+    std::uint32_t incision;
+    double from = 0, to = 1;
+};
+std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStroke> strokes,
+                            std::span<const Incision> incisions);
 
 // Gives the runs their depth at each point: that of the profile, within what the skin's curvature
 // and the body's thickness let be, without steep steps, and times the `shares` that incisions are
@@ -45,6 +59,9 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const std::uint
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
                 const CutColumns& columns, std::span<const Incision> incisions,
                 std::span<const Narrowing> shares);
+// Takes for each number along a run the mean of what is least within a way round it: so none is
+// greater than it was, and a narrow place gives way to a valley.
+void smooth_room(const CutRun& run, double way, std::vector<double>& room);
 double depth_at(const CutRun& run, double s);
 // How far the rim is set back there, and down to which depth.
 double bevel_at(const CutRun& run, const Incision& incision, double s);

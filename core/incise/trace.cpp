@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <queue>
 #include <utility>
 
@@ -14,7 +15,10 @@ using On = LatticePoint::On;
 constexpr double attached = 0.15;  // of the mean side of a triangle: points nearer become one
 constexpr double least_bend = 0.1; // of the shortest side: a point nearer to its chord is not drawn
 constexpr double hook = -0.2;      // cosine of the turn at an end that is a slip of the hand
-constexpr int most_steps = 2000;   // across triangles, from one place to the next
+// A way over the skin that is longer than so many times the straight one, and so many edges, is no
+// answer to a hand that was elsewhere at once: one that made so many of its usual steps in one.
+constexpr double longest_way = 3, edges_of_way = 6, leap = 6;
+constexpr int most_steps = 2000;          // across triangles, from one place to the next
 constexpr std::size_t most_tries = 20000; // points that are looked at for a way along edges
 
 glm::dvec3 unit_or_zero_of(const glm::dvec3& v)
@@ -32,45 +36,104 @@ class Tracer {
 public:
     explicit Tracer(const CutDrawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
 
-    Traced operator()(std::span<const SkinPlace> places)
+    Traced operator()(std::span<const StrokePart> parts)
     {
-        std::vector<LatticePoint> hits;
-        for (const SkinPlace& place : places) {
-            const LatticePoint p = attach(nearest_lattice_point(skin_, place));
-            if (hits.empty() || !(hits.back() == p)) hits.push_back(p);
-        }
-        if (hits.size() < 2) return refused("it is shorter than a step of the surface");
-        std::vector<DrawnChain> parts;
-        chain_.points = {hits.front()};
-        for (std::size_t i = 1; i < hits.size(); ++i) {
-            if (walk(hits[i]) || walk_along_edges(hits[i])) continue;
-            parts.push_back(std::exchange(chain_, {{hits[i]}, {}}));
-        }
-        parts.push_back(std::move(chain_));
-        const char* left_out = nullptr; // why something is
-        chain_ = longest_sound_part(parts, left_out);
-        if (chain_.points.size() < 2)
-            return refused(left_out           ? (std::string("it touches ") + left_out).c_str()
-                           : parts.size() > 1 ? "its points lie on parts of the surface that are "
-                                                "not joined"
-                                              : "it is shorter than a step of the surface");
+        const double usual = usual_step(parts);
+        for (const StrokePart& part : parts) draw(part, usual);
+        std::vector<Line> lines = std::exchange(lines_, {});
+        const char* touched = nullptr; // what ends a line
+        for (const Line& line : lines) keep_sound_parts(line, touched);
         Traced out;
-        if (left_out)
-            out.notice = std::string("it ends before ") + left_out;
-        else if (parts.size() > 1)
+        for (Line& line : lines_) {
+            chain_ = std::move(line.chain);
+            if (!(chain_.points.front() == chain_.points.back())) drop_hooks();
+            drop_points_on_chords();
+            if (chain_.points.size() == 2) halve();
+            if (chain_.points.size() > 2) out.chains.push_back(std::move(chain_));
+        }
+        if (out.chains.empty())
+            out.refusal = touched ? std::string("it touches ") + touched
+                          : std::ranges::all_of(
+                                parts, [](const auto& part) { return part.places.size() < 2; })
+                              ? "it leaves the surface"
+                          : leapt_ ? "its points lie on parts of the surface that are not joined"
+                                   : "it is shorter than a step of the surface";
+        else if (out.chains.size() > 1)
             out.notice =
-                "only its longest part is cut: the surface is not joined between its points";
-        if (!(chain_.points.front() == chain_.points.back())) drop_hooks();
-        drop_points_on_chords();
-        if (chain_.points.size() == 2 && !halve())
-            return refused("it is shorter than a step of the surface");
-        if (chain_.points.size() < 3) return refused("it is shorter than a step of the surface");
-        out.chain = std::move(chain_);
+                fmt::format("it is cut in {} parts, as {}", out.chains.size(),
+                            parts.size() > 1 || leapt_ ? "the surface does not go on between them"
+                                                       : std::string("it touches ") + touched);
+        else if (touched)
+            out.notice = std::string("it ends before ") + touched;
+        else if (out.chains[0].from > 0 || out.chains[0].to < 1)
+            out.notice = "it ends where the surface does";
         return out;
     }
 
 private:
-    static Traced refused(const char* why) { return {{}, why, {}}; }
+    struct Line {
+        DrawnChain chain;
+        std::vector<double> shares; // of the stroke, by point; between places: not known, -1
+    };
+
+    // The median way from one place to the next.
+    double usual_step(std::span<const StrokePart> parts) const
+    {
+        std::vector<double> steps;
+        for (const StrokePart& part : parts)
+            for (std::size_t i = 1; i < part.places.size(); ++i)
+                steps.push_back(glm::distance(at(nearest_lattice_point(skin_, part.places[i - 1])),
+                                              at(nearest_lattice_point(skin_, part.places[i]))));
+        if (steps.empty()) return 0;
+        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+        std::ranges::nth_element(steps, middle);
+        return *middle;
+    }
+
+    void draw(const StrokePart& part, double usual)
+    {
+        std::vector<double> shares;
+        const auto end = [&] {
+            if (chain_.points.size() > 1) lines_.push_back({std::move(chain_), std::move(shares)});
+            chain_ = {};
+            shares.clear();
+        };
+        for (std::size_t i = 0; i < part.places.size(); ++i) {
+            const LatticePoint to = attach(nearest_lattice_point(skin_, part.places[i]));
+            if (!chain_.points.empty() && !(chain_.points.back() == to) && !go(to, usual)) {
+                end();
+                leapt_ = true;
+            }
+            if (chain_.points.empty()) chain_.points.push_back(to);
+            const std::size_t known = shares.size();
+            shares.resize(chain_.points.size(), -1);
+            if (known != 1 || shares.size() > 1) shares.back() = part.share(i);
+        }
+        end();
+    }
+
+    // Over the skin to a point. False: it does not go on there. A hand that makes a step far beyond
+    // its usual ones goes on where that is straight on, and jumps else.
+    bool go(const LatticePoint& to, double usual)
+    {
+        const std::size_t begin = chain_.points.size() - 1;
+        const double straight = glm::distance(at(chain_.points.back()), at(to));
+        const double most = longest_way * straight + edges_of_way * skin_.usual_edge();
+        const bool leaps = straight > leap * usual;
+        if (!walk(to) && (leaps || !walk_along_edges(to, most))) return false;
+        if (!leaps || way_from(begin) <= most) return true;
+        chain_.points.resize(begin + 1);
+        chain_.triangles.resize(begin);
+        return false;
+    }
+    double way_from(std::size_t begin) const
+    {
+        double way = 0;
+        for (std::size_t i = begin + 1; i < chain_.points.size(); ++i)
+            way += glm::distance(at(chain_.points[i - 1]), at(chain_.points[i]));
+        return way;
+    }
+
     glm::dvec3 at(const LatticePoint& p) const { return position(skin_, p); }
     glm::dvec3 corner(std::uint32_t t, int i) const { return skin_.position(skin_.triangle(t)[i]); }
     double side_length(std::uint32_t side) const
@@ -189,8 +252,8 @@ private:
         return false;
     }
 
-    // Where the plane loses its aim: the shortest way along edges.
-    bool walk_along_edges(const LatticePoint& to)
+    // Where the plane loses its aim: the shortest way along edges, if it is no longer than `most`.
+    bool walk_along_edges(const LatticePoint& to, double most)
     {
         struct Open {
             double far;
@@ -228,6 +291,7 @@ private:
         std::uint32_t end = KeyNumbers::none;
         for (std::size_t tries = 0; !open.empty() && tries < most_tries; ++tries) {
             const std::uint32_t number = open.top().number;
+            if (open.top().far > most) break;
             open.pop();
             if (reached[number].done) continue;
             reached[number].done = true;
@@ -276,36 +340,48 @@ private:
             return "faces that share an edge or a point in more than one way";
         return nullptr;
     }
-    // The longest run of sound points of all parts; and what the first one touches that is not.
-    DrawnChain longest_sound_part(const std::vector<DrawnChain>& parts, const char*& touched) const
+    // The runs of sound points of a line; and what the first one touches that is not.
+    void keep_sound_parts(const Line& line, const char*& touched)
     {
-        DrawnChain best;
-        double longest = 0;
-        for (const DrawnChain& part : parts) {
-            double length = 0;
-            for (std::size_t i = 0, begin = 0; i < part.points.size(); ++i) {
-                if (const char* const what = unsound(part.points[i])) {
-                    if (!touched) touched = what;
-                    length = 0;
-                    begin = i + 1;
-                    continue;
-                }
-                if (i > begin) length += glm::distance(at(part.points[i]), at(part.points[i - 1]));
-                if (!(length > longest)) continue;
-                longest = length;
-                const auto from = static_cast<std::ptrdiff_t>(begin);
-                const auto to = static_cast<std::ptrdiff_t>(i);
-                best.points.assign(part.points.begin() + from, part.points.begin() + to + 1);
-                best.triangles.assign(part.triangles.begin() + from, part.triangles.begin() + to);
+        const DrawnChain& all = line.chain;
+        for (std::size_t begin = 0, i = 0; i <= all.points.size(); ++i) {
+            const char* const what = i < all.points.size() ? unsound(all.points[i]) : "";
+            if (!what) continue;
+            if (*what && !touched) touched = what;
+            if (i > begin + 1) {
+                const auto from = static_cast<std::ptrdiff_t>(begin),
+                           to = static_cast<std::ptrdiff_t>(i - 1);
+                Line part;
+                part.chain.points.assign(all.points.begin() + from, all.points.begin() + to + 1);
+                part.chain.triangles.assign(all.triangles.begin() + from,
+                                            all.triangles.begin() + to);
+                part.chain.from = share_at(line, begin);
+                part.chain.to = share_at(line, i - 1);
+                lines_.push_back(std::move(part));
             }
+            begin = i + 1;
         }
-        return best;
+    }
+    // Between places in proportion to the way.
+    double share_at(const Line& line, std::size_t i) const
+    {
+        std::size_t before = i, after = i;
+        while (line.shares[before] < 0) --before;
+        while (line.shares[after] < 0) ++after;
+        double way = 0, whole = 0;
+        for (std::size_t k = before; k < after; ++k) {
+            whole += glm::distance(at(line.chain.points[k]), at(line.chain.points[k + 1]));
+            if (k + 1 == i) way = whole;
+        }
+        return whole > 0 ? glm::mix(line.shares[before], line.shares[after], way / whole)
+                         : line.shares[i];
     }
 
     // Of the turn at a point, with the triangles on both sides of an edge unfolded.
     double cosine_at(std::size_t i) const
     {
-        const auto& [points, triangles] = chain_;
+        const std::vector<LatticePoint>& points = chain_.points;
+        const std::vector<std::uint32_t>& triangles = chain_.triangles;
         const glm::dvec3 in = unit_or_zero_of(at(points[i]) - at(points[i - 1]));
         const glm::dvec3 out = unit_or_zero_of(at(points[i + 1]) - at(points[i]));
         if (points[i].on != On::edge || triangles[i - 1] == triangles[i]) return glm::dot(in, out);
@@ -317,7 +393,8 @@ private:
     }
     void drop_hooks()
     {
-        auto& [points, triangles] = chain_;
+        std::vector<LatticePoint>& points = chain_.points;
+        std::vector<std::uint32_t>& triangles = chain_.triangles;
         while (points.size() > 3 && cosine_at(1) < hook) {
             points.erase(points.begin());
             triangles.erase(triangles.begin());
@@ -331,7 +408,8 @@ private:
     // [Douglas, Peucker 1973]
     void drop_points_on_chords()
     {
-        auto& [points, triangles] = chain_;
+        std::vector<LatticePoint>& points = chain_.points;
+        std::vector<std::uint32_t>& triangles = chain_.triangles;
         std::vector<char> kept(points.size(), 0);
         kept[0] = 1;
         for (std::size_t begin = 0; begin + 1 < points.size();) {
@@ -350,6 +428,8 @@ private:
             chain.points.push_back(points[i]);
             if (i + 1 < points.size()) chain.triangles.push_back(triangles[i]);
         }
+        chain.from = chain_.from;
+        chain.to = chain_.to;
         chain_ = std::move(chain);
     }
     // Of the points of one triangle between two that are kept.
@@ -385,28 +465,30 @@ private:
         }
     }
     // A single segment gets a point in its middle, which can open.
-    bool halve()
+    void halve()
     {
-        auto& [points, triangles] = chain_;
+        std::vector<LatticePoint>& points = chain_.points;
+        std::vector<std::uint32_t>& triangles = chain_.triangles;
         const std::uint32_t t = triangles[0];
         const auto a = weights_in(skin_, points[0], t), b = weights_in(skin_, points[1], t);
         const LatticePoint middle = lattice_point(skin_, t, (*a + *b) / 2);
-        if (middle == points[0] || middle == points[1]) return false;
+        if (middle == points[0] || middle == points[1]) return;
         points.insert(points.begin() + 1, middle);
         triangles.push_back(t);
-        return true;
     }
 
     const CutDrawing& drawing_;
     const CutSkin& skin_;
     DrawnChain chain_;
+    std::vector<Line> lines_;
+    bool leapt_ = false; // the surface did not go on to some place
 };
 
 } // namespace
 
-Traced trace(const CutDrawing& drawing, std::span<const SkinPlace> places)
+Traced trace(const CutDrawing& drawing, std::span<const StrokePart> parts)
 {
-    return Tracer(drawing)(places);
+    return Tracer(drawing)(parts);
 }
 
 } // namespace trivar

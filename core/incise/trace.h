@@ -7,16 +7,28 @@
 
 namespace trivar {
 
-struct Traced {
-    DrawnChain chain;
-    std::string refusal; // a sentence, where there is no chain
-    std::string notice;  // a sentence, where the chain is a part of what was asked for
+// A StrokePart is a part of a stroke that lies on the skin: its places, and where each is, as a
+// share of the stroke's length; by number where that is not told.
+struct StrokePart {
+    std::vector<SkinPlace> places;
+    std::vector<double> shares = {};
+    double share(std::size_t i) const
+    {
+        return shares.empty() ? static_cast<double>(i) / static_cast<double>(places.size() - 1)
+                              : shares[i];
+    }
 };
 
-// Draws a line over the skin through places in their order: between two of them in the plane
-// through both and their mean normal. Points near points that are drawn already become these: so
-// strokes join, and such as run over each other share their edges. Where the line touches an open
-// border or faces that are no surface, or cannot go on, its longest part without that is drawn.
-Traced trace(const CutDrawing& drawing, std::span<const SkinPlace> places);
+struct Traced {
+    std::vector<DrawnChain> chains; // in the order of the stroke
+    std::string refusal;            // a sentence, where there is none
+    std::string notice;             // a sentence, where not all is drawn, or not as one chain
+};
+
+// Draws lines over the skin through places in their order: between two of them in the plane through
+// both and their mean normal. Points near points that are drawn already become these: so strokes
+// join, and such as run over each other share their edges. A line is parted where it touches an
+// open border or faces that are no surface, and where the surface does not go on to the next place.
+Traced trace(const CutDrawing& drawing, std::span<const StrokePart> parts);
 
 } // namespace trivar

@@ -102,7 +102,7 @@ public:
           depth_(incision.depth),
           edge_(drawing.skin().usual_edge())
     {
-        const CutCurve curve(run, drawing, inward, incision.width);
+        const CutCurve curve(run, drawing, inward);
         for (std::size_t i = 0; i <= run.last; ++i) left_.push_back(curve.left(run.at[i].s));
         const std::vector<double> lengths = lengths_of_points(run);
         const double radius = radius_for(tangent_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/crossing_holds.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "ui/widgets.h"
 
@@ -51,18 +52,18 @@ glm::dvec3 moved_by_others(const SeenIncising& seen, const CutCrossing& crossing
     glm::dvec3 out(0);
     for (std::size_t k = 0; k < seen.cuts.size(); ++k) {
         const auto number = static_cast<int>(k) + 1;
-        const std::vector<SurfaceHit>& line = seen.cuts[k].line;
-        if (number == crossing.first || number == crossing.second || line.empty()) continue;
+        if (number == crossing.first || number == crossing.second || !seen.cuts[k]) continue;
+        const SeenCut& cut = *seen.cuts[k];
         const auto away = [&](const SurfaceHit& each) {
             return glm::distance(each.at_rest.p, crossing.at.at_rest.p);
         };
-        const auto near = std::ranges::min_element(line, {}, away);
-        const double x = away(*near) / reach_of(seen.incising.cuts[k].cut);
+        const auto near = std::ranges::min_element(cut.line, {}, away);
+        const double x = away(*near) / reach_of(seen.incising.cuts[k].cut, cut.length);
         if (!(x < 1)) continue;
-        const auto i = static_cast<std::size_t>(near - line.begin());
-        const bool right = glm::dot(flap_world - near->p_world, seen.cuts[k].across[i]) > 0;
+        const auto i = static_cast<std::size_t>(near - cut.line.begin());
+        const bool right = glm::dot(flap_world - near->p_world, cut.across[i]) > 0;
         const FlapSide side =
-            side_of_flap(seen.incising.cuts[k], seen.cuts[k],
+            side_of_flap(seen.incising.cuts[k], cut,
                          static_cast<double>(i) / static_cast<double>(SeenCut::steps),
                          right ? IncisionSide::right : IncisionSide::left);
         out += (1 - x * x) * (1 - x * x) * side.half_gap_world * side.across_world;
@@ -77,16 +78,18 @@ std::optional<CrossingHold> flap_hold(const SeenIncising& seen, const CutCrossin
 {
     const auto a = static_cast<std::size_t>(crossing.first) - 1,
                b = static_cast<std::size_t>(crossing.second) - 1;
+    const std::optional<SeenCut>&cut_a = seen.cuts.at(a), &cut_b = seen.cuts.at(b);
+    if (!cut_a || !cut_b) return {};
     CrossingHold out;
     out.crossing = crossing;
     out.flap = flap_in(seen.incising, {.first = crossing.first,
                                        .second = crossing.second,
                                        .side_of_first = of_first,
                                        .side_of_second = of_second});
-    const FlapSide first = side_of_flap(seen.incising.cuts[a], seen.cuts[a],
-                                        crossing.share_of_first, of_first),
-                   second = side_of_flap(seen.incising.cuts[b], seen.cuts[b],
-                                         crossing.share_of_second, of_second);
+    const FlapSide first = side_of_flap(seen.incising.cuts[a], *cut_a, crossing.share_of_first,
+                                        of_first),
+                   second = side_of_flap(seen.incising.cuts[b], *cut_b, crossing.share_of_second,
+                                         of_second);
     const double open = std::pow(first.open * second.open, 0.75);
     if (!(open > least_open_of_flap)) return {};
     const glm::dvec3 middle = crossing.at.p_world;
@@ -107,9 +110,9 @@ std::optional<CrossingHold> flap_hold(const SeenIncising& seen, const CutCrossin
     const bool hidden = glm::length(up) < flap_end_on; // it points at the eye
     if (!hidden) out.way_px = glm::normalize(up);
     const double world_per_px = px / (hidden ? 1 : glm::length(up));
-    out.metres_per_px = world_per_px / seen.cuts[a].scale / open;
-    out.highest =
-        1.2 * std::min(reach_of(seen.incising.cuts[a].cut), reach_of(seen.incising.cuts[b].cut));
+    out.metres_per_px = world_per_px / cut_a->scale / open;
+    out.highest = 1.2 * std::min(reach_of(seen.incising.cuts[a].cut, cut_a->length),
+                                 reach_of(seen.incising.cuts[b].cut, cut_b->length));
     const double raised = out.flap->lift / out.metres_per_px;
     out.p_px = out.base_px + out.way_px * (raised + flap_stalk_px * scale);
     return out;
@@ -209,8 +212,8 @@ std::string words_of(const CrossingHold& hold, const Incising& incising, const S
     const auto below = static_cast<std::size_t>(hold.crossing.second) - 1;
     std::string name = below < incising.cuts.size() ? incising.cuts[below].name : "";
     if (name.empty()) name = fmt::format("Incision {}", hold.crossing.second);
-    return fmt::format("Crosses at {:.3g} %, {} is the later one",
-                       100 * hold.crossing.share_of(number), name);
+    return fmt::format("Crosses at {} %, {} is the later one",
+                       number_text(100 * hold.crossing.share_of(number)), name);
 }
 
 } // namespace trivar

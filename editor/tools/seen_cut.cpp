@@ -24,6 +24,14 @@ SurfacePoint between(const SurfacePoint& a, const SurfacePoint& b, double share)
     return {glm::mix(a.p, b.p, share), length > 1e-9 ? n / length : a.normal};
 }
 
+SurfaceHit between(const SurfaceHit& a, const SurfaceHit& b, double share)
+{
+    const SurfacePoint world = between(SurfacePoint{a.p_world, a.normal_world},
+                                       SurfacePoint{b.p_world, b.normal_world}, share);
+    return {world.p, world.normal, between(a.at_rest, b.at_rest, share),
+            glm::mix(a.scale, b.scale, share)};
+}
+
 SurfacePoint at_length(std::span<const SurfacePoint> stroke, const std::vector<double>& lengths,
                        double s)
 {
@@ -50,9 +58,34 @@ void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<Surfac
     for (std::size_t i = 0; i < even.size(); ++i)
         beside.push_back({even[i].p + step * rights[i], even[i].normal});
     const auto found = skin.seen(beside, reach + step);
-    for (std::size_t i = 0; i < even.size(); ++i)
-        cut.across.push_back(found[i] ? unit_or_zero(found[i]->p_world - cut.line[i].p_world)
-                                      : glm::dvec3(0));
+    for (std::size_t i = 0; i < cut.across.size(); ++i)
+        if (found[i] && cut.on_skin[i])
+            cut.across[i] = unit_or_zero(found[i]->p_world - cut.line[i].p_world);
+}
+
+// Puts the places on the skin, and those in the air between them; false: none is on the skin.
+bool find_line(SeenCut& cut, const std::vector<std::optional<SurfaceHit>>& on_skin)
+{
+    const std::size_t count = cut.line.size();
+    std::size_t before = count,
+                run = 0; // the last place that is on the skin, and how many in a row
+    cut.first = cut.last = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        cut.on_skin[i] = on_skin[i].has_value();
+        run = cut.on_skin[i] ? run + 1 : 0;
+        if (!cut.on_skin[i]) continue;
+        cut.line[i] = *on_skin[i];
+        if (run > cut.last - cut.first) cut.first = i + 1 - run, cut.last = i;
+        const SurfaceHit& from = cut.line[before < count ? before : i];
+        for (std::size_t k = before < count ? before + 1 : 0; k < i; ++k)
+            cut.line[k] = between(from, cut.line[i],
+                                  before < count ? static_cast<double>(k - before) /
+                                                       static_cast<double>(i - before)
+                                                 : 1);
+        before = i;
+    }
+    for (std::size_t k = before + 1; k < count; ++k) cut.line[k] = cut.line[before];
+    return before < count;
 }
 
 // The net over what gives way: its sides turn more slowly than the cut, so that they do not cross.
@@ -98,11 +131,6 @@ void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfaceP
 
 } // namespace
 
-double length_of(std::span<const SurfacePoint> stroke)
-{
-    return stroke.empty() ? 0 : lengths_along(stroke).back();
-}
-
 std::vector<SurfacePoint> at_equal_steps(std::span<const SurfacePoint> stroke, std::size_t steps)
 {
     std::vector<SurfacePoint> out;
@@ -133,19 +161,15 @@ glm::dvec3 SeenCut::at(double share) const
     return glm::mix(line[i].p_world, line[i + 1].p_world, s - static_cast<double>(i));
 }
 
-SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
-                 const IncisingEffects::OfIncision* told)
+std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
+                                const IncisingEffects::OfIncision* told)
 {
     SeenCut out;
     const Incision& cut = incision.cut;
     const std::vector<SurfacePoint> even = at_equal_steps(cut.stroke, SeenCut::steps);
-    if (even.empty() || skin.empty()) return out;
+    if (even.empty() || skin.empty()) return {};
     const double reach = skin_reach * skin.diagonal();
-    const auto on_skin = skin.seen(even, reach);
-    for (const auto& each : on_skin) {
-        if (!each) return out;
-        out.line.push_back(*each);
-    }
+    if (!find_line(out, skin.seen(even, reach))) return {};
     out.length = length_of(cut.stroke);
     out.widest = told && told->refusal.empty() ? told->widest : 1;
     out.depth = told && told->depth > 0 ? told->depth : cut.depth;
@@ -161,12 +185,12 @@ SeenCut seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
         const double open = cut.width / 2 * out.widest * b * share_at(incision.opening, x);
         // Where several are as wide, the middle; where it is shut, where it would be widest
         const double wish = (open + 1e-3 * cut.width * b) * (1 - 0.02 * std::abs(x - 0.5));
-        if (wish > most) most = wish, out.widest_at = i;
+        if (wish > most && i >= out.first && i <= out.last) most = wish, out.widest_at = i;
         if (i > 0) out.length_world += glm::distance(out.line[i - 1].p_world, out.line[i].p_world);
     }
     out.scale = out.length > 0 ? out.length_world / out.length : 1;
     find_across(out, skin, even, rights, reach);
-    find_cage(out, skin, even, rights, reach_of(cut));
+    find_cage(out, skin, even, rights, reach_of(cut, out.length));
     return out;
 }
 

@@ -165,11 +165,38 @@ TEST(Incising, CutsTheMeshUnderTheFirstPoint)
     EXPECT_EQ(cut->shape->meshes[0].rest, whole->shape->meshes[0].rest);
     EXPECT_NE(cut->shape->meshes[1].rest, whole->shape->meshes[1].rest);
     EXPECT_NEAR(cut->incisions.at(0).depth, 0.05, 1e-6); // metres on the model
-    NamedIncision both = second;
-    both.cut.stroke.insert(both.cut.stroke.end(), {{0, -1, 0}, {0, -1, 0}});
-    const Ref<EvaluatedObject> over = evaluator(after(document, Incise{1, both}), 1).objects.at(1);
-    EXPECT_EQ(over->shape, whole->shape);
-    EXPECT_THAT(over->notices, ElementsAre(HasSubstr("incision 1 is left out: it goes over two")));
+}
+
+TEST(Incising, CutsEachMeshThatAStrokeGoesOver)
+{
+    const TemporaryFolder folder;
+    ImportModel import;
+    import.file.path = two_balls(folder);
+    Evaluator evaluator(std::make_shared<const AssetStore>(folder.path().string()));
+    const Document document = after(Document{}, import);
+    const auto shown = [&](const NamedIncision& incision) {
+        return evaluator(after(document, Incise{1, incision}), 1).objects.at(1);
+    };
+    const std::vector<Shape::NodeMesh> whole = evaluator(document, 1).objects.at(1)->shape->meshes;
+    const std::vector<SurfacePoint> stroke = across_the_front().cut.stroke;
+    NamedIncision first = across_the_front(), second = first, both = first;
+    for (SurfacePoint& each : second.cut.stroke) {
+        each.p = glm::dvec3(whole[1].to_model * glm::dvec4(each.p, 1));
+        both.cut.stroke.push_back(each);
+    }
+    const Ref<EvaluatedObject> cut = shown(both);
+    EXPECT_NE(cut->shape->meshes[0].rest, whole[0].rest);
+    EXPECT_NE(cut->shape->meshes[1].rest, whole[1].rest);
+    EXPECT_NEAR(cut->incisions.at(0).length,
+                shown(first)->incisions.at(0).length + shown(second)->incisions.at(0).length, 1e-6);
+    EXPECT_THAT(cut->notices, ElementsAre(HasSubstr("it goes over several meshes")));
+    both.opening.to = 0.2; // of both: the second one is shut
+    const Ref<EvaluatedObject> begun = shown(both);
+    EXPECT_NE(*begun->shape->meshes[0].rest, *whole[0].rest);
+    const Ref<Mesh> shut = begun->shape->meshes[1].rest;
+    const glm::vec3* const before = whole[1].rest->positions.data();
+    EXPECT_TRUE(
+        std::equal(before, before + whole[1].rest->vertex_count(), shut->positions.begin()));
 }
 
 // Round the top of a slab that is 0.1 thick.

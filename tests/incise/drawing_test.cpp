@@ -24,9 +24,9 @@ CutDrawing drawing_of(const CutSkin& skin, const std::vector<std::vector<SkinPla
 {
     CutDrawing drawing(skin);
     for (const std::vector<SkinPlace>& places : strokes) {
-        Traced traced = trace(drawing, places);
+        Traced traced = trace(drawing, std::vector{StrokePart{places}});
         EXPECT_EQ(traced.refusal, "");
-        drawing.add(traced.chain);
+        drawing.add(traced.chains.at(0));
     }
     drawing.arrange();
     return drawing;

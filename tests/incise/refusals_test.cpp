@@ -71,8 +71,8 @@ TEST(IncisionsInPart, EndWhereTheSurfaceDoes)
     EXPECT_NEAR(outcome.length, whole * 10 / 12, 0.05 * whole);
     cut.stroke[4].p *= 1.5;
     outcome = outcome_of(ball, cut);
-    EXPECT_EQ(outcome.notice, "only its longest part on the surface is cut");
-    EXPECT_NEAR(outcome.length, whole * 6 / 12, 0.05 * whole);
+    EXPECT_EQ(outcome.notice, "it is cut in 2 parts, as the surface does not go on between them");
+    EXPECT_NEAR(outcome.length, whole * 8 / 12, 0.05 * whole);
 }
 
 TEST(IncisionsInPart, EndBeforeAnOpenBorder)
@@ -85,6 +85,51 @@ TEST(IncisionsInPart, EndBeforeAnOpenBorder)
     EXPECT_LT(outcome.length, 0.91);
     EXPECT_EQ(refusal_of(sheet, on_plane({0, 0.97, 0}, {0.9, 0.97, 0})),
               "it touches an open border of the surface");
+}
+
+// Straight over a ring of radius 1, whose tube has the radius 0.4, and over the hole in its middle.
+Incision over_a_ring()
+{
+    Incision cut;
+    for (const double side : {-1.0, 1.0})
+        for (int i = -10; i <= 10; ++i) {
+            const double x = 0.03 * i;
+            const glm::dvec3 normal(x / 0.4, 0, std::sqrt(0.16 - x * x) / 0.4);
+            cut.stroke.push_back({glm::dvec3(side, 0.02, 0) + 0.4 * normal, normal});
+        }
+    cut.depth = 0.05;
+    cut.width = 0.06;
+    return cut;
+}
+
+TEST(IncisionsInPart, KeepWhatLiesOnEitherSideOfAGapOfAir)
+{
+    const CutSkin ring = skin_of(torus_mesh(1, 0.4, {96, 48}));
+    const Incision cut = over_a_ring();
+    const IncisedMesh made = incise(ring, std::vector{cut});
+    EXPECT_TRUE(faults_of(made).none());
+    EXPECT_EQ(made.outcomes[0].notice,
+              "it is cut in 2 parts, as the surface does not go on between them");
+    EXPECT_EQ(made.outcomes[0].widest, 1);
+    EXPECT_NEAR(made.outcomes[0].length, 2 * 2 * 0.4 * std::asin(0.75), 0.05);
+    const auto gap = [&](const IncisionOpening& opening, double side) { // on top of the tube there
+        const Ref<Mesh> open = opened(made, std::vector{opening});
+        double most = 0;
+        for (std::size_t v = 0; v < open->vertex_count(); ++v)
+            if (glm::distance(glm::dvec3(made.rest->positions[v]), {side, 0.02, 0.4}) < 0.05)
+                most = std::max(
+                    most, 2.0 * double{glm::distance(open->positions[v], made.rest->positions[v])});
+        return most;
+    };
+    for (const double side : {-1.0, 1.0}) EXPECT_NEAR(gap({1, 0, 1}, side), 0.06, 0.004);
+    EXPECT_GT(gap({1, 0, 0.5}, -1), 0.05); // the blade has come as far as the hole
+    EXPECT_EQ(gap({1, 0, 0.5}, 1), 0);
+    for (std::size_t v = made.first_wall_vertex; v < made.rest->vertex_count(); ++v) {
+        double away = 1;
+        for (const SurfacePoint& each : cut.stroke)
+            away = std::min(away, glm::distance(each.p, glm::dvec3(made.rest->positions[v])));
+        EXPECT_LT(away, 0.08);
+    }
 }
 
 TEST(RefusedIncisions, LieOnTwoParts)
@@ -126,8 +171,8 @@ TEST(RefusedIncisions, RunOverFacesThatShareAnEdgeInThrees)
     add_face(fin, std::array{a, b, static_cast<std::uint32_t>(fin.positions.size() - 1)});
     const IncisedMesh::Outcome outcome =
         outcome_of(skin_of(fin), on_plane({-0.6, 0.02, 0}, {0.3, 0.02, 0}));
-    EXPECT_EQ(outcome.notice,
-              "it ends before faces that share an edge or a point in more than one way");
+    EXPECT_EQ(outcome.notice, "it is cut in 2 parts, as it touches faces that share an edge or a "
+                              "point in more than one way");
     EXPECT_EQ(refusal_of(skin_of(fin), on_plane({-0.03, 0.02, 0}, {0.12, 0.02, 0})),
               "it touches faces that share an edge or a point in more than one way");
 }

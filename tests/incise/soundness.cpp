@@ -147,9 +147,11 @@ std::size_t piercings_at(const IncisedMesh& made, std::span<const IncisionOpenin
     std::vector<glm::dvec3> shut(point_count(rest)), moves(made.slots, glm::dvec3(0));
     for (std::uint32_t v = 0; v < rest.vertex_count(); ++v)
         shut[rest.point(v)] = glm::dvec3(rest.positions[v]);
-    for (const IncisedMesh::Term& term : made.terms)
-        moves[term.slot] +=
-            share_at(openings[term.incision], double{term.share}) * glm::dvec3(term.move);
+    for (const IncisedMesh::Term& term : made.terms) {
+        const double held = held_open(made, term.incision, openings) * (1 - double{term.held});
+        moves[term.slot] += (1 - held) * share_at(openings[term.incision], double{term.share}) *
+                            glm::dvec3(term.move);
+    }
     std::vector<glm::dvec3> open = shut;
     std::vector<char> near(shut.size(), 0);
     for (std::size_t i = 0; i < made.moved.size(); ++i) {
