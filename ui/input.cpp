@@ -106,8 +106,19 @@ bool Input::keeps(int code) const
     return std::ranges::find(kept_, code) != kept_.end();
 }
 
+bool Input::cancels() const
+{
+    return std::ranges::any_of(waiting_, [](const Event& event) {
+        return event.down && ((event.kind == Event::Kind::key && event.code == key_escape) ||
+                              (event.kind == Event::Kind::button &&
+                               event.code == static_cast<int>(Button::right)));
+    });
+}
+
 void Input::begin_frame(double time_s, const ClickManners& manners)
 {
+    const Held held = cancels() ? Held::nothing : held_;
+    held_ = Held::nothing;
     ImGui::GetIO().MouseDoubleClickTime = never_s;
     taken_.clear();
     kept_ = std::exchange(keeps_, {});
@@ -116,23 +127,27 @@ void Input::begin_frame(double time_s, const ClickManners& manners)
         ImGui::GetIO().MouseDown[hold_.button] = false;
         hold_ = {};
     }
+    bool strayed = false; // the mouse is elsewhere than in the last frame
     bool moved = false;   // with a button down
     bool pressed = false; // a press or release was taken: what follows it must wait a frame
     while (!waiting_.empty()) {
         const Event& next = waiting_.front();
-        const bool press =
-            next.kind == Event::Kind::button || (next.kind == Event::Kind::key && !is_typing(next));
+        const bool button = next.kind == Event::Kind::button;
+        const bool press = button || (next.kind == Event::Kind::key && !is_typing(next));
         if (pressed && (press || next.kind == Event::Kind::move)) break;
-        const bool let_go = next.kind == Event::Kind::button && (!next.down || hold_.on);
+        const bool begins = next.down ? press : next.kind == Event::Kind::text;
+        if (begins && (button ? held == Held::keys_and_buttons : held != Held::nothing)) break;
+        if (button && next.down && strayed) break; // what is there must be known first
+        const bool let_go = button && (!next.down || hold_.on);
         if (moved && let_go) break; // what is dragged is seen where it is let go
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;
         Event event = std::move(waiting_.front());
         waiting_.pop_front();
         if (!hears(event, time_s, manners.double_click_s, manners.hold && dragged)) continue;
-        const ImGuiIO& io = ImGui::GetIO();
-        moved |= event.kind == Event::Kind::move && ImGui::IsAnyMouseDown() &&
-                 event.at != glm::vec2(io.MousePos.x, io.MousePos.y);
+        const ImVec2 at = ImGui::GetIO().MousePos;
+        strayed |= event.kind == Event::Kind::move && event.at != glm::vec2(at.x, at.y);
+        moved |= strayed && ImGui::IsAnyMouseDown();
         tell(event, time_s, manners.double_click_s);
         taken_.push_back(std::move(event));
     }

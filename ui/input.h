@@ -37,16 +37,22 @@ struct ClickManners {
 };
 
 // Input holds events until a frame takes them. A frame sees at most one press or release, so that a
-// click shorter than a frame is still a click, and keeps every move for tools that draw. A release
-// after moves waits for the next frame, so that a drag shorter than a frame is still a drag.
+// click shorter than a frame is still a click, and keeps every move for tools that draw. A press
+// after moves waits for the next frame, so that it meets what is under the mouse where it was made,
+// and so does a release after moves with a button down, so that a drag shorter than a frame is
+// still a drag.
 class Input {
 public:
     void push(Event event) { waiting_.push_back(std::move(event)); }
-    bool pending() const { return !waiting_.empty(); }
+    bool pending() const { return !waiting_.empty() && (held_ == Held::nothing || cancels()); }
 
     // Gives the events of one frame to the current ImGui context. Two presses are a double click by
     // the times at which they were made, however long the frames between them took.
     void begin_frame(double time_s, const ClickManners& manners = {});
+    // Called in every frame in which the object of the next keys is not there yet: they wait, in
+    // their order, and with `buttons` presses in the picture, too. Esc and the right button, which
+    // cancel, end the wait.
+    void hold_back(bool buttons) { held_ = buttons ? Held::keys_and_buttons : Held::keys; }
     // A thing that is dragged calls this in every frame; a click may then hold its button on.
     void may_hold_on() { drags_ = true; }
     // A thing under the mouse calls this in every frame to have a key for itself alone.
@@ -59,7 +65,9 @@ private:
     // Whether ImGui gets the event, which may be changed into another one: with `holds`, a click
     // holds what is dragged.
     bool hears(Event& event, double time_s, double double_click_s, bool holds);
+    bool cancels() const; // Esc or the right button is among what waits
 
+    enum class Held { nothing, keys, keys_and_buttons } held_ = Held::nothing;
     struct Hold {
         int button = -1;         // the button that is down for ImGui; -1: none
         bool on = false;         // held on by a click: in truth the button is up

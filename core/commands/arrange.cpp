@@ -180,7 +180,7 @@ Document applied(Document document, const Delete& command)
     const auto is_gone = [&](Id id) { return gone.contains(id); };
     const ObjectMap rest = document.objects;
     for (const auto& [id, ref] : rest)
-        if (std::ranges::any_of(bases_of(*ref), is_gone))
+        if (std::ranges::any_of(bases_of(*ref), is_gone, &BaseUse::base))
             document.objects.set(
                 id, make_ref(with_bases(*ref, [&](Id base) { return is_gone(base) ? 0 : base; })));
     return document;

@@ -4,6 +4,7 @@
 #include "core/commands/animate.h"
 #include "core/commands/apply_shape.h"
 #include "core/commands/arrange.h"
+#include "core/commands/bind.h"
 #include "core/commands/convert_lattice.h"
 #include "core/commands/cut.h"
 #include "core/commands/group.h"
@@ -22,6 +23,7 @@
 #include "core/commands/play.h"
 #include "core/commands/primitives.h"
 #include "core/commands/refine.h"
+#include "core/commands/shade.h"
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
 #include "core/commands/split.h"
@@ -59,9 +61,9 @@ using AnyCommand = std::variant<
     WarpVolume, KeepShape, Simplify, ClearSimplify, SetWarp, Attach, SetParent, ApplyShape,
     PaintTiles, EditTileStroke, RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles,
     CoverWithTiles, MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels,
-    SetVoxels, Unwrap, ClearUnwrap, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts, Incise,
-    EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap, LayFlap,
-    SetLineDrawing, ClearLineDrawing>;
+    SetVoxels, Unwrap, ClearUnwrap, Shade, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts,
+    Incise, EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap,
+    LayFlap, SetLineDrawing, ClearLineDrawing, Bind>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

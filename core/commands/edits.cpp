@@ -61,7 +61,7 @@ std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
 {
     std::map<Id, std::vector<Id>> above;
     for (const auto& [other, ref] : document.objects) {
-        for (const Id lower : bases_of(*ref)) above[lower].push_back(other);
+        for (const BaseUse& each : bases_of(*ref)) above[each.base].push_back(other);
         for (const Id lattice : lattices_round(document, other)) above[lattice].push_back(other);
     }
     std::set<Id> result(ids);

@@ -122,6 +122,15 @@ std::pair<SamplePlaces, glm::dmat4> met_by_samples(const PlacementStep& before,
     return {met, best_motion(from, to)};
 }
 
+// Returns the length of the way of the middle, which bends as much as the motion turns.
+double way_of(const SamplePlaces& met, const glm::dmat4& by)
+{
+    const double gone = glm::distance(middle_of(met.now), middle_of(met.then));
+    const double half =
+        std::acos(std::clamp((by[0][0] + by[1][1] + by[2][2] - 1) / 2, -1.0, 1.0)) / 2;
+    return half > 1e-6 ? gone * half / std::sin(half) : gone;
+}
+
 // Returns the degrees about the normal, right-handed; 0 if the middle moves further than the ends
 // turn about it.
 double turn_deg(const SamplePlaces& met, const glm::dmat4& by)
@@ -152,14 +161,16 @@ std::optional<StepTitle> stroke_title(const PlacementStep& before, const Placeme
         std::tie(met, by) = met_by_samples(before, after);
     const double factor = glm::length(glm::dvec3(by[0]));
     if (std::abs(factor - 1) > 1e-9)
-        return StepTitle{"Scale " + name + " on the surface", "× " + brief_number(factor)};
+        return StepTitle{"Scale " + name + " on the surface", "× " + number_text(factor)};
     const double was = before.parameters.clearance, is = after.parameters.clearance;
-    if (was != is)
+    constexpr double least_lift = 1e-9; // a slide along its own axes lifts by rounding
+    if (std::abs(was - is) > least_lift)
         return StepTitle{(is > was ? "Lift " : "Lower ") + name, "clearance " + in_metres(is)};
     constexpr double least_deg = 1e-6;
     if (const double angle = turn_deg(met, by); std::abs(angle) > least_deg)
         return StepTitle{"Turn " + name + " on the surface", in_degrees(angle)};
-    return StepTitle{"Move " + name + " over the surface", {}};
+    return StepTitle{"Slide " + name,
+                     met.then.empty() ? std::string() : in_metres(way_of(met, by))};
 }
 
 } // namespace trivar

@@ -3,21 +3,23 @@
 
 namespace trivar {
 
-std::vector<Id> bases_of(const Object& object)
+std::vector<BaseUse> bases_of(const Object& object)
 {
-    std::vector<Id> out;
-    if (object.stroke) out = object.stroke->onto;
+    std::vector<BaseUse> out;
+    const auto add = [&](Id base, std::string_view words) {
+        if (base != 0) out.push_back({base, words});
+    };
+    if (object.stroke)
+        for (const Id on : object.stroke->onto) add(on, lies_on_words);
     if (object.splitting)
-        for (const ObstacleUse& each : object.splitting->obstacles) out.push_back(each.object);
+        for (const ObstacleUse& each : object.splitting->obstacles) add(each.object, "split by");
     if (object.incising)
-        for (const NamedIncision& each : object.incising->cuts)
-            if (each.blade != 0) out.push_back(each.blade);
+        for (const NamedIncision& each : object.incising->cuts) add(each.blade, "opened by");
     if (!object.tiles) return out;
-    if (object.tiles->base != 0) out.push_back(object.tiles->base);
-    for (const MixedTile& each : object.tiles->others) out.push_back(each.object);
-    if (object.tiles->into != 0) out.push_back(object.tiles->into);
-    for (const TileMask& each : object.tiles->masks)
-        if (each.curve != 0) out.push_back(each.curve);
+    add(object.tiles->base, "painted on");
+    for (const MixedTile& each : object.tiles->others) add(each.object, "mixed with");
+    add(object.tiles->into, "turned into");
+    for (const TileMask& each : object.tiles->masks) add(each.curve, "masked by");
     return out;
 }
 

@@ -4,13 +4,19 @@
 #include "core/document/document.h"
 
 #include <functional>
+#include <string_view>
 
 namespace trivar {
 
-// The objects on whose shapes an object's own depends: what its stroke lies on, what its tiles are
-// painted on, what these are mixed with, what they become, what parts it, and what opens its
-// incisions. An id may come twice.
-std::vector<Id> bases_of(const Object& object);
+// An object on whose shape another one's depends, and what that is to it: what its stroke lies on,
+// what its tiles are painted on, mixed with, masked by and turned into, what splits it, and what
+// opens its incisions.
+struct BaseUse {
+    Id base = 0;
+    std::string_view words; // "painted on"
+};
+std::vector<BaseUse> bases_of(const Object& object); // an id may come twice
+inline constexpr std::string_view lies_on_words = "laid on";
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the
 // rest, and its stroke stays in the world if nothing else carries it; its tiles are mixed with the

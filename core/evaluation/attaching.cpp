@@ -87,7 +87,8 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
     const bool moved = laid.carriage && laid.carriage->moved();
     const glm::dmat4 back = moved ? glm::inverse(laid.carriage->to_world) : glm::dmat4(1);
     for (const StripNode& node : laid.stroke_placement()->nodes)
-        rays.push_back(view.ray_to(glm::dvec3(back * glm::dvec4(node.p_world, 1))));
+        if (node.contact != Contact::missed) // beyond an edge it lies on nothing that is seen there
+            rays.push_back(view.ray_to(glm::dvec3(back * glm::dvec4(node.p_world, 1))));
     const std::vector<std::optional<Hit>> hits = scene.hits(rays, skip_back_faces);
     bool any = false;
     for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -101,7 +102,11 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
         any = true;
         if (is_sample) out.samples.back() = anchored(*hits[i], scene, support, host);
     }
-    if (!any) return {};
+    if (any) return out;
+    // What lies on nothing but the ground stays there, whatever is moved near it.
+    const bool on_ground = std::ranges::find(supports, 0, &Support::id) != supports.end();
+    if (!on_ground || out.hosts.empty()) return {};
+    out.samples.clear();
     return out;
 }
 

@@ -8,9 +8,11 @@
 namespace trivar {
 
 // What a stroke of an object belongs to as it lies now, so that it keeps its place: what its
-// samples' rays and those to the nodes of its strip meet carries it; the rest of what it may fall
-// on counts as AttachedHost says. The sketch is the object's, or one in the same space
-// (Carriage::sketch). Nothing: it lies nowhere, or nothing is met. O(number of samples and nodes).
+// samples' rays and those to the nodes of its strip meet carries it, but for what is seen
+// beyond an edge that the strip spans; the rest of what it may fall on counts as AttachedHost says.
+// What lies on the ground alone belongs to none of its hosts. The sketch is the object's, or one in
+// the same space (Carriage::sketch). Nothing: it lies nowhere, or nothing is met. O(number of
+// samples and nodes).
 std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketch& sketch,
                                         bool skip_back_faces);
 

@@ -9,13 +9,20 @@
 namespace trivar {
 namespace {
 
+// Whether the stroke lay on the ground and on no object when it was attached.
+bool is_on_ground_alone(const PlacementStep& step)
+{
+    return step.parameters.on_ground && step.attach->samples.empty() && !carries(*step.attach);
+}
+
 // Sets the transforms of the hosts in the space of the stroke, and the parts that it may fall on.
 void stand(Carriage& carriage, StrokeHosts& stroke, bool exact)
 {
     const glm::dmat4 back = glm::inverse(carriage.to_world);
     for (HostNow& now : stroke.hosts) {
         if (!now.object) continue;
-        now.unmoved = exact && alike(stroke, now.moved, carriage.to_world);
+        now.unmoved = exact && (now.moved == carriage.to_world ||
+                                alike(stroke, now.moved, carriage.to_world));
         now.own_to_drawn = now.unmoved ? now.stood : back * now.object->own_to_world;
         if (!now.unmoved && !now.host->touched) continue;
         for (Part part : now.parts) {
@@ -31,15 +38,16 @@ Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
 {
     Carriage out;
     out.sketch = step.sketch;
-    if (!stroke.main_host().object) {
+    const bool stays = is_on_ground_alone(step);
+    if (!stays && !stroke.main_host().object) {
         out.shown = false;
         out.notices.emplace_back("its host is not visible in this frame");
         return out;
     }
-    const HostMotion motion = motion_of(stroke);
+    const HostMotion motion = stays ? HostMotion{.exact = true} : motion_of(stroke);
     out.to_world = motion.to_world;
     stand(out, stroke, motion.exact);
-    carry_samples(out, stroke);
+    if (!stays) carry_samples(out, stroke);
     if (!out.moved()) // other objects are met only while nothing has moved
         for (const Ref<EvaluatedObject>& other : others)
             if (other)
@@ -62,7 +70,8 @@ Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& o
 Ref<Carriage> Carriages::operator()(const StepInput& input)
 {
     const std::optional<PlacementStep>& step = input.object.stroke;
-    if (!step || !step->attach || step->round || !carries(*step->attach)) return nullptr;
+    if (!step || !step->attach || step->round) return nullptr;
+    if (!carries(*step->attach) && !is_on_ground_alone(*step)) return nullptr;
     From from{*step, {}, {}};
     const auto done = [&](Id id) {
         const auto found = input.done.find(id);

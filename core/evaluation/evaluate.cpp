@@ -2,17 +2,22 @@
 #include "core/evaluation/evaluate.h"
 
 #include "core/base/digest.h"
+#include "core/base/mistake.h"
 #include "core/base/parallel.h"
 #include "core/base/recent.h"
+#include "core/base/rejected.h"
 #include "core/document/bases.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/far_places.h"
 #include "core/evaluation/inside_material.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/shapes.h"
 #include "core/evaluation/shown_volume.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <set>
+#include <typeinfo>
 
 namespace trivar {
 namespace {
@@ -22,7 +27,7 @@ namespace {
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
-    std::ranges::copy(bases_of(object(document, id)), std::back_inserter(out));
+    for (const BaseUse& each : bases_of(object(document, id))) out.push_back(each.base);
     return out;
 }
 
@@ -120,6 +125,45 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
     return result;
 }
 
+// The steps of one object that failed, where that is told.
+class Failures {
+public:
+    Failures(OnFailure on_failure, Id object) : on_failure_(on_failure), object_(object) {}
+
+    // Whether the work of that step came to its end.
+    template <class Work> bool without_failure(const char* step, Work&& work)
+    {
+        if (on_failure_ == OnFailure::pass_on) return work(), true;
+        try {
+            work();
+            return true;
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::exception& trouble) {
+            all_.push_back({object_, step, words_of(trouble), is_mistake(trouble)});
+            return false;
+        }
+    }
+    const std::vector<FailedStep>& all() const { return all_; }
+
+private:
+    OnFailure on_failure_;
+    Id object_;
+    std::vector<FailedStep> all_;
+};
+
+// The stage with notices of what failed.
+Stage told_of(const Stage& stage, const std::vector<FailedStep>& failed)
+{
+    Stage out = stage;
+    for (const FailedStep& each : failed) {
+        out.lacks.push_back(
+            fmt::format("{}. The step is kept, and the object is shown without it", each.words));
+        out.notices.push_back(out.lacks.back());
+    }
+    return out;
+}
+
 } // namespace
 
 struct Evaluator::Cache {
@@ -128,12 +172,15 @@ struct Evaluator::Cache {
         Ref<Shape> shape;
         Recent<Ref<Shape>, Ref<Stage>> begun;
         std::vector<std::unique_ptr<Step>> steps = all_steps();
+        Recent<std::pair<Ref<Stage>, std::vector<FailedStep>>, Ref<Stage>> told;
         Recent<std::pair<Ref<Stage>, std::optional<Surfacing>>, Ref<EvaluatedObject>> finished;
+        Recent<std::pair<Ref<EvaluatedObject>, glm::dvec3>, Ref<EvaluatedObject>> moved;
     };
-    Cache(Ref<AssetStore> store, ShutIncisions shut)
+    Cache(Ref<AssetStore> store, ShutIncisions shut, OnFailure manner)
         : assets(store),
           shapes(std::move(store)),
-          shut_incisions(shut)
+          shut_incisions(shut),
+          on_failure(manner)
     {
     }
     // Forgets what neither the document nor a kept result uses. An object that undo brings back is
@@ -150,10 +197,12 @@ struct Evaluator::Cache {
     RayMeshes ray_meshes;
     std::map<Id, ObjectCache> objects;
     ShutIncisions shut_incisions;
+    FarPlaces far_places;
+    OnFailure on_failure;
 };
 
-Evaluator::Evaluator(Ref<AssetStore> assets, ShutIncisions shut)
-    : cache_(std::make_unique<Cache>(std::move(assets), shut))
+Evaluator::Evaluator(Ref<AssetStore> assets, ShutIncisions shut, OnFailure on_failure)
+    : cache_(std::make_unique<Cache>(std::move(assets), shut, on_failure))
 {
 }
 
@@ -161,20 +210,35 @@ Evaluator::~Evaluator() = default;
 
 Evaluation Evaluator::operator()(const Document& still, double frame, const Progress& progress)
 {
-    const Document document = document_at(still, frame);
+    const Document far = document_at(still, frame);
     Evaluation result;
     std::map<Id, Ref<EvaluatedObject>> done;
-    const std::vector<Id> order = order_of(document);
+    std::vector<Id> order = order_of(far);
+    std::erase_if(
+        order, [&](Id id) { return std::holds_alternative<GroupShape>(object(far, id).source); });
+    std::map<Id, Failures> failed;
+    for (const Id id : order) {
+        const Ref<Object>& ref = far.objects.at(id);
+        Cache::ObjectCache& kept = cache_->objects[id];
+        Failures& failures = failed.try_emplace(id, cache_->on_failure, id).first->second;
+        if ((!kept.object || !kept.shape || kept.object->source != ref->source ||
+             kept.shape->empty()) && // a missing file may have come back
+            !failures.without_failure("its shape", [&] {
+                kept.shape = cache_->shapes(ref->source, result.timings, progress);
+            }))
+            kept.shape = make_ref(shape_of(make_ref(Model{})));
+        kept.object = ref;
+    }
+    const auto shape_of = [&](Id id) -> const Shape& { return *cache_->objects.at(id).shape; };
+    const auto laid = [&](Id id) { return object(far, id).stroke.has_value(); };
+    const FarPlaces::Near near = cache_->far_places(far, order, shape_of);
+    const Document& document = near.document;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Id id = order[i];
         const Ref<Object>& ref = document.objects.at(id);
-        if (std::holds_alternative<GroupShape>(ref->source)) continue;
         report(progress, static_cast<double>(i) / static_cast<double>(order.size()), ref->name);
-        Cache::ObjectCache& kept = cache_->objects[id];
-        if (!kept.object || !kept.shape || kept.object->source != ref->source ||
-            kept.shape->empty()) // a missing file may have come back
-            kept.shape = cache_->shapes(ref->source, result.timings, progress);
-        kept.object = ref;
+        Cache::ObjectCache& kept = cache_->objects.at(id);
+        Failures& failures = failed.at(id);
         const StepInput input{document,
                               id,
                               *ref,
@@ -186,11 +250,26 @@ Evaluation Evaluator::operator()(const Document& still, double frame, const Prog
                               *cache_->assets,
                               cache_->shut_incisions};
         Ref<Stage> stage = kept.begun(kept.shape, [&] { return make_ref(begun(kept.shape)); });
-        for (const std::unique_ptr<Step>& step : kept.steps) stage = (*step)(stage, input);
+        for (std::size_t k = 0; k < kept.steps.size(); ++k) {
+            Step& step = *kept.steps[k];
+            if (!failures.without_failure(typeid(step).name(), [&] { stage = step(stage, input); }))
+                kept.steps[k] = std::move(all_steps()[k]); // with nothing half-made
+        }
+        if (!failures.all().empty()) {
+            stage = kept.told({stage, failures.all()},
+                              [&] { return make_ref(told_of(*stage, failures.all())); });
+            std::ranges::copy(failures.all(), std::back_inserter(result.failed));
+        }
         const Ref<EvaluatedObject>& object = kept.finished(
             {stage, ref->surfacing}, [&] { return make_ref(finished(id, stage, *ref)); });
         done.emplace(id, object);
-        if (visible(document, id)) result.objects.emplace(id, object);
+        if (!visible(document, id)) continue;
+        const auto moved = near.moved_by.find(id);
+        result.objects.emplace(
+            id, moved == near.moved_by.end() ? object : kept.moved({object, moved->second}, [&] {
+                return make_ref(
+                    finished(id, make_ref(moved_on(*object, moved->second, id, laid)), *ref));
+            }));
     }
     cache_->forget_unused(document);
     return result;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/lattices.h"
 
+#include "core/base/number_text.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/standing.h"
 #include "core/evaluation/told_steps.h"
 #include "core/placement/box_volume.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -65,6 +67,14 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
         stage.placement = volume->placement;
         stage.shaped = volume;
         tell_of_steps(*volume, stage.notices);
+        constexpr double flat = 1e-4; // of the longest side
+        for (int axis = 0; axis < 3; ++axis)
+            if (lattice->size[axis] <
+                flat * std::max({lattice->size.x, lattice->size.y, lattice->size.z}))
+                stage.notices.push_back(
+                    fmt::format("it is flat along {}, so it bends nothing out of its plane; give "
+                                "it a size there",
+                                "XYZ"[axis]));
         return make_ref(std::move(stage));
     });
 }
@@ -99,7 +109,7 @@ void InLattices::tell_what_is_outside(const std::vector<BendingVolume>& volumes,
             notices.push_back(
                 fmt::format("{} of its {} points are outside of the tetrahedra that bend it, which "
                             "move them little or not at all",
-                            reach.outside, reach.points));
+                            with_commas(reach.outside), with_commas(reach.points)));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/placement/check.h"
 #include "core/placement/contact.h"
+#include "core/placement/depth_jumps.h"
 #include "core/placement/profile.h"
 #include "core/placement/sharp.h"
 #include "core/placement/sketch.h"
@@ -92,7 +93,7 @@ Curve<glm::dvec2> piece(const Curve<glm::dvec2>& curve, const std::array<double,
 class Builder {
 public:
     Builder(const Camera& camera, const PlacementParameters& parameters, const ModelFrame& frame,
-            const RayScene& scene, Timings& timings)
+            const RayScene& scene, Timings& timings, Jumps jumps)
         : camera_(camera),
           parameters_(parameters),
           frame_(frame),
@@ -100,6 +101,7 @@ public:
           timings_(timings),
           width_(parameters.width_profile)
     {
+        if (jumps == Jumps::bridged) jumps_.emplace(camera, scene, parameters.skip_back_faces);
     }
 
     StripLayout build(Curve<glm::dvec2> curve)
@@ -116,6 +118,7 @@ public:
             if (!measure(out)) break;
             cast(out, curve);
         }
+        if (jumps_) out.jumps = jumps_->found();
         if (parameters_.sharp) sharpen(out);
         relax(out, 4000, 1e-5);
         std::erase_if(out.features, [&](const SceneSample& f) { return !lies_at(out, f.uv); });
@@ -149,8 +152,13 @@ private:
     RayGrid middle_line(const Curve<glm::dvec2>& curve)
     {
         return timed(timings_, "rays", [&] {
-            return center_line(curve, 4 * parameters_.grid.x + 1, camera_, scene_,
-                               parameters_.skip_back_faces);
+            RayGrid line = center_line(curve, 4 * parameters_.grid.x + 1, camera_, scene_,
+                                       parameters_.skip_back_faces);
+            if (!jumps_) return line;
+            std::vector<glm::dvec2> points_px;
+            for (const double a : line.a) points_px.push_back(evaluate(curve, a).value);
+            jumps_->bridge(line, points_px);
+            return line;
         });
     }
 
@@ -194,8 +202,12 @@ private:
             for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
             out.strip = strip_round(curve, half_px_);
             out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);
+            std::vector<std::size_t> beyond;
+            if (jumps_) beyond = jumps_->bridge(out.grid, out.strip, center_);
+            if (out.grid.missed_share() < 1)
+                out.grid = filled(std::move(out.grid), parameters_.misses);
+            for (const std::size_t k : beyond) out.grid.hit[k] = 0;
             missed_ = out.grid.missed_share();
-            if (missed_ < 1) out.grid = filled(std::move(out.grid), parameters_.misses);
         });
     }
 
@@ -212,9 +224,9 @@ private:
     void check_misses(const StripLayout&) const
     {
         if (missed_ > most_missed)
-            throw Rejected(fmt::format("{:.0f} % of the model would have no surface beneath it; "
+            throw Rejected(fmt::format("{} of the model would have no surface beneath it; "
                                        "draw the stroke over an object or reduce the width",
-                                       100 * missed_));
+                                       percent_text(missed_)));
     }
 
     // Relaxes the nodes from their last positions; the tolerance is a share of the height.
@@ -386,6 +398,7 @@ private:
     const ModelFrame& frame_;
     const RayScene& scene_;
     Timings& timings_;
+    std::optional<DepthJumps> jumps_; // where they are bridged
     RayGrid center_;
     std::vector<double> along_, across_;  // wanted places of the nodes, as shares of the lengths
     std::vector<double> a_, v_;           // where on the strip that is
@@ -426,14 +439,15 @@ std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, d
 }
 
 StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
-                    const ModelFrame& frame, const RayScene& scene, Timings& timings)
+                    const ModelFrame& frame, const RayScene& scene, Timings& timings, Jumps jumps)
 {
     check(parameters);
     Curve<glm::dvec2> center =
         timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
     if (!parameters.skip_back_faces && sketch.camera.perspective)
         check_enclosed(sketch.camera, scene);
-    return Builder(sketch.camera, parameters, frame, scene, timings).build(std::move(center));
+    return Builder(sketch.camera, parameters, frame, scene, timings, jumps)
+        .build(std::move(center));
 }
 
 } // namespace trivar

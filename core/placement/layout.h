@@ -5,10 +5,15 @@
 
 namespace trivar {
 
+// What the strip does where its rays pass an edge and meet what is far behind: it goes down there,
+// or spans the gap on the surface that it lies on.
+enum class Jumps { followed, bridged };
+
 // Throws Rejected for a stroke that meets too little of the scene or nothing, and for sizes that do
-// not fit.
+// not fit. With bridged jumps also for one that leaves its surface and does not come back to it.
 StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
-                    const ModelFrame& frame, const RayScene& scene, Timings& timings);
+                    const ModelFrame& frame, const RayScene& scene, Timings& timings,
+                    Jumps jumps = Jumps::followed);
 
 // The middle line of the strip as rays see it, at `count` points; the membrane fills misses.
 RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,

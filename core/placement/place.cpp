@@ -35,15 +35,19 @@ bool pierced(const PlacementReport& r, const PlacementParameters& p)
     return r.penetration > p.lift_tolerance;
 }
 
+constexpr double far_off = 0.5; // share of the length: a longer gap is not bridged
+
 std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
-                                 const PlacementParameters& p)
+                                 const PlacementParameters& p, const std::vector<DepthJump>& jumps)
 {
     std::vector<std::string> out;
     if (r.missed_share > 0)
-        out.push_back(fmt::format("{:.0f} % of the model has no surface beneath it",
-                                  std::max(1.0, 100 * r.missed_share)));
-    constexpr double far_off = 0.5; // share of the length: a longer gap is not bridged
-    if (p.springs && r.largest_gap > far_off * r.length_world)
+        out.push_back(percent_text(std::max(0.01, r.missed_share)) +
+                      " of the model has no surface beneath it");
+    if (!jumps.empty())
+        out.push_back(fmt::format("the surface ends {} along the stroke; the model spans the gap",
+                                  percent_text(deepest(jumps).at)));
+    else if (p.springs && r.largest_gap > far_off * r.length_world)
         out.push_back(fmt::format("it hovers up to {} m above the surface; lower the "
                                   "stiffness, or let it drop into gaps",
                                   number_text(r.largest_gap, {.digits = 2})));
@@ -60,10 +64,8 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                   some(e.lowered, "one place", "places")));
     // If both occur, more control points help against one and worsen the other.
     if (pierced(r, p)) {
-        const double percent = 100 * r.penetration;
-        out.push_back(fmt::format("{} % of the height still penetrates the surface{}",
-                                  percent < 1 ? number_text(percent, {.digits = 1})
-                                              : fmt::format("{:.0f}", percent),
+        out.push_back(fmt::format("{} of the height still penetrates the surface{}",
+                                  percent_text(r.penetration),
                                   r.folds.empty() ? "; use more control points" : ""));
     }
     return out;
@@ -168,7 +170,7 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
         if (!(r.smallest_jacobian > 0))
             r.folds = fmt::format("the volume folds; use {}a wider turn or less height",
                                   pierced(r, parameters) ? "" : "fewer control points, ");
-        r.notices = notices(r, e, parameters);
+        r.notices = notices(r, e, parameters, layout.jumps);
         out.node_columns = contact.axes[1].count();
         out.nodes = nodes_of(layout, contact, e, parameters);
         return out;
@@ -182,12 +184,46 @@ std::vector<std::string> PlacementReport::all_notices() const
     return all;
 }
 
+namespace {
+
+constexpr double most_stretch = 4; // of a strip that goes down a cliff
+
+// Whether the volume is torn, as by surfaces of different depth.
+bool torn(const PlacementReport& r)
+{
+    return !r.folds.empty() || r.largest_stretch > most_stretch ||
+           r.largest_gap > far_off * r.length_world;
+}
+
+// The same stroke on one surface; nothing where it passes no edge.
+std::optional<Placement> bridged(const Sketch& sketch, PlacementParameters parameters,
+                                 const ModelFrame& frame, const RayScene& scene, Timings& timings)
+{
+    parameters.sharp = false;
+    const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings, Jumps::bridged);
+    if (layout.jumps.empty()) return {};
+    const DepthJump& jump = deepest(layout.jumps);
+    Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+    if (!out.report.folds.empty() || out.report.largest_stretch > 2 * most_stretch)
+        throw Rejected(
+            fmt::format("{:.0f} % along the stroke the edge of another surface, {:.2g} m {} it, "
+                        "lies within the "
+                        "model's width; draw further from it, or make the model narrower",
+                        100 * jump.at, std::abs(jump.depth), jump.depth > 0 ? "behind" : "before"));
+    return out;
+}
+
+} // namespace
+
 Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
                 const RayScene& scene, Timings& timings)
 {
     const ModelFrame frame = model_frame(parameters, model);
     const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
     Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+    if (parameters.bridge_jumps && torn(out.report))
+        if (auto on_one = bridged(sketch, parameters, frame, scene, timings))
+            return std::move(*on_one);
     if (!parameters.sharp) return out;
     // Not every sharp edge can be followed: if the volume would pierce the scene or fold, edges are
     // rounded.

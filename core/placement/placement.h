@@ -71,6 +71,9 @@ struct PlacementParameters {
     LengthAxis along = LengthAxis::x;
     bool sharp = false;     // the surface has the creases of the scene under it
     bool on_ground = false; // it falls on the ground too, the plane Z 0 of the world
+    // Where the strip would be torn by what its rays meet far behind an edge, it spans that on the
+    // surface before it. Strokes drawn before there was this follow every jump.
+    bool bridge_jumps = false;
     bool operator==(const PlacementParameters&) const = default;
 };
 
@@ -118,7 +121,8 @@ struct Placement {
 // Lays a volume along the stroke for a model with the given box: sketch fit, offsets, ray grid,
 // misses, springs, contact surface, lift, volume. The model's +x runs along the stroke, its +z
 // stands on the scene. Throws Rejected with a sentence that says what to do, for a click, a stroke
-// that leaves the picture or hits nothing, and sizes that are not positive. Pure; any number of
+// that leaves the picture or hits nothing, one that leaves its surface for another far behind where
+// jumps are bridged, and sizes that are not positive. Pure; any number of
 // threads gives the same bits. Schein 2006, chapter 2.
 Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
                 const RayScene& scene, Timings& timings);

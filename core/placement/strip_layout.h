@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/placement/depth_jumps.h"
 #include "core/placement/embed.h"
 #include "core/placement/gap.h"
 #include "core/placement/ray_grid.h"
@@ -22,7 +23,8 @@ struct StripLayout {
     double contact_share = 0;
     int spring_iterations = 0;
     int narrowed = 0;
-    std::vector<char> on_ridge{}; // #nodes or empty; 1: the node lies on an edge of the scene
+    std::vector<DepthJump> jumps{}; // in the middle line, that the strip spans
+    std::vector<char> on_ridge{};   // #nodes or empty; 1: the node lies on an edge of the scene
     std::vector<SceneSample> features{}; // points of oblique creases; the surface is drawn to them
 
     std::vector<glm::dvec3> points() const; // the nodes, on their springs

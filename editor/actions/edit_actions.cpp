@@ -8,6 +8,7 @@
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
+#include "editor/session/topics.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -30,15 +31,6 @@ std::vector<Id> deletable(Editor& e, const char* title)
         e.session.notices.say(ui::NoticeKind::warning, title,
                               "The selected objects are locked. Unlock them first.");
     return ids;
-}
-
-// Says, too, what becomes of what they carried.
-void delete_objects(Editor& e, const std::vector<Id>& ids)
-{
-    const Document before = e.session.committed();
-    if (!e.session.run(Delete{ids})) return;
-    const std::vector<std::string> lines = left_behind(before, e.session.committed());
-    if (!lines.empty()) e.session.notices.say_all(ui::NoticeKind::warning, "Deleted", lines);
 }
 
 void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
@@ -66,12 +58,7 @@ std::vector<Id> laid(const Editor& e, bool attached)
 
 void attach_selected(Editor& e)
 {
-    for (const Id id : laid(e, false)) {
-        const PlacementStep step = *object(e.session.document(), id).stroke;
-        const auto attachment = attachment_of(*e.session.evaluated().objects.at(id), step.sketch,
-                                              step.parameters.skip_back_faces);
-        if (attachment && !e.session.run(Attach{id, attachment})) return;
-    }
+    for (const Id id : laid(e, false)) attach_as_it_lies(e, id);
 }
 
 // Each stays where it is now, in the world.
@@ -115,6 +102,22 @@ void add_clipboard_actions(std::vector<Action>& a)
 }
 
 } // namespace
+
+void attach_as_it_lies(Editor& e, Id id)
+{
+    const PlacementStep step = *object(e.session.document(), id).stroke;
+    const auto laid = e.session.evaluated().objects.find(id);
+    const auto attachment =
+        laid == e.session.evaluated().objects.end()
+            ? std::nullopt
+            : attachment_of(*laid->second, step.sketch, step.parameters.skip_back_faces);
+    if (attachment)
+        e.session.run(Attach{id, attachment});
+    else
+        e.session.notices.say(ui::NoticeKind::warning,
+                              name_of(e.session.document(), id) + " lies on no object",
+                              "Draw a stroke over one, and it is attached to that.", of_a_step);
+}
 
 void add_edit_actions(std::vector<Action>& a)
 {

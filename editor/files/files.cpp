@@ -88,6 +88,9 @@ Files::Files(Session& session, Recovery& recovery)
       session_(&session),
       recovery_(&recovery)
 {
+    session.missing_remedies = {
+        {"Find...", [this] { ask_missing(); }},
+        {"Reload", [this] { read_anew(*session_, session_->not_shown()); }}};
 }
 
 bool Files::asking() const
@@ -215,6 +218,9 @@ void Files::ask_missing()
 {
     const std::vector<Id> missing = missing_files(*session_);
     if (!missing.empty()) return ask_relink(missing.front());
+    // What is not shown has its files again, and they were not looked at since.
+    if (const std::vector<Id> broken = session_->not_shown(); reads_files(*session_, broken))
+        return read_anew(*session_, broken);
     session_->notices.say(ui::NoticeKind::good, "No file is missing",
                           "All files that the scene uses were found.");
 }

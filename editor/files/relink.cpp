@@ -158,6 +158,11 @@ void relink(Session& session, Id object, const std::string& path)
     run_prepared(session, std::move(edits), path);
 }
 
+bool reads_files(const Session& session, const std::vector<Id>& objects)
+{
+    return std::ranges::any_of(objects, [&](Id id) { return !uses_of(session, id).empty(); });
+}
+
 void read_anew(Session& session, const std::vector<Id>& objects)
 {
     std::vector<Command> edits;

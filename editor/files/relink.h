@@ -24,6 +24,8 @@ NamedFile::Kind kind_to_relink(const Session& session, Id object);
 // taken from there as well, one step each.
 void relink(Session& session, Id object, const std::string& path);
 
+// Whether any of the objects is read from a file.
+bool reads_files(const Session& session, const std::vector<Id>& objects);
 // Accepts the present content of the files of these objects, as a job; others are not touched.
 void read_anew(Session& session, const std::vector<Id>& objects);
 

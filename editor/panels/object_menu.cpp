@@ -2,7 +2,9 @@
 #include "editor/panels/panels.h"
 
 #include "editor/actions/lattice_actions.h"
+#include "editor/actions/left_behind.h"
 #include "editor/actions/placement_actions.h"
+#include "editor/session/scene_facts.h"
 
 #include <imgui.h>
 #include <string_view>
@@ -118,6 +120,24 @@ void draw_add_menu(Editor& editor, const ui::Theme& theme)
     entries.push_back(&action(editor, "Import model..."));
     menu_item(editor, *entries.back());
     take_letter(editor, entries);
+    ImGui::EndPopup();
+}
+
+void draw_bind_menu(Editor& editor, const ui::Theme& theme)
+{
+    const MenuStyle style(theme);
+    auto& asked = editor.memory.of<BindChoice>();
+    if (std::exchange(asked.asked, false)) ImGui::OpenPopup("bind menu");
+    if (!ImGui::BeginPopup("bind menu")) return;
+    const BindChoice choice = asked; // the step may make another
+    const std::vector<Id> others = can_be_bound_to(editor, choice.dependents);
+    if (others.empty()) ImGui::MenuItem("There is no other object", nullptr, false, false);
+    for (const Id id : others) {
+        ImGui::PushID(id);
+        if (ImGui::MenuItem(name_of(editor.session.committed(), id).c_str()))
+            bind_to(editor, choice, id);
+        ImGui::PopID();
+    }
     ImGui::EndPopup();
 }
 

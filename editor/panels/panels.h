@@ -95,6 +95,8 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id); // of one that is
 void draw_volume_data(Editor& editor, const ui::Theme& theme,
                       Id id); // levels and how they are read
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
+// How objects with faces are shaded, all as one; the last of them is the active one.
+void draw_shading(Editor& editor, const ui::Theme& theme, const std::vector<Id>& ids);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
 void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
@@ -128,6 +130,8 @@ bool drop_tiles(Editor& editor, const std::vector<std::string>& paths);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for
+// The objects to which what used a deleted one can be bound; at the mouse, when it is asked for.
+void draw_bind_menu(Editor& editor, const ui::Theme& theme);
 
 // A row of the outliner; whether its menu is asked for.
 bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,

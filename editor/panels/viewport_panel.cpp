@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/panels/panels.h"
 
 #include "core/base/memory.h"
@@ -109,14 +110,13 @@ std::string drawn_words(const gpu::TileCounts& counts)
     if (counts.tiles == 0) return {};
     std::string levels;
     for (const std::size_t drawn : counts.by_level)
-        levels += (levels.empty() ? "" : " / ") + ui::with_commas(drawn);
+        levels += (levels.empty() ? "" : " / ") + with_commas(drawn);
     return fmt::format("{} of {} tiles seen, {} hidden, {} outside\n"
                        "{} of {} vertices\n"
                        "By level of detail: {}",
-                       ui::with_commas(counts.drawn), ui::with_commas(counts.tiles),
-                       ui::with_commas(counts.hidden), ui::with_commas(counts.outside()),
-                       ui::with_commas(counts.vertices), ui::with_commas(counts.all_vertices),
-                       levels);
+                       with_commas(counts.drawn), with_commas(counts.tiles),
+                       with_commas(counts.hidden), with_commas(counts.outside()),
+                       with_commas(counts.vertices), with_commas(counts.all_vertices), levels);
 }
 
 // That most of the scene is left out, and how it comes back.
@@ -213,7 +213,9 @@ void tell(ui::Notices& notices, const std::optional<std::string>& trouble, const
 {
     if (!trouble) return;
     notices.forget(title); // a topic of its own
-    if (!trouble->empty()) notices.say(ui::NoticeKind::error, title, *trouble, title);
+    if (trouble->empty()) return;
+    notices.say(ui::NoticeKind::error, title, *trouble, title);
+    notices.keep(title);
 }
 
 constexpr double patience_s = 0.25; // quick work does not flicker
@@ -223,7 +225,8 @@ ui::ProgressCard progress_card(const ui::Theme& theme, const FootCards& foot,
 {
     const ui::Rect across = ui::progress_place(theme, foot.view());
     const ui::Rect room = foot.above(across.lo.x, across.hi.x);
-    return ui::draw_progress(theme, room, what, stage, fraction);
+    const bool ends = fraction >= 1; // what was read is taken in
+    return ui::draw_progress(theme, room, what, ends ? "Finishing" : stage, ends ? -1 : fraction);
 }
 
 std::optional<ui::Rect> export_progress(Editor& editor, ui::Frame& frame, const FootCards& foot)
@@ -317,6 +320,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
             own ? own->name : "");
     }
     if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
+    if (session.committing() || tool.waits()) ui::hands().hold_back(input.hovered);
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||
@@ -371,6 +375,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     }
     draw_object_menu(editor, theme, viewport_menu);
     draw_add_menu(editor, theme);
+    draw_bind_menu(editor, theme);
     const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
     FootCards foot(view);
     if (editor.tutorial.runs(session))

@@ -20,8 +20,9 @@ namespace trivar {
 
 constexpr const char* of_missing = "what cannot be shown"; // the topic of a notice
 
-Session::Session(std::function<void()> wake, std::string unnamed_folder)
+Session::Session(std::function<void()> wake, std::string unnamed_folder, OnFailure on_failure)
     : wake_(std::move(wake)),
+      on_failure_(on_failure),
       unnamed_folder_(std::move(unnamed_folder)),
       jobs_(wake_),
       quiet_jobs_(wake_)
@@ -34,7 +35,7 @@ void Session::meet_document()
 {
     evaluator_.reset(); // before the store it reads from
     assets_ = std::make_shared<const AssetStore>(scene_.folder());
-    evaluator_ = std::make_unique<BackgroundEvaluator>(assets_, wake_);
+    evaluator_ = std::make_unique<BackgroundEvaluator>(assets_, wake_, on_failure_);
     check_.reset();
     asked_ticket_ = evaluated_ticket_ = 0;
     refresh();
@@ -53,21 +54,21 @@ void Session::refresh()
     std::erase_if(hidden_here, [&](Id id) { return !scene_.document().objects.contains(id); });
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
-    if (told_trouble_.empty())
-        notices.forget(of_saving); // it is on disk now
-    else
-        notices.say(ui::NoticeKind::error, "Not saved", told_trouble_, of_saving);
+    if (told_trouble_.empty()) return notices.forget(of_saving); // it is on disk now
+    notices.say(ui::NoticeKind::error, "Not saved", told_trouble_, of_saving);
+    notices.keep(of_saving);
 }
 
 long Session::submit(const Document& document)
 {
     frame_ = std::clamp(frame_, document.time.first_frame, document.time.last_frame);
+    be_at_work(true);
     return evaluator_->submit(document, frame_, deform_on_processor);
 }
 
 void Session::look_at_frame()
 {
-    now_ = document_at(scene_.document(), frame_);
+    replaced_.push_back(std::exchange(now_, document_at(scene_.document(), frame_)));
 }
 
 Command Session::said(const Command& command) const
@@ -242,7 +243,7 @@ std::string Session::try_run(const Command& command, const std::string& note)
 
 void Session::undo()
 {
-    check_.reset();
+    if (committing()) return cancel(); // the last thing done is what is still being looked at
     const Document before = committed();
     const std::vector<Id> were = selected.ids();
     attempt([&] { scene_.undo(); });
@@ -339,6 +340,7 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
 {
     const bool discarded = scene_.path().empty() && !scene_.as_opened();
     scene_ = std::move(scene);
+    notices.clear(); // of the scene before
     frame_ = scene_.document().time.first_frame;
     if (discarded && when_discarded) when_discarded();
     ++scenes_;
@@ -350,6 +352,7 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     ++evaluation_;
     told_trouble_.clear();
     opened_ = true;
+    take_back_deadly_steps();
     meet_document();
     const auto& kept_views = document().kept_views;
     const auto picture = kept_views.find("picture");
@@ -364,26 +367,35 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
         notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
 }
 
+std::vector<Id> Session::not_shown() const
+{
+    std::vector<Id> out;
+    for (const auto& [id, effects] : evaluated_.objects)
+        if (effects->shows_nothing() && !effects->placement && !effects->notices.empty())
+            out.push_back(id);
+    return out;
+}
+
 // A scene whose models are gone opens as an empty picture: say why, until they are found.
 void Session::tell_what_is_missing()
 {
-    std::vector<std::string> reasons;
-    for (const auto& [id, effects] : evaluated_.objects)
-        if (effects->shows_nothing() && !effects->placement && !effects->notices.empty())
-            reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
+    const std::vector<Id> ids = not_shown();
     const bool first = std::exchange(opened_, false); // else it was told
-    if (reasons.empty()) notices.forget(of_missing);
-    if (reasons.empty() || !first) return;
-    const std::size_t count = reasons.size();
+    if (ids.empty()) notices.forget(of_missing);
+    if (ids.empty() || !first) return;
+    const std::size_t count = ids.size();
     notices.say(ui::NoticeKind::error,
                 count == 1 ? "An object cannot be shown"
                            : std::to_string(count) + " objects cannot be shown",
-                reasons.front() + (count > 1 ? "; select one to see why in the inspector" : ""),
-                of_missing);
+                name_of(document(), ids.front()) + ": " +
+                    evaluated_.objects.at(ids.front())->notices.front() +
+                    (count > 1 ? "; select one to see why in the inspector" : ""),
+                of_missing, missing_remedies);
 }
 
 void Session::poll()
 {
+    replaced_.clear();
     jobs_.poll();
     quiet_jobs_.poll();
     if (auto result = evaluator_->poll()) {
@@ -394,6 +406,7 @@ void Session::poll()
             ++evaluation_;
         } else {
             check_.reset();
+            if (result->mistake) std::rethrow_exception(result->mistake);
             if (result->stopped)
                 notices.say(
                     ui::NoticeKind::warning, "Stopped", result->problem, of_a_step,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/life_sign.h"
 #include "core/scene/scene_file.h"
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
@@ -22,7 +23,7 @@ namespace trivar {
 class Session {
 public:
     // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.
-    Session(std::function<void()> wake, std::string unnamed_folder);
+    Session(std::function<void()> wake, std::string unnamed_folder, OnFailure on_failure = {});
 
     const SceneFile& scene() const { return scene_; }
     // The proposal's or else the committed one, with its values at the present frame.
@@ -48,8 +49,7 @@ public:
     void commit_if_placed(Id object);
     void cancel();
     bool run(const Command& command); // propose and commit
-    // Why the command was refused, without a notice; empty: it ran. The note is stored beside it in
-    // the scene.
+    // Why the command was refused; empty: it ran. The note is stored beside it in the scene.
     std::string try_run(const Command& command, const std::string& note = {});
     void undo();
     void redo();
@@ -57,8 +57,7 @@ public:
     // Goes to the branch of that number and to `count` of its steps; the steps in force from the
     // branch's beginning on become a branch themselves.
     void go_to_branch(std::size_t branch, std::size_t count);
-    // Shows another document in the picture and nowhere else, until the next change; null: ends
-    // that.
+    // Shows another document in the picture alone, until the next change; null: ends that.
     void preview(const Document* document);
     bool previewing() const { return previewed_.has_value(); }
     const Document& shown() const { return previewed_ ? *previewed_ : document(); }
@@ -66,9 +65,7 @@ public:
     void look_at_step(std::size_t position);
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
-    // A RefusedCommand is one that was refused in the present scene: shown in the log, not stored
-    // in the file.
-    struct RefusedCommand {
+    struct RefusedCommand {    // in the present scene: shown in the log, not stored in the file
         std::size_t after = 0; // lines of the file
         std::string line, why;
     };
@@ -77,18 +74,20 @@ public:
     // Replaces the scene; `offers` are actions for its notices. Selection and effects start anew.
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
     long scenes() const { return scenes_; } // number of scenes so far
-    // Where scenes without a name are kept; empty: in memory only.
     const std::string& unnamed_folder() const { return unnamed_folder_; }
     // Called when a scene without a name that holds work was replaced by another one.
     std::function<void()> when_discarded;
-    void save_as(const std::string& path);                                   // may throw Rejected
-    void save_compact(const std::string& path);                              // may throw Rejected
+    std::vector<ui::Notices::Action> missing_remedies; // of the notice that objects are not shown
+    std::vector<Id> not_shown() const;                 // objects that show nothing, and say why
+    void save_as(const std::string& path);             // may throw Rejected
+    void save_compact(const std::string& path);        // may throw Rejected
     std::string make_shapes_folder() { return scene_.make_shapes_folder(); } // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
-    void poll();                      // takes in what other threads finished; once a frame
+    void poll(); // takes in what other threads finished, once a frame; throws their mistakes
     void try_to_write(double time_s); // again every few seconds while steps are not on disk
     void follow_file(double time_s);  // takes up lines that others add to it, once per second
+    void be_at_work(bool in_frame);   // signs so; else only while the scene is evaluated
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
     Jobs& quiet_jobs() { return quiet_jobs_; } // work that nobody waits for, and without a card
@@ -124,27 +123,30 @@ private:
     void select_returned(const Document& before);
     void select_freed(const Document& before, const std::vector<Id>& were);
     void meet_document(); // the scene changed as a whole
+    void take_back_deadly_steps();
     template <class Change> bool attempt(Change&& change);
     bool try_propose(const Command& command, bool quietly);
     void refuse(const Command& command, const std::string& why);
 
     std::function<void()> wake_;
+    OnFailure on_failure_;
     std::string unnamed_folder_, told_trouble_;
     SceneFile scene_;
+    std::optional<LifeSign> life_sign_;
     double next_try_s_ = 0, next_look_s_ = 0;
     std::vector<RefusedCommand> refused_;
     bool opened_ = false, drafted_ = false; // not evaluated yet; evaluated with fewer samples
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_, quiet_jobs_;
-    long scenes_ = 0;
     Evaluation evaluated_;
     Timings timings_;
-    long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
+    long scenes_ = 0, evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;
     std::optional<Document> previewed_;
     int frame_ = Time{}.first_frame;
     Document now_;
+    std::vector<Document> replaced_; // in this frame, whose objects panels may still look at
 };
 
 } // namespace trivar

@@ -127,8 +127,9 @@ std::optional<EditPlacement> moved(const LaidStand& laid, const Motion& motion,
         return with_stroke(laid, turned_on(laid.ground, motion.angle_deg), laid.ground);
     if (motion.kind == MotionKind::scale) return grown_by_factors(laid, motion.factors);
     const MotionFrame own = laid.frame();
-    const glm::dvec3 by =
-        glm::transpose(own.axes) * (of.axes * motion.offset) / scale_of(laid.to_world);
+    glm::dvec3 by = glm::transpose(own.axes) * (of.axes * motion.offset) / scale_of(laid.to_world);
+    constexpr double rounding = 1e-12;
+    if (std::abs(by.z) < rounding * glm::length(by)) by.z = 0; // a slide lifts nothing
     const glm::dvec3 left = glm::cross(laid.ground.normal, laid.along);
     const Lift lift = lifted_by(laid, by.z);
     const double distance = glm::length(glm::dvec2(by));

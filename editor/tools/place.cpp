@@ -177,10 +177,12 @@ Command PlaceTool::command(const Session& session) const
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
         parameters.on_ground = on_ground_;
+        parameters.bridge_jumps = true;
         return Place{model_, drawn, std::move(parameters), bases_for_stroke(session, model_)};
     }
     // A new stroke for what was placed before keeps how it lies.
     EditPlacement edit{model_, model.stroke->parameters, drawn, bases_for_stroke(session, model_)};
+    edit.parameters.bridge_jumps = true;
     const auto laid = session.evaluated().objects.find(model_);
     const bool lies = laid != session.evaluated().objects.end() && laid->second->lies_on;
     if (!redrawing_) {
@@ -371,8 +373,9 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
     double radius_px = theme.px(6);
     // A band of the strip's width shows at once where the model will lie.
     if (placement && path.size() > 1) {
-        const glm::dvec3 end = placement->strip.front().empty() ? session.view.camera.target
-                                                                : placement->strip.front().back();
+        const auto& strip = placement->strip; // none: the box of a lattice that is not laid yet
+        const glm::dvec3 end = strip.empty() || strip.front().empty() ? session.view.camera.target
+                                                                      : strip.front().back();
         const double depth = std::max(1e-6, project(session.view.camera, end).depth_world);
         const double width = width_ > 0 ? width_ : placement->report.width_world;
         const double width_px = width / pixel_size_world(session.view.camera, depth);

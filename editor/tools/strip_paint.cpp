@@ -29,11 +29,11 @@ NodeLook shown(const ui::Theme& theme, NodeState state)
 {
     const ui::Palette& c = theme.color;
     switch (state) {
-    case NodeState::touches: return {"touches", c.stroke, 0.15f};
-    case NodeState::bridges: return {"spans a gap", c.free_node, 0.1f};
+    case NodeState::touches: return {"in contact", c.stroke, 0.15f};
+    case NodeState::bridges: return {"bridged", c.free_node, 0.1f};
     case NodeState::missed: return {"unsupported", c.axis_z, 0.3f};
     case NodeState::uneven: return {"stretched or squeezed", c.bad, 0.25f};
-    case NodeState::folds: return {"folds", c.bad_fill, 0.8f};
+    case NodeState::folds: return {"folded", c.bad_fill, 0.8f};
     }
     return {"", 0, 0};
 }
@@ -99,13 +99,18 @@ void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camer
     }
 }
 
+glm::vec2 strip_legend_at(const ui::Theme& theme, const ui::Rect& picture)
+{
+    // Under the buttons of navigation: below are notices, at the left what can be adjusted.
+    return {picture.hi.x - theme.px(196), picture.lo.y + theme.px(188)};
+}
+
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const Placement& placement)
 {
     std::array<std::size_t, 5> count{};
     for (const StripNode& node : placement.nodes)
         ++count.at(static_cast<std::size_t>(state_of(node)));
-    // Under the buttons of navigation: below are notices, at the left what can be adjusted.
-    glm::vec2 at{picture.hi.x - theme.px(196), picture.lo.y + theme.px(188)};
+    glm::vec2 at = strip_legend_at(theme, picture);
     for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
         const NodeLook state = shown(theme, static_cast<NodeState>(i));
@@ -113,7 +118,7 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
             100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
         ui::paint_chip(
             theme, at,
-            {fmt::format("{} {:.0f} %", state.words, std::max(1.0, share)), state.color});
+            {fmt::format("{:.0f} % {}", std::max(1.0, share), state.words), state.color});
         at.y += theme.px(28);
     }
 }

@@ -97,6 +97,7 @@ public:
     virtual void set_proportional(bool on) { (void)on; }
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
+    virtual bool waits() const { return false; }                // for what it is to work on
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy

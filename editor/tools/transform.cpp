@@ -74,9 +74,17 @@ bool TransformTool::awaits(const ui::Chord& chord) const
 void TransformTool::begin(Session& session)
 {
     refused_s_ = -1e9;
-    if (session.selected == 0 || session.committing()) return;
-    if (!handles_at(session)) return refuse(session);
+    if (session.selected == 0) return;
+    if (!handles_at(session) && !is_coming(session)) return refuse(session);
     beginning_ = by_key_ = true;
+}
+
+bool TransformTool::is_coming(const Session& session) const
+{
+    if (session.committing()) return true;
+    const auto found = session.document().objects.find(session.selected);
+    return found != session.document().objects.end() && found->second->stroke &&
+           !session.up_to_date() && !laid_stand(session);
 }
 
 void TransformTool::refuse(Session& session)
@@ -128,7 +136,11 @@ void TransformTool::use(Session& session, const ViewportInput& input)
 {
     outside_ = !input.hovered;
     const auto frame = gesture_ ? std::nullopt : handles_at(session);
-    if (beginning_ && frame) start(session, {frame->pivot, {}, input.mouse, input.scale});
+    if (beginning_ && is_coming(session)) return;
+    if (beginning_ && frame)
+        start(session, {frame->pivot, {}, input.mouse, input.scale});
+    else if (beginning_ && session.selected != 0)
+        refuse(session);
     beginning_ = false;
     if (!gesture_) {
         hovered_ = {};

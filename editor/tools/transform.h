@@ -29,6 +29,7 @@ public:
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || beginning_; }
+    bool waits() const override { return beginning_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
     void cancel(Session& session) override;
@@ -42,6 +43,8 @@ private:
     std::vector<HandleShape> handles(const Session& session, double scale) const;
     void start(const Session& session, Grasp grasp);
     void refuse(Session& session);
+    // Where the selected object lies is not known yet.
+    bool is_coming(const Session& session) const;
     // What the present motion asks for; nothing: the mouse is where nothing can lie.
     std::optional<Command> wanted(const Camera& camera) const;
     std::string amount(const Session& session) const;
@@ -58,9 +61,10 @@ private:
     std::optional<TransformGesture> gesture_;
     std::optional<LaidStand> laid_; // what the gesture moves, where it lies on a stroke
     bool by_key_ = false;           // a click ends the gesture, not a release
-    bool beginning_ = false;        // begun by its key, as soon as the place of the mouse is known
-    bool outside_ = false;          // the mouse is not over the picture
-    double refused_s_ = -1e9;       // when there was nothing to move, although axes may follow
+    // Begun by its key, as soon as it is known where the mouse is and where the objects lie.
+    bool beginning_ = false;
+    bool outside_ = false;    // the mouse is not over the picture
+    double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
     Handle hovered_;
     std::optional<Command> shown_; // the last proposal
 };

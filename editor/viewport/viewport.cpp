@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport/viewport.h"
 
-#include "core/base/rejected.h"
+#include "core/base/mistake.h"
 #include "editor/picture/limit_colors.h"
 #include "editor/picture/picture.h"
 #include "editor/session/volume_levels.h"
@@ -101,8 +101,9 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
                 renderer_->pick_near(glm::ivec2(input.mouse), curve_reach_px * frame.theme.scale);
         if (!can_be_picked(session.document(), input.under)) input.under = 0;
     }
-    input.seen_at = [this](glm::dvec2 p_px) {
-        return renderer_ && shown_ ? renderer_->pick(glm::ivec2(glm::floor(p_px))) : 0;
+    input.seen_at = [this, &session](glm::dvec2 p_px) { // the picture may be behind the document
+        const Id id = renderer_ && shown_ ? renderer_->pick(glm::ivec2(glm::floor(p_px))) : 0;
+        return session.document().objects.contains(id) ? id : 0;
     };
     input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
         if (!renderer_ || !shown_) return std::vector<Id>{};
@@ -118,15 +119,14 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     }
     input.down = left_down_;
     input.double_clicked = input.pressed && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    double time_s = frame.time_s;
-    for (const ui::Event& event : frame.events)
-        if (event.kind == ui::Event::Kind::move) {
-            time_s = event.time_s;
-            if (was_down && !input.pressed)
-                input.moves.push_back(
-                    {glm::dvec2(event.at) - glm::dvec2(rect.lo), event.time_s, 1});
-        }
-    if (input.pressed) input.moves.push_back({input.mouse, time_s, 1});
+    for (const ui::Event& event : frame.events) {
+        const bool move = event.kind == ui::Event::Kind::move;
+        if ((move || event.kind == ui::Event::Kind::button) && event.time_s >= 0)
+            hand_s_ = event.time_s;
+        if (move && was_down && !input.pressed)
+            input.moves.push_back({glm::dvec2(event.at) - glm::dvec2(rect.lo), event.time_s, 1});
+    }
+    if (input.pressed) input.moves.push_back({input.mouse, hand_s_, 1});
     input.wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
     navigate(session, input, drag);
     if (!tool.takes_wheel()) scroll(session, frame, input);
@@ -183,10 +183,11 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     try {
         trouble_.clear();
         draw_wanted(wanted, session, frame, helpers);
-    } catch (const Rejected& error) {
-        trouble_ = error.what();
+    } catch (const std::exception& error) {
         begun_.reset();
         shown_ = wanted; // it is not tried again till something is another
+        if (is_mistake(error)) throw;
+        trouble_ = words_of(error);
     }
     return texture();
 }

@@ -113,6 +113,7 @@ private:
     Move move_ = Move::none;
     glm::dvec3 anchor_{0};
     glm::dvec2 last_mouse_{0};
+    double hand_s_ = 0; // when the mouse last moved or a button did
     bool left_down_ = false;
 };
 

@@ -15,8 +15,8 @@ double random_number(std::mt19937& random, const Rule& rule)
 {
     constexpr double inf = std::numeric_limits<double>::infinity();
     if (random() % 12 == 0)
-        return pick(random,
-                    {std::nan(""), inf, -inf, 1e308, -1e308, 5e-324, -0.0, 0.0, rule.lo, rule.hi});
+        return pick(random, {std::nan(""), inf, -inf, 1e308, -1e308, 5e-324, -0.0, 0.0, rule.lo,
+                             rule.hi, 2.43e-17, -3e-5, 12345678.9});
     const double lo = std::max(rule.lo, -10.0), hi = std::min(rule.hi, 10.0);
     return lo + (hi - lo) * static_cast<double>(random()) / 4294967295.0;
 }
@@ -261,6 +261,7 @@ std::vector<Command> fitting_commands()
             SetVoxels{.object = 10, .shape = {.path = "head.nrrd", .blur = 2}},
             Unwrap{.objects = {1}, .unwrapping = {.method = UnwrapMethod::rigid}},
             ClearUnwrap{.objects = {1}},
+            Shade{.objects = {1}, .shading = {ShadingWay::by_angle, 20}},
             Split{.objects = {1}, .splitting = {.obstacles = {{2}}}},
             ClearSplit{.objects = {1}},
             CutThrough{.objects = {1}, .cutting = {.cuts = {{.point = {0, 0, 0.2}, .gap = 0.1}}}},
@@ -275,7 +276,8 @@ std::vector<Command> fitting_commands()
             PeelFlap{.object = 5, .flap = {.side_of_first = IncisionSide::right, .lift = 0.0425}},
             LayFlap{.object = 5, .number = 1},
             SetLineDrawing{{1}, {.paper = true, .more = {.suggestive = true}}},
-            ClearLineDrawing{{1}}};
+            ClearLineDrawing{{1}},
+            Bind{.objects = {8}, .from = {2}, .to = 1}};
 }
 
 Command random_command(std::mt19937& random)

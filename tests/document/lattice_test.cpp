@@ -386,5 +386,16 @@ TEST(Lattices, BendWhatIsFlat)
               0.01);
 }
 
+TEST(Lattices, SayAlongWhichAxisTheyAreTooFlatToBend)
+{
+    const auto notices = [](const glm::dvec3& size) {
+        const Document document = after(after(Document{}, AddPlane{}),
+                                        AddLattice{.objects = {1}, .shape = {.size = size}});
+        return testing::new_evaluator()(document, 1).objects.at(2)->notices;
+    };
+    EXPECT_THAT(notices({2, 2, 1e-9}), ::testing::Contains(::testing::HasSubstr("flat along Z")));
+    EXPECT_TRUE(notices({2, 2, 0.05}).empty());
+}
+
 } // namespace
 } // namespace trivar

@@ -81,7 +81,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Remove edit 1 of Tetrahedra",
         "Add Simplex sheet 2 × 2 m",
         "Degree of Simplex sheet 3",
-        "Twist Lattice 30°",
+        "Twist of Lattice 30°",
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
@@ -106,6 +106,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Remove level of Volume data",
         "Unwrap Table",
         "Give Table its own UVs back",
+        "Shade Table by angle 20°",
         "Split Table at Ball",
         "Close Table",
         "Cut through Table",
@@ -210,7 +211,7 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     moved.camera.eye.x += 1;
     moved.camera.target.x += 1;
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = moved, .onto = {}}),
-              "Move Pot over the surface");
+              "Slide Pot");
     Sketch grown = testing::small_sketch();
     grown.camera.eye += grown.camera.eye - grown.camera.target;
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = grown, .onto = {}}),
@@ -251,7 +252,7 @@ TEST(StepTitle, TellsATurnOnTheSurfaceFromAMoveOverIt)
                   fmt::format("Turn Pot on the surface {}°", angle));
     // About a middle that is not quite that of the stroke, and far from it: along a bend.
     EXPECT_EQ(said_of(turn_about({1.2, 2, 0}, 45)), "Turn Pot on the surface 45°");
-    EXPECT_EQ(said_of(turn_about({1, -6, 0}, 10)), "Move Pot over the surface");
+    EXPECT_EQ(said_of(turn_about({1, -6, 0}, 10)), "Slide Pot 1.4 m");
     // What stood in the way gave it another camera: where it met what it lies on tells.
     Sketch seen_anew = sketch;
     seen_anew.camera.perspective = !sketch.camera.perspective;

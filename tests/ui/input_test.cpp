@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/headless.h"
 #include "ui/keys.h"
+#include "ui/widgets.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -105,6 +106,80 @@ TEST(Input, SeesWhereADragEndedBeforeItEnds)
         screen.input().push(each);
     screen.frames(4, body);
     EXPECT_EQ(last_held, 100);
+}
+
+// A picture with a button beside it, on which the mouse rests.
+struct BesideAButton {
+    HeadlessFrames screen{{320, 120}};
+    int picture = 0, button = 0; // presses
+    std::vector<float> held_at;  // where the mouse was in each frame in which the picture was held
+    bool wait = false;
+
+    DrawFrame body()
+    {
+        return [this](Frame&) {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize({320, 120});
+            ImGui::Begin("all", nullptr, ImGuiWindowFlags_NoDecoration);
+            lower_area("picture", {{0, 0}, {200, 120}}, ImGuiButtonFlags_MouseButtonLeft);
+            const bool held = ImGui::IsItemActive();
+            picture += held && ImGui::IsMouseClicked(ImGuiMouseButton_Left) ? 1 : 0;
+            if (held) held_at.push_back(ImGui::GetIO().MousePos.x);
+            ImGui::SetCursorScreenPos({220, 20});
+            ImGui::InvisibleButton("button", {80, 80});
+            button += ImGui::IsItemActivated() ? 1 : 0;
+            if (wait) hands().hold_back(true);
+            ImGui::End();
+        };
+    }
+    void all_at_once(const std::vector<Event>& events)
+    {
+        for (const Event& each : events) screen.input().push(each);
+        screen.frames(6, body());
+    }
+    BesideAButton() { all_at_once({move_to({260, 60})}); }
+};
+
+TEST(Input, GivesAPressToWhatWasUnderTheMouseHoweverLateTheFrame)
+{
+    BesideAButton all;
+    all.all_at_once({move_to({60, 32}), press(Button::left), move_to({80, 32}), move_to({90, 32}),
+                     press(Button::left, false), move_to({260, 60}), press(Button::left),
+                     press(Button::left, false)});
+    all.screen.frames(4, all.body());
+    EXPECT_EQ(all.picture, 1);
+    EXPECT_EQ(all.button, 1);
+    ASSERT_FALSE(all.held_at.empty());
+    EXPECT_EQ(all.held_at.front(), 60);
+    EXPECT_EQ(all.held_at.back(), 90);
+}
+
+TEST(Input, HoldsPressesBackTillTheyHaveAnObject)
+{
+    BesideAButton all;
+    all.wait = true;
+    all.all_at_once({move_to({60, 32})});
+    all.all_at_once({press(Button::left), press(Button::left, false)});
+    EXPECT_EQ(all.picture, 0);
+    EXPECT_FALSE(all.screen.input().pending()) << "an idle window waits for it";
+    all.wait = false;
+    all.screen.frames(6, all.body());
+    EXPECT_EQ(all.picture, 1);
+}
+
+TEST(Input, HoldsNothingBackFromEsc)
+{
+    BesideAButton all;
+    all.wait = true;
+    all.screen.frames(1, all.body());
+    int escaped = 0;
+    all.screen.input().push(press_key('1'));
+    all.screen.input().push(press_key(key_escape));
+    all.screen.frames(4, [&](Frame& frame) {
+        escaped += struck({key_escape}) ? 1 : 0;
+        all.body()(frame);
+    });
+    EXPECT_EQ(escaped, 1);
 }
 
 } // namespace

@@ -88,6 +88,10 @@ template <> struct FieldsOf<PlacementParameters> {
               later.called("Edges").says("sharp", "rounded"));
         field("on_ground", p.on_ground, "whether it lies on the ground, too, the plane Z 0",
               later.called("Ground").says("lies on it", "passed over"));
+        field("bridge_jumps", p.bridge_jumps,
+              "what it does where the stroke passes an edge and meets what is far behind it: it "
+              "stays on the surface before the edge, or goes down there",
+              later.called("Depth jumps").says("bridged", "followed"));
     }
 };
 

@@ -22,11 +22,16 @@ using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style,
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field);
 
-// The rows of a plain material.
-ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> ids,
-                        Surfacing& surfacing);
+// The section of the materials of these objects, but of those that hold others.
+void draw_materials(Editor& editor, const ui::Theme& theme, std::vector<Id> ids);
+// How large they are, and of how much they are made.
+void shape_rows(const Session& session, const ui::Theme& theme, const std::vector<Id>& ids);
 
-inline constexpr const char* material_help = "use the file's materials, or override them with one";
+// A row for an object whose host was deleted, with the choice of another one.
+void bind_row(Editor& editor, const ui::Theme& theme, const char* label, Id id);
+
+// Whether far parts of the volume meet, as far as that is proven.
+void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject& placed);
 
 // Commits the proposal once no field is held any more; called every frame, after all panels.
 void finish_edit(Editor& editor);

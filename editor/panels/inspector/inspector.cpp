@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspect.h"
 
+#include "core/base/number_text.h"
 #include "core/document/parameters.h"
 #include "core/scene/log.h"
+#include "editor/actions/left_behind.h"
+#include "editor/actions/remedies.h"
 #include "editor/commands/clipboard.h"
 #include "editor/commands/new_material.h"
 #include "editor/panels/inspector/field_cells.h"
@@ -45,39 +48,66 @@ void object_card(const ui::Theme& theme, const Object& each)
     ui::gap(theme, 8);
 }
 
-// At the foot of the panel, where they do not move the fields that the hand is on. Returns the
-// height that they take.
-float draw_notices(const ui::Theme& theme, const ui::Rect& panel,
+// Whose notices are shown in full.
+struct UnfoldedNotices {
+    Id of = 0;
+};
+
+// At the foot of the panel, where they do not move the fields that the hand is on: the first of
+// them, and all once they are asked for. What one click can do about one is on a button. Returns
+// the height that they take.
+float draw_notices(Editor& editor, const ui::Theme& theme, const ui::Rect& panel, Id id,
                    const std::vector<std::string>& notices)
 {
+    if (notices.empty()) return 0;
+    constexpr std::size_t few = 2;
+    Id& unfolded = editor.memory.of<UnfoldedNotices>().of;
+    const std::size_t count = notices.size() <= few || unfolded == id ? notices.size() : 1;
     const float pad = theme.size.padding, line = theme.px(20), between = theme.px(4);
     const float indent = theme.px(24), width = panel.width() - 2 * pad - indent;
-    std::vector<std::vector<std::string>> texts;
+    const float button_height = theme.size.row + between;
+    struct Shown {
+        std::vector<std::string> lines;
+        std::optional<Remedy> remedy;
+    };
+    std::vector<Shown> shown;
     float height = 2 * theme.px(8) - between;
-    for (const std::string& notice : notices) {
-        texts.push_back(ui::wrapped(theme.font.body, ui::sentence(notice), width));
-        height += line * static_cast<float>(texts.back().size()) + between;
+    for (std::size_t i = 0; i < count; ++i) {
+        shown.push_back({ui::wrapped(theme.font.body, ui::sentence(notices[i]), width),
+                         remedy_of(editor.session.document(), id, notices[i])});
+        height += line * static_cast<float>(shown.back().lines.size()) + between;
+        if (shown.back().remedy) height += button_height;
     }
-    if (texts.empty()) return 0;
-    const float most = std::round(panel.height() * 0.4f);
-    const float shown = std::min(height, most);
-    const ui::Rect r = {{panel.lo.x, panel.hi.y - shown}, panel.hi};
+    if (notices.size() > few) height += button_height;
+    const float most = std::round(panel.height() * 0.4f), taken = std::min(height, most);
+    const ui::Rect r = {{panel.lo.x, panel.hi.y - taken}, panel.hi};
     begin_panel("inspector notices", r, theme.color.panel, height > most);
     ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, theme.color.line);
     float y = ImGui::GetCursorScreenPos().y + theme.px(8);
-    for (const auto& text : texts) {
+    const auto pressed = [&](const std::string& words) {
+        ImGui::SetCursorScreenPos({r.lo.x + pad + indent, y});
+        y += button_height;
+        return ui::button(theme, words, ui::ButtonKind::plain, {width, theme.size.row});
+    };
+    for (const Shown& each : shown) {
         ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad, y}, {indent, line}),
                        theme.color.warn, ui::icon::warning);
-        for (const std::string& words : text) {
+        for (const std::string& words : each.lines) {
             ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad + indent, y}, {width, line}),
                            theme.color.text_2, words);
             y += line;
         }
+        if (each.remedy && pressed(each.remedy->words)) editor.session.run(each.remedy->command);
         y += between;
     }
+    if (notices.size() > few &&
+        pressed(unfolded == id ? "Show one of them"
+                               : fmt::format("Show {} more", notices.size() - 1)))
+        unfolded = unfolded == id ? 0 : id;
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::Dummy({1, height});
     ImGui::End();
-    return shown;
+    return taken;
 }
 
 // Where an imported model comes from, and how smooth its cage is drawn.
@@ -102,48 +132,52 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     if (!ui::section(theme, "Shape")) return;
     if (const auto* file = std::get_if<ImportedFile>(&each.source))
         draw_file(editor, theme, *file, id);
-    const Session& session = editor.session;
-    const auto size_row = [&](const Box& box) {
-        const glm::dvec3 size = box.size();
-        ui::fact_row(theme, "Size",
-                     fmt::format("{} × {} × {} m", ui::short_number(size.x),
-                                 ui::short_number(size.y), ui::short_number(size.z)));
-    };
-    std::size_t faces = 0, vertices = 0, curves = 0, members = 0;
-    for (const auto& [each_id, effects] : session.evaluated().objects) {
-        if (!belongs_to(session.document(), each_id, id)) continue;
+    const Document& document = editor.session.document();
+    if (holds_others(each.source)) {
+        const auto inside = [&](const auto& other) {
+            return other.first != id && belongs_to(document, other.first, id);
+        };
+        ui::fact_row(
+            theme, "Objects",
+            with_commas(static_cast<std::size_t>(std::ranges::count_if(document.objects, inside))));
+    }
+    shape_rows(editor.session, theme, {id});
+    ui::gap(theme, 8);
+}
+
+} // namespace
+
+void shape_rows(const Session& session, const ui::Theme& theme, const std::vector<Id>& ids)
+{
+    const Document& document = session.document();
+    const Members members(document, ids);
+    std::size_t faces = 0, vertices = 0, curves = 0;
+    for (const auto& [id, effects] : session.evaluated().objects) {
+        if (!members.contain(id)) continue;
         for (const Part& part : effects->parts) {
             faces += part.face_count();
             vertices += part.vertex_count();
         }
         for (const CurvePart& part : effects->curves) curves += part.curves->line_count();
     }
-    if (holds_others(each.source)) {
-        for (const auto& [each_id, ref] : session.document().objects)
-            members += each_id != id && belongs_to(session.document(), each_id, id) ? 1 : 0;
-        ui::fact_row(theme, "Objects", ui::with_commas(members));
-    }
-    if (vertices + curves == 0) {
-        Box seen; // of volume data that are shown by lines and rays alone
-        for (const glm::dvec3& p : points_of(session, {id})) seen.add(p);
-        if (!seen.empty())
-            size_row(seen);
-        else
-            ui::fact_row(theme, "Size",
-                         !visible(session.document(), id) ? "hidden"
-                         : holds_others(each.source)      ? "nothing to see"
-                                                          : "not there yet");
-        ui::gap(theme, 8);
-        return;
-    }
-    size_row(bounds_of(session, id));
-    ui::fact_row(theme, "Faces", ui::with_commas(faces));
-    ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
-    if (curves > 0) ui::fact_row(theme, "Curves", ui::with_commas(curves));
-    ui::gap(theme, 8);
+    Box box;
+    if (vertices + curves > 0)
+        box = bounds_of(session, ids);
+    else // of volume data that are shown by lines and rays alone
+        for (const glm::dvec3& p : points_of(session, ids)) box.add(p);
+    const glm::dvec3 size = box.size();
+    const auto is_seen = [&](Id id) { return visible(document, id); };
+    const auto holds = [&](Id id) { return holds_others(object(document, id).source); };
+    ui::fact_row(theme, "Size",
+                 !box.empty() ? fmt::format("{} × {} × {} m", number_text(size.x),
+                                            number_text(size.y), number_text(size.z))
+                 : std::ranges::none_of(ids, is_seen) ? "hidden"
+                 : std::ranges::all_of(ids, holds)    ? "nothing to see"
+                                                      : "not there yet");
+    ui::fact_row(theme, "Faces", with_commas(faces));
+    ui::fact_row(theme, "Vertices", with_commas(vertices));
+    ui::fact_row(theme, "Curves", with_commas(curves));
 }
-
-} // namespace
 
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field)
@@ -171,6 +205,17 @@ void copy_command(Editor& editor, const Command& command)
     ImGui::SetClipboardText(command_line(command).c_str());
     editor.session.notices.say(ui::NoticeKind::good, "The command was copied",
                                "Paste it into the field of the log to run it.", of_clipboard);
+}
+
+void bind_row(Editor& editor, const ui::Theme& theme, const char* label, Id id)
+{
+    const std::vector<Id> others = can_be_bound_to(editor, {id});
+    std::vector<std::string> names{"(deleted)"};
+    for (const Id other : others) names.push_back(name_of(editor.session.document(), other));
+    const ui::Row at = ui::label_row(theme, label, false, "choose what takes its place");
+    int chosen = 0;
+    if (ui::choice(theme, label, chosen, names, at.width) == ui::Edit::changed && chosen > 0)
+        editor.session.run(Bind{{id}, {}, others[static_cast<std::size_t>(chosen - 1)]});
 }
 
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command)
@@ -222,14 +267,19 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
     fields(&Transform::scale);
     const ui::Row row = ui::label_row(theme, "Uniform scale", false, "one factor along X, Y and Z");
     double uniform = t.scale.x;
+    const bool mixed = t.scale != glm::dvec3(uniform);
     const ui::Edit one =
-        ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);
+        ui::number_field(theme, "uniform", uniform,
+                         {.lo = 1e-6, .hi = 1e6, .words = mixed ? "mixed" : ""}, row.width);
     if (one == ui::Edit::changed) t.scale = glm::dvec3(uniform);
     rows.take(one);
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] { return SetTransform{id, t}; });
 }
 
+namespace {
+
+// The rows of a plain material.
 ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> ids, Surfacing& s)
 {
     const KeyGutter keys(editor, std::move(ids));
@@ -241,34 +291,47 @@ ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> 
                 {"below 100 % what is behind shows through", std::string("material.base_color.w")});
     s.base_color.a = static_cast<float>(opacity / 100);
     fields(&Surfacing::filling);
-    if (s.filling == Filling::none) { // the others have their own
+    ui::rows_if(theme, s.filling == Filling::none, "Solid textures have their own.", [&] {
         fields(&Surfacing::metallic);
         fields(&Surfacing::roughness);
-    }
+    });
     fields(&Surfacing::glow);
     return rows.edit;
 }
 
+} // namespace
+
+void draw_materials(Editor& editor, const ui::Theme& theme, std::vector<Id> ids)
+{
+    const auto& objects = editor.session.document().objects;
+    std::erase_if(ids, [&](Id id) { return holds_others(objects.at(id)->source); });
+    if (ids.empty() || !ui::section(theme, "Material")) return;
+    const Ref<Object> active = objects.at(ids.back()); // edits replace it while we read
+    const bool same = std::ranges::all_of(
+        ids, [&](Id id) { return objects.at(id)->surfacing == active->surfacing; });
+    const bool original = !active->surfacing.has_value();
+    const auto use = [&](bool theirs, const Surfacing& surfacing) {
+        return theirs ? Command(ClearMaterial{ids}) : SetMaterial{ids, surfacing};
+    };
+    Surfacing s = active->surfacing.value_or(new_material);
+    bool now = original;
+    ui::label_row(theme, "Use", false, "use the file's materials, or override them with one");
+    const ui::Edit turned = ui::check_box(theme, "own", now, "original materials");
+    if (ids.size() > 1) ui::fact_row(theme, "Values", same ? "equal" : "mixed");
+    ui::Edit edit = ui::Edit::none;
+    ui::rows_if(theme, !original, "The original materials are used.",
+                [&] { edit = draw_surfacing(editor, theme, ids, s); });
+    ui::gap(theme, 8);
+    if (turned == ui::Edit::copied) return copy_command(editor, use(now, s));
+    if (turned == ui::Edit::changed)
+        editor.session.run(use(now, new_material));
+    else
+        propose_edit(editor, edit, [&] { return use(false, s); });
+}
+
 void draw_material(Editor& editor, const ui::Theme& theme, Id id)
 {
-    const Object& each = object(editor.session.document(), id);
-    if (holds_others(each.source)) return;
-    if (!ui::section(theme, "Material")) return;
-    bool own = !each.surfacing.has_value();
-    ui::label_row(theme, "Use", false, material_help);
-    const ui::Edit use = ui::check_box(theme, "own", own, "original materials");
-    if (use == ui::Edit::copied && own) copy_command(editor, ClearMaterial{{id}});
-    if (use == ui::Edit::copied && !own) copy_command(editor, SetMaterial{{id}, *each.surfacing});
-    if (use == ui::Edit::changed && own) editor.session.run(ClearMaterial{{id}});
-    if (use == ui::Edit::changed && !own) editor.session.run(SetMaterial{{id}, new_material});
-    if (own || use == ui::Edit::changed) {
-        ui::gap(theme, 8);
-        return;
-    }
-    Surfacing s = *each.surfacing;
-    const ui::Edit edit = draw_surfacing(editor, theme, {id}, s);
-    ui::gap(theme, 8);
-    propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
+    draw_materials(editor, theme, {id});
 }
 
 void draw_picture_settings(Editor& editor, const ui::Theme& theme)
@@ -297,7 +360,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     ui::Rect fields = layout.inspector;
     const auto effects = editor.session.evaluated().objects.find(id);
     if (effects != editor.session.evaluated().objects.end())
-        fields.hi.y -= draw_notices(theme, layout.inspector, effects->second->notices);
+        fields.hi.y -= draw_notices(editor, theme, layout.inspector, id, effects->second->notices);
     begin_panel("inspector", fields, theme.color.panel, true);
     ui::offer_commands();
     if (editor.panel == Editor::Panel::dock && editor.show_focus && !ImGui::IsAnyItemActive() &&

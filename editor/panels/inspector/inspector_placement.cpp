@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
+#include "core/commands/step_title.h"
 #include "core/placement/embed.h"
+#include "editor/actions/edit_actions.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/height_map_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/profile_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/tools/place_round.h"
-#include "editor/words/share_words.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -16,34 +19,68 @@ namespace {
 
 using PlacementRows = FieldRows<PlacementParameters>;
 
-std::string percent(double share)
+void report_rows(const ui::Theme& theme, const Placement& placement)
 {
-    return fmt::format("{:.0f} %", share * 100);
-}
-
-void report_rows(const ui::Theme& theme, const PlacementReport& r)
-{
+    const PlacementReport& r = placement.report;
     const auto row = [&](const char* label, const std::string& value, const char* help,
                          ui::Color color = 0) { ui::fact_row(theme, label, value, color, help); };
     row("Length", ui::short_number(r.length_world) + " m", "of the middle of the strip");
-    row("On the scene", percent(r.contact_share) + " of the nodes",
-        "share of the contact surface that touches the scene; the rest spans gaps");
-    row("Missed", percent(r.missed_share) + " of the rays",
-        "share of the rays through the strip that met no surface");
+    row("Contact", percent_text(r.contact_share),
+        "share of the contact surface that touches the scene; the rest is bridged");
+    row("No surface", percent_text(r.missed_share),
+        "share of the contact surface with nothing beneath it");
     row("Largest gap", ui::short_number(r.largest_gap) + " m",
         "largest distance from the contact surface down to the scene");
     // Above one and a half a pattern is seen to be drawn out.
-    row("Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
+    row("Stretch",
+        fmt::format("up to {}x lengthwise", number_text(r.largest_stretch, {.digits = 2})),
         "how much the model is stretched at most", r.largest_stretch > 1.5 ? theme.color.warn : 0);
-    if (r.narrowed > 0)
-        row("Pinched", fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "place" : "places"),
-            "places where the turn is too tight, so the model is pinched", theme.color.warn);
+    row("Pinched",
+        r.narrowed > 0 ? fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "place" : "places")
+                       : "nowhere",
+        "places where the turn is too tight, so the model is pinched",
+        r.narrowed > 0 ? theme.color.warn : theme.color.good);
     const bool through = r.penetration > 1e-3;
-    row("Penetration", r.penetration <= 0 ? "none" : share_words(r.penetration) + " of height",
+    row("Penetration", r.penetration <= 0 ? "none" : percent_text(r.penetration) + " of height",
         "how deep the scene reaches into the volume at most", through ? theme.color.warn : 0);
-    const bool folds = r.smallest_jacobian <= 0;
-    row("Folds", folds ? "yes, at a node" : "none", "places where the volume is turned inside out",
-        folds ? theme.color.bad : theme.color.good);
+    const auto folds = std::ranges::count(placement.nodes, true, &StripNode::folds);
+    row("Folds", folds == 0 ? "none" : fmt::format("{} {}", folds, folds == 1 ? "place" : "places"),
+        "places where the volume is turned inside out",
+        folds == 0 ? theme.color.good : theme.color.bad);
+}
+
+// What carries it, or that nothing does, with the remedy.
+void carried_rows(Editor& editor, const ui::Theme& theme, Id id, const PlacementStep& step)
+{
+    const Document& document = editor.session.document();
+    if (step.onto.empty()) {
+        if (!step.parameters.on_ground) bind_row(editor, theme, "Lies on", id);
+        return;
+    }
+    if (!step.attach) {
+        const ui::Row at = ui::label_row(theme, "Not attached", false,
+                                         "it stays in the world where the objects under it move");
+        if (ui::button(theme, "Attach", ui::ButtonKind::plain, {at.width, theme.size.row}))
+            attach_as_it_lies(editor, id);
+        return;
+    }
+    std::vector<Id> hosts;
+    for (const AttachedHost& host : step.attach->hosts)
+        if (host.touched) hosts.push_back(host.object);
+    ui::fact_row(theme, "Attached",
+                 hosts.empty() ? "to the ground" : "to " + names_in(document, hosts),
+                 theme.color.text_2, "it goes with what carries it");
+}
+
+// What the two ends of the bar above mean.
+void ends_row(const ui::Theme& theme, const char* low, const char* high)
+{
+    const ui::Row row = ui::label_row(theme, "");
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ui::Rect place = ui::rect_at({at.x, at.y - theme.px(4)}, {row.width, theme.px(16)});
+    ui::paint_text(theme.font.small, place, theme.color.text_3, low);
+    ui::paint_text(theme.font.small, place, theme.color.text_3, high, ui::Align::right);
+    ImGui::Dummy({1, theme.px(12)});
 }
 
 void volume_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p, bool round,
@@ -70,21 +107,25 @@ void volume_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p,
                               p.height_map, chosen.map));
     profile(&P::rise_profile, height, c.contact, ProfileKind::rise, chosen.rise);
     fields(&P::contact_level);
-    if (!round) fields(&P::offset); // there is no camera to extrude toward
+    if (!round) { // else there is no view to rise toward
+        fields(&P::offset);
+        ends_row(rows.theme, "toward the view", "along the normals");
+    }
     fields(&P::grid);
     fields(&P::orders);
 }
 
-void spring_rows(PlacementRows& fields, const PlacementParameters& p)
+void spring_rows(const ui::Theme& theme, PlacementRows& fields, const PlacementParameters& p)
 {
     using P = PlacementParameters;
     fields(&P::springs);
-    if (!p.springs) return;
-    fields(&P::stiffness);
-    fields(&P::bending);
-    fields(&P::neighborhood);
-    fields(&P::roughness_deg);
-    fields(&P::free_ends);
+    ui::rows_if(theme, p.springs, "The springs are off.", [&] {
+        fields(&P::stiffness);
+        fields(&P::bending);
+        fields(&P::neighborhood);
+        fields(&P::roughness_deg);
+        fields(&P::free_ends);
+    });
 }
 
 void fit_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p)
@@ -117,6 +158,7 @@ void contact_rows(PlacementRows& fields)
     using P = PlacementParameters;
     fields(&P::on_ground);
     fields(&P::misses);
+    fields(&P::bridge_jumps);
     fields(&P::sharp);
     fields(&P::clearance);
     fields(&P::lift_tolerance);
@@ -139,7 +181,7 @@ void level_row(Editor& editor, ValueRows& rows, Id id)
     ValueRows own{rows.theme, rows.keys};
     own.number("Level", *now->level, 0, {.lo = -1e6, .hi = 1e6, .unit = "m"},
                {"where along the axis of the body it goes round",
-                std::vector<std::string>{"placement.round.level"}});
+                std::vector<std::string>{"placement.level"}});
     propose_edit(editor, own.edit, [&] { return round_command(editor.session, *now); });
 }
 
@@ -165,16 +207,21 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         }
         ImGui::PopID();
     };
+    if (!round) carried_rows(editor, theme, id, *each.stroke);
     part("Volume", true, [&] {
         if (round) level_row(editor, rows, id);
         volume_rows(rows, fields, p, round, placement ? &placement->report : nullptr, editor);
     });
-    if (!round) part("Springs", true, [&] { spring_rows(fields, p); });
+    if (!round) part("Springs", true, [&] { spring_rows(theme, fields, p); });
     part("Fit", true, [&] { fit_rows(rows, fields, p); });
     if (!round) part("Contact", false, [&] { contact_rows(fields); });
     draw_travel(editor, theme, {id});
     draw_refinement(editor, theme, {id});
-    if (placement) part("Checks", true, [&] { report_rows(theme, placement->report); });
+    if (placement)
+        part("Checks", true, [&] {
+            report_rows(theme, *placement);
+            overlap_row(editor, theme, *effects->second);
+        });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
+#include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/words/volume_words.h"
 #include "ui/icons.h"
@@ -76,20 +78,6 @@ void verdict_row(const ui::Theme& theme, const CellVerdicts* verdicts)
     tell(allowed ? "only where allowed, proven" : "nowhere, proven", theme.color.good);
 }
 
-// Null where it is not known yet.
-void overlap_row(const ui::Theme& theme, const Overlap* overlap)
-{
-    const auto tell = [&](const std::string& words, ui::Color color) {
-        ui::fact_row(theme, "Overlap", words, color,
-                     "whether far parts of the volume meet, as far as that is proven");
-    };
-    if (!overlap) return tell("being looked for", theme.color.text_2);
-    if (overlap->verdict == Verdict::proven_good) return tell("nowhere, proven", theme.color.good);
-    if (overlap->verdict == Verdict::unknown) return tell("not known", theme.color.warn);
-    const glm::dvec3 &a = overlap->one, &b = overlap->other;
-    tell(fmt::format("{:.0f} % along meets {:.0f} %", 100 * a.x, 100 * b.x), theme.color.bad);
-}
-
 // In how many parts it may fold, with a button that takes that back.
 void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t parts)
 {
@@ -108,6 +96,22 @@ void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t 
 
 } // namespace
 
+void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject& placed)
+{
+    const auto tell = [&](const std::string& words, ui::Color color) {
+        ui::fact_row(theme, "Crosses itself", words, color,
+                     "whether far parts of the volume meet, as far as that is proven");
+    };
+    // Not of every moment of a drag.
+    const Overlap* overlap =
+        editor.session.proposing() ? nullptr : editor.viewport.volume_facts().overlap(placed);
+    if (!overlap) return tell("being looked for", theme.color.text_2);
+    if (overlap->verdict == Verdict::proven_good) return tell("nowhere, proven", theme.color.good);
+    if (overlap->verdict == Verdict::unknown) return tell("not known", theme.color.warn);
+    const glm::dvec3 &a = overlap->one, &b = overlap->other;
+    tell(fmt::format("{} along meets {}", percent_text(a.x), percent_text(b.x)), theme.color.bad);
+}
+
 void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
 {
     Session& session = editor.session;
@@ -119,8 +123,7 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     VolumeFacts& facts = editor.viewport.volume_facts();
     const CellVerdicts* verdicts = facts.verdicts(*found->second);
     verdict_row(theme, verdicts);
-    // Not of every moment of a drag.
-    overlap_row(theme, session.proposing() ? nullptr : facts.overlap(*found->second));
+    if (box) overlap_row(editor, theme, *found->second); // of a stroke it is among the checks
     if (const Ref<ShapedVolume>& shaped = found->second->shaped;
         shaped && !shaped->volume->may_fold.empty())
         allowance_row(session, theme, id, shaped->volume->may_fold.size());
@@ -136,31 +139,26 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     const auto done = [&](std::size_t i) { // a proposal may be ahead of what was evaluated
         return shaped && i < shaped->steps.size() ? shaped->steps[i] : Shaping{};
     };
-    const float edge = theme.px(12); // as rows have it
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const float side = theme.size.row;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float width = ImGui::GetContentRegionAvail().x - side - theme.px(8);
         ImGui::PushID(static_cast<int>(i));
-        ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
-                      theme.color.text_2,
-                      fmt::format("{}  {}", i + 1, words_of(*steps[i], box, done(i))));
-        ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
-        if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
-                            {"Remove this step", {}, "The other steps stay."}))
+        if (ui::list_row(theme,
+                         {.name = fmt::format("{}  {}", i + 1, words_of(*steps[i], box, done(i))),
+                          .color = theme.color.text_2},
+                         {{"take back",
+                           ui::icon::trash,
+                           {"Remove this step", {}, "The other steps stay."}}}))
             session.run(Unshape{id, {static_cast<int>(i) + 1}});
-        ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
-        ImGui::Dummy({1, 0});
         ImGui::PopID();
     }
     ui::gap(theme, 4);
-    if (verdicts && !verdicts->good()) {
+    const bool folds = verdicts && !verdicts->good();
+    ui::rows_if(theme, folds, "It folds nowhere.", [&] {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::SetCursorScreenPos({at.x + edge, at.y});
+        ImGui::SetCursorScreenPos({at.x + theme.size.padding, at.y});
         if (ui::button(theme, mend_action, ui::ButtonKind::primary, {theme.px(160), 0},
                        ui::icon::guard, key_text(action(editor, mend_action))))
             action(editor, mend_action).run(editor);
-    }
+    });
     ui::gap(theme, 8);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_tiles.h"
 
+#include "core/base/number_text.h"
 #include "core/commands/mix_tiles.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
@@ -62,18 +63,22 @@ void draw_cover(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
     ValueRows rows{theme, &keys};
     FieldRows<TileCover> fields(rows, cover, "tiles.cover");
     fields(&TileCover::pattern);
-    if (cover.pattern == TilePattern::texture) {
+    const bool covers = cover.pattern != TilePattern::none,
+               by_texture = cover.pattern == TilePattern::texture;
+    ui::rows_if(theme, by_texture, "Only for the pattern Texture.", [&] {
         fields(&TileCover::columns);
         fields(&TileCover::rows);
-    } else if (cover.pattern != TilePattern::none) {
+    });
+    ui::rows_if(theme, covers && !by_texture, "Only for patterns of cells.", [&] {
         fields(&TileCover::size);
         fields(&TileCover::per_face);
-    }
-    if (cover.pattern != TilePattern::none) {
+        fields(&TileCover::even_height);
+    });
+    ui::rows_if(theme, covers, "There is no pattern.", [&] {
         fields(&TileCover::height_variation);
-        if (cover.pattern != TilePattern::texture) fields(&TileCover::even_height);
-        if (cover.height_variation > 0) fields(&TileCover::seed);
-    }
+        ui::rows_if(theme, cover.height_variation > 0, "The heights do not vary.",
+                    [&] { fields(&TileCover::seed); });
+    });
     // The first time, tiles get a size that fits what they cover.
     if (tiling.cover == TileCover{} && cover.pattern != TilePattern::none)
         if (const double length = usual_tile_length(editor.session, tiling.base); length > 0)
@@ -89,8 +94,9 @@ bool has_stroke_of(const Tiling& tiling, TileBrush brush)
 
 void limit_row(const ui::Theme& theme, double limit)
 {
-    if (!std::isfinite(limit)) return;
-    ui::fact_row(theme, "Fold limit", ui::short_number(limit) + " x", theme.color.text,
+    const bool any = std::isfinite(limit);
+    ui::fact_row(theme, "Fold limit", any ? ui::short_number(limit) + " x" : "none",
+                 any ? theme.color.text : theme.color.text_3,
                  "the height up to which no tile folds, as the base is bent now; a drag of the "
                  "height stops there, and goes on if you pull further");
 }
@@ -111,6 +117,8 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         base != session.document().objects.end())
         ui::fact_row(theme, tiling.strokes.empty() ? "Covers" : "Painted on", base->second->name,
                      theme.color.text, "the object that carries the tiles");
+    else
+        bind_row(editor, theme, tiling.strokes.empty() ? "Covers" : "Painted on", id);
     TileLook look = tiling.look;
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
@@ -139,12 +147,12 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
     fields(&TileLook::growth);
     fields(&TileLook::growth_softness);
     fields(&TileLook::wave);
-    if (look.wave != 0) {
+    ui::rows_if(theme, look.wave != 0, "Wave is 0.", [&] {
         fields(&TileLook::wave_phase);
         fields(&TileLook::wave_length);
         fields(&TileLook::wave_direction);
         fields(&TileLook::wave_variation);
-    }
+    });
     if (strands) {
         fields(&TileLook::overlap);
         fields(&TileLook::roll_deg);
@@ -170,14 +178,19 @@ void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
         fields(&TileLook::morph);
         fields(&TileLook::morph_variation);
     }
-    if (!layer.playing.clip.empty()) fields(&TileLook::clip_variation);
-    if (look.morph_variation > 0 || look.clip_variation > 0) fields(&TileLook::phases);
+    const bool plays = !layer.playing.clip.empty();
+    if (plays) fields(&TileLook::clip_variation);
+    if (plays || tiling.into != 0)
+        ui::rows_if(theme, look.morph_variation > 0 || look.clip_variation > 0,
+                    "Nothing varies from tile to tile.", [&] { fields(&TileLook::phases); });
     if (!tiling.others.empty()) mix_rows(editor, theme, id, tiling);
     propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
     if (tiling.base != 0) draw_cover(editor, theme, id, tiling, keys);
-    if (effects && effects->overlapping > 0)
+    if (!tiling.strokes.empty())
         ui::fact_row(theme, "Overlapping",
-                     fmt::format("{} of {}", effects->overlapping, effects->painted),
+                     effects ? fmt::format("{} of {}", with_commas(effects->overlapping),
+                                           with_commas(effects->painted))
+                             : "",
                      theme.color.text,
                      "painted tiles that overlap another one by more than a tenth of their side");
     draw_masks(editor, theme, id, tiling, keys);

@@ -157,5 +157,28 @@ TEST(KeyGutter, AnAutomaticSizeGetsAKeyOfWhatIsShown)
     EXPECT_NEAR(keyed.height_world, report.height_world, 1e-12);
 }
 
+TEST(KeyGutter, MarksOnlyNumbersThatThereAre)
+{
+    Rig rig({1024, 2200});
+    Session& session = rig.editor.session;
+    ASSERT_TRUE(session.run(AddCylinder{}));
+    ASSERT_TRUE(session.run(AddBox{.shape = {.size = {1, 0.2, 0.1}}}));
+    PlaceRound round;
+    round.object = 2;
+    round.around = 1;
+    ASSERT_TRUE(session.run(round));
+    session.selected = 2;
+    rig.wait();
+    std::set<std::string> known, marked;
+    for (const Parameter& each : parameters(object(session.document(), 2))) known.insert(each.name);
+    const ui::Rect r = rig.layout().inspector;
+    for (float y = r.lo.y + 8; y < r.hi.y; y += 8) {
+        rig.move({r.hi.x - 18, y});
+        for (const std::string& name : rig.editor.keys_under_mouse.names) marked.insert(name);
+    }
+    EXPECT_TRUE(marked.contains("placement.level"));
+    for (const std::string& name : marked) EXPECT_TRUE(known.contains(name)) << name;
+}
+
 } // namespace
 } // namespace trivar

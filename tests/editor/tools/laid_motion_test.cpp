@@ -39,6 +39,37 @@ TEST(LaidMotion, GSlidesItOverTheSurfaceUnderTheMouseInOneStep)
     EXPECT_EQ(rig.middle(), was);
 }
 
+TEST(LaidMotion, ACopyMovesAtOnceAndWhatIsTypedMeanwhileIsItsAmount)
+{
+    LaidRig rig;
+    const glm::dvec3 was = rig.middle(), ahead = rig.ahead();
+    const std::string name = object(rig.editor.session.document(), 2).name;
+    rig.editor.session.notices.clear();
+    const std::size_t steps = rig.steps();
+    ui::Input& input = rig.screen.input(); // all in one frame
+    input.push(ui::press_key(ui::key_left_shift));
+    input.push(ui::press_key('D'));
+    input.push(ui::press_key('D', false));
+    input.push(ui::press_key(ui::key_left_shift, false));
+    input.push(ui::press_key('1'));
+    input.push(ui::type_text('1'));
+    input.push(ui::press_key('1', false));
+    input.push(ui::press_key(ui::key_enter));
+    input.push(ui::press_key(ui::key_enter, false));
+    rig.frames(1);
+    rig.wait();
+    rig.frames(8);
+    rig.wait();
+    EXPECT_EQ(rig.steps(), steps + 2);
+    ASSERT_TRUE(rig.is_laid(3));
+    EXPECT_TRUE(rig.step(3).attach);
+    EXPECT_LT(glm::distance(rig.middle(3), was + ahead), 1e-3);
+    EXPECT_LT(glm::distance(rig.middle(2), was), 1e-9);
+    EXPECT_EQ(object(rig.editor.session.document(), 2).name, name);
+    EXPECT_TRUE(rig.editor.session.notices.all().empty());
+    EXPECT_EQ(rig.editor.outliner.renaming, 0) << "Enter ended the motion";
+}
+
 TEST(LaidMotion, SlidesALatticeThatLiesOnAStroke)
 {
     testing::Rig rig({720, 520});
@@ -180,10 +211,10 @@ TEST(LaidMotion, HistorySaysMoveTurnScaleAndLift)
         rig.wait();
         return title();
     };
-    EXPECT_EQ(by({'G'}, "0.4"), "Move Box over the surface");
+    EXPECT_EQ(by({'G'}, "0.4"), "Slide Box 0.4 m");
     EXPECT_EQ(by({'R'}, "90"), "Turn Box on the surface 90°");
     EXPECT_EQ(by({'R'}, "-30"), "Turn Box on the surface -30°");
-    EXPECT_EQ(by({'G', 'Y'}, "-0.2"), "Move Box over the surface");
+    EXPECT_EQ(by({'G', 'Y'}, "-0.2"), "Slide Box 0.2 m");
     EXPECT_EQ(by({'S'}, "0.5"), "Scale Box on the surface × 0.5");
     EXPECT_THAT(by({'G', 'Z'}, "0.1"), ::testing::StartsWith("Lift Box clearance 0.1"));
     EXPECT_EQ(by({'G', 'Z'}, "-1"), "Lower Box clearance 0 m");

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/ray_grid.h"
+#include "core/placement/view.h"
+
+#include <vector>
+
+namespace trivar {
+
+// A DepthJump is a place of a stroke where what its rays meet changes from one surface to another
+// behind an edge, or before one.
+struct DepthJump {
+    double at = 0;    // share of the stroke's way in the picture
+    double depth = 0; // metres along the sight; positive: the other surface is behind
+};
+const DepthJump& deepest(const std::vector<DepthJump>& jumps); // of one at least
+
+// DepthJumps leaves out of a stroke what is seen beyond the edges of the surface that it lies on. A
+// jump is `least` metres deep or more. A steep surface is none: rays in ever shorter steps tell
+// them apart.
+class DepthJumps {
+public:
+    DepthJumps(const Camera& camera, const RayScene& scene, bool skip_back_faces)
+        : view_(camera),
+          scene_(scene),
+          skip_back_faces_(skip_back_faces)
+    {
+    }
+
+    // Lets the nodes beyond an edge lie where the surface would go on straight, and returns them.
+    // Of the middle line, whose points in the picture are given; throws Rejected, saying where, if
+    // it ends on another surface than it began on.
+    std::vector<std::size_t> bridge(RayGrid& line, const std::vector<glm::dvec2>& points_px);
+    // Of a grid over that middle line.
+    std::vector<std::size_t> bridge(RayGrid& grid, const Strip& strip, const RayGrid& line);
+
+    const std::vector<DepthJump>& found() const { return found_; } // in the last line and grid
+
+private:
+    struct Seen {
+        glm::dvec2 p_px;
+        double distance;
+        std::size_t node;
+        bool beyond = false; // an edge
+    };
+    static std::vector<std::size_t> taken(RayGrid& grid, const std::vector<Seen>& line);
+    bool jumps(Seen a, Seen b) const;
+    // Follows the surface from the first place; returns the places and depths of the jumps.
+    std::vector<std::pair<std::size_t, double>> follow(std::vector<Seen>& line) const;
+
+    const View view_;
+    const RayScene& scene_;
+    bool skip_back_faces_;
+    double least_ = 0;
+    std::vector<DepthJump> found_; // those of the line first
+    std::size_t of_line_ = 0;      // so many
+};
+
+} // namespace trivar
