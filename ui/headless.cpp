@@ -54,7 +54,8 @@ void HeadlessFrames::make_target()
 {
     glGenTextures(1, &color_);
     glBindTexture(GL_TEXTURE_2D, color_);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size_px_.x, size_px_.y);
+    const glm::ivec2 size_px = little_ ? glm::ivec2(1) : size_px_;
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size_px.x, size_px.y);
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
@@ -69,6 +70,19 @@ void HeadlessFrames::drop_target()
 HeadlessFrames::~HeadlessFrames()
 {
     drop_target();
+}
+
+void HeadlessFrames::resize(glm::ivec2 size_px)
+{
+    drop_target();
+    size_px_ = size_px;
+    make_target();
+}
+
+void HeadlessFrames::draw_little()
+{
+    little_ = true;
+    resize(size_px_);
 }
 
 void HeadlessFrames::lose_context(const std::function<void()>& forget)

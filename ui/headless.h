@@ -24,7 +24,10 @@ public:
     // Draws frames as a window would, until no more is due or the limit is reached; returns the
     // number of frames. Waits for later frames are skipped, not slept through.
     int settle(const DrawFrame& body, int limit = 100);
-    Image picture() const; // of the last frame
+    Image picture() const;           // of the last frame
+    void resize(glm::ivec2 size_px); // from the next frame on
+    // Draws one pixel of each frame, where nobody looks at its picture.
+    void draw_little();
     // Simulates a reset of the graphics card: `forget` drops what the body made, the context ends
     // and another one begins.
     void lose_context(const std::function<void()>& forget);
@@ -36,6 +39,7 @@ private:
     std::optional<gpu::HeadlessContext> context_{std::in_place};
     Gui gui_;
     glm::ivec2 size_px_;
+    bool little_ = false;
     ThemeOptions options_;
     unsigned framebuffer_ = 0, color_ = 0;
     double time_s_ = 0;

@@ -24,6 +24,15 @@ const EvaluatedObject* shown_object(const Session& session, Id id)
     return found == session.evaluated().objects.end() ? nullptr : found->second.get();
 }
 
+// Shares of an object's size that suit it, where no number was typed.
+constexpr double usual_gap = 0.05, usual_clearance = 3e-3, usual_tolerance = 5e-4;
+double share_of_size(const Session& session, Id id, double share)
+{
+    const EvaluatedObject* shown = shown_object(session, id);
+    const double size = shown && !shown->bounds->empty() ? glm::length(shown->bounds->size()) : 1;
+    return std::max(rounded(share * size, 1), 1e-12);
+}
+
 // What stays upright while an obstacle parts something: the length of a bar, or else up.
 glm::dvec3 upright_of(const glm::dvec3& size)
 {
@@ -76,13 +85,17 @@ std::optional<Split> split_at(const Session& session, const std::vector<Id>& obj
     if (objects.empty() || obstacle == 0) return {};
     Split out{objects, {}};
     const Object& first = object(session.document(), objects.front());
-    if (first.splitting)
+    if (first.splitting) {
         out.splitting = *first.splitting;
-    else
+    } else {
         give_directions(session, objects.front(), obstacle, out.splitting);
+        out.splitting.tolerance = share_of_size(session, objects.front(), usual_tolerance);
+    }
     std::erase_if(out.splitting.obstacles,
                   [&](const ObstacleUse& each) { return each.object == obstacle; });
-    out.splitting.obstacles.push_back({.object = obstacle});
+    out.splitting.obstacles.push_back(
+        {.object = obstacle,
+         .clearance = share_of_size(session, objects.front(), usual_clearance)});
     try {
         for (const Id id : objects) check_splitting(session.document(), id, out.splitting);
     } catch (const Rejected& error) {
@@ -125,6 +138,8 @@ void SplitTool::use(Session& session, const ViewportInput& input)
     Cutting settings;
     settings.capped = settings_.closing != SplitClosing::open;
     settings.inside = settings_.inside;
+    settings.tolerance = share_of_size(session, session.selected, usual_tolerance / 2);
+    one_.gap = gap_.value_or(share_of_size(session, session.selected, usual_gap));
     cut_.go_on(session, input, one_, settings);
 }
 
@@ -135,13 +150,15 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     const Id seen = input.hovered && input.seen_at ? input.seen_at(input.mouse) : Id{0};
     const bool other = seen != 0 && std::ranges::find(objects, seen) == objects.end();
     // What it would do is proposed while the mouse rests on an obstacle
-    if (shown_ != 0 && (!other || seen != shown_) && !input.pressed) {
+    const std::pair now(input.mouse, session.view.camera);
+    const bool moved = now != shown_for_ || !input.hovered;
+    if (shown_ != 0 && (!other || seen != shown_) && moved && !input.pressed) {
         shown_ = 0;
         session.cancel();
     }
     const auto with_settings = [&](Split command) {
         ObstacleUse& last = command.splitting.obstacles.back();
-        last = {last.object, use_.clearance, use_.reach, use_.kernel};
+        last = {last.object, clearance_.value_or(last.clearance), use_.reach, use_.kernel};
         command.splitting.closing = settings_.closing;
         command.splitting.inside = settings_.inside;
         return command;
@@ -164,6 +181,7 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     if (shown_ != 0 || !other || objects.empty() || !session.up_to_date()) return;
     if (const std::optional<Split> command = split_at(session, objects, seen)) {
         shown_ = seen;
+        shown_for_ = now;
         session.propose_quietly(with_settings(*command));
     }
 }
@@ -232,11 +250,11 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
                            ui::choice(theme, "at", at, {"Obstacle", "Plane", "Stroke"}, field);
                            set_at(session, static_cast<SplitAt>(at));
                        },
-                       "Part it round an obstacle, or cut it along a line or a stroke."});
+                       "Split it round an obstacle, or cut it along a line or a stroke."});
     if (at_ == SplitAt::obstacle)
-        add_obstacle_options(options, theme);
+        add_obstacle_options(options, session, theme);
     else
-        add_cut_options(options, theme);
+        add_cut_options(options, session, theme);
     options.push_back(
         {"Inside", 84,
          [&](float field) {
@@ -248,29 +266,33 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
     ui::option_bar(theme, options, width);
 }
 
-void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const Session& session,
+                                     const ui::Theme& theme)
 {
     options.push_back({"Clearance", 84,
                        [&](float field) {
-                           ui::number_field(theme, "clearance", use_.clearance,
-                                            {.lo = 0, .hi = 1000, .unit = "m"}, field);
+                           double clearance = clearance_.value_or(
+                               share_of_size(session, session.selected, usual_clearance));
+                           if (ui::number_field(theme, "clearance", clearance,
+                                                {.lo = 0, .unit = "m"}, field) != ui::Edit::none)
+                               clearance_ = clearance;
                        },
                        "How much stays free round the obstacle."});
     options.push_back({"Reach", 84,
                        [&](float field) {
                            ui::number_field(theme, "reach", use_.reach,
-                                            {.lo = 0, .hi = 100000, .unit = "m", .zero = "auto"},
-                                            field);
+                                            {.lo = 0, .unit = "m", .zero = "auto"}, field);
                        },
                        "Over what distance the opening fades away."});
     options.push_back(
-        {"Fades", 100,
+        {"Falloff", 100,
          [&](float field) {
              int kernel = static_cast<int>(use_.kernel);
-             ui::choice(theme, "fades", kernel, {"Quadratic", "Smooth", "Gaussian", "Hat"}, field);
+             ui::choice(theme, "fades", kernel, {"Soft", "Smooth", "Sharp", "Linear"}, field);
              use_.kernel = static_cast<SplitKernel>(kernel);
          },
-         "How the opening fades."});
+         "How the opening fades with the distance from the obstacle; linear needs the least "
+         "room."});
     options.push_back(
         {"Closing", 100,
          [&](float field) {
@@ -282,7 +304,8 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const ui:
          "obstacle."});
 }
 
-void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme)
+void SplitTool::add_cut_options(std::vector<ui::Option>& options, const Session& session,
+                                const ui::Theme& theme)
 {
     options.push_back({"Keep", 112,
                        [&](float field) {
@@ -290,13 +313,15 @@ void SplitTool::add_cut_options(std::vector<ui::Option>& options, const ui::Them
                            ui::choice(theme, "keep", keep, {"Both parts", "Above", "Below"}, field);
                            one_.keep = static_cast<CutKeep>(keep);
                        },
-                       "What stays; above a line from left to right is what is seen above it."});
-    options.push_back({"Gap", 84,
-                       [&](float field) {
-                           ui::number_field(theme, "gap", one_.gap,
-                                            {.lo = -10000, .hi = 10000, .unit = "m"}, field);
-                       },
-                       "How far both parts stand apart."});
+                       "Which part to keep; \"Above\" is the part above the line as drawn."});
+    options.push_back(
+        {"Gap", 84,
+         [&](float field) {
+             double gap = gap_.value_or(share_of_size(session, session.selected, usual_gap));
+             if (ui::number_field(theme, "gap", gap, {.unit = "m"}, field) != ui::Edit::none)
+                 gap_ = gap;
+         },
+         "How far both parts stand apart."});
     options.push_back({"Closed", 24,
                        [&](float) {
                            bool closed = settings_.closing != SplitClosing::open;
@@ -312,7 +337,7 @@ std::vector<Hint> SplitTool::hints(const Session& session) const
     if (cut_.going()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
     if (handles_.busy() || handles_.hovers()) return handles_.hints();
     if (chosen(session).empty())
-        return {{{"left"}, "Select what is to be parted"}, {{"Esc"}, "Select"}};
+        return {{{"left"}, "Select the object to split"}, {{"Esc"}, "Select"}};
     const char* verb = at_ == SplitAt::obstacle ? "Click an obstacle"
                        : at_ == SplitAt::plane  ? "Drag a line across it"
                                                 : "Draw across it";

@@ -56,16 +56,22 @@ private:
         return at_ == SplitAt::obstacle ? SplitHandlesOf::openings : SplitHandlesOf::cuts;
     }
     void use_obstacles(Session& session, const ViewportInput& input);
-    void add_obstacle_options(std::vector<ui::Option>& options, const ui::Theme& theme);
-    void add_cut_options(std::vector<ui::Option>& options, const ui::Theme& theme);
+    void add_obstacle_options(std::vector<ui::Option>& options, const Session& session,
+                              const ui::Theme& theme);
+    void add_cut_options(std::vector<ui::Option>& options, const Session& session,
+                         const ui::Theme& theme);
 
     SplitAt at_ = SplitAt::obstacle;
     CutGesture cut_;
     SplitHandles handles_;
-    PlainCut one_{.gap = 0.1}; // how the next cut keeps and opens
-    Splitting settings_;       // of what it parts anew; what it cuts is closed and filled like that
+    PlainCut one_;       // how the next cut keeps
+    Splitting settings_; // of what it parts anew; what it cuts is closed and filled like that
     ObstacleUse use_;
+    // As typed; none: what suits the size of the selected object.
+    std::optional<double> gap_, clearance_;
     Id shown_ = 0; // the obstacle of which the opening is proposed; 0: none is
+    // The mouse and the view for which it is. What opens under them may hide the obstacle.
+    std::pair<glm::dvec2, Camera> shown_for_;
 };
 
 } // namespace trivar

@@ -175,9 +175,14 @@ void expect_it_comes_back(const Model& model, const Format& format)
     if (!alone) write_model(model, path);
     const Model back =
         alone ? read_model_bytes(bytes_of(model, format.extension), path, "") : read_model(path);
+    // A triangle of a face that comes back to one of its points is left out, with its own vertices.
+    const auto is_of_a_flat_triangle = [](const std::string& notice) {
+        return notice.find("fewer than three different") != notice.npos;
+    };
+    const bool some_are_flat = std::ranges::any_of(said(back), is_of_a_flat_triangle);
     for (const std::string& notice : said(back))
-        EXPECT_TRUE(std::ranges::count(said(model), notice) > 0 ||
-                    notice.find("fewer than three different") != notice.npos)
+        EXPECT_TRUE(std::ranges::count(said(model), notice) > 0 || is_of_a_flat_triangle(notice) ||
+                    (some_are_flat && notice.find("no face uses") != notice.npos))
             << notice;
     if (format.extension == ".stl")
         return expect_same(in_triangles(single_mesh_model("", flattened(model))), back, format);

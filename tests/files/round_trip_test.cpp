@@ -210,7 +210,7 @@ TEST(Reading, FollowsTheUpAxisAndTheScale)
     EXPECT_EQ(first({UpAxis::z, 1}), glm::vec3(1, 2, 0));
     EXPECT_EQ(first({UpAxis::z, 100}), glm::vec3(100, 200, 0));
     EXPECT_THROW(first({UpAxis::z, 0}), Rejected);
-    EXPECT_THROW(first({UpAxis::z, 1, 10}), Rejected);
+    EXPECT_THROW(first({UpAxis::z, 1, true, 10}), Rejected);
 }
 
 TEST(Reading, CanBeCancelledAtEveryReport)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/fuzz/case_result.h"
+
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
@@ -35,6 +37,7 @@ struct Broken : std::runtime_error {
 struct CampaignEntry {
     std::string damage, kind; // "bytes", "ply"
     std::function<Campaign()> make;
+    CaseLimits limits = {};
 };
 
 } // namespace trivar::testing

@@ -8,6 +8,7 @@
 #include "tests/fuzz/log_damage.h"
 #include "tests/fuzz/log_use.h"
 #include "tests/fuzz/model_use.h"
+#include "tests/fuzz/shortened.h"
 #include "tests/fuzz/sound_files.h"
 #include "tests/fuzz/sound_logs.h"
 #include "tests/support/fixtures.h"
@@ -123,6 +124,20 @@ TEST(Campaign, KeepsTheFilesOfCasesThatFail)
     EXPECT_TRUE(std::filesystem::exists(folder.file("kept/planted-kind-6/file")));
     EXPECT_TRUE(std::filesystem::exists(folder.file("kept/planted-kind-6/why.txt")));
     EXPECT_FALSE(std::filesystem::exists(folder.file("kept/planted-kind-2")));
+}
+
+TEST(Shortened, LeavesTheLinesThatFailTogether)
+{
+    std::vector<std::string> lines;
+    for (int i = 0; i < 40; ++i) lines.push_back(std::to_string(i));
+    int tries = 0;
+    const auto fails = [&](const std::vector<std::string>& some) {
+        ++tries;
+        return std::ranges::count(some, "7") > 0 && std::ranges::count(some, "31") > 0;
+    };
+    EXPECT_THAT(shortened(lines, fails), ::testing::ElementsAre("7", "31"));
+    EXPECT_LT(tries, 60);
+    EXPECT_THAT(shortened(lines, [](const auto&) { return true; }), ::testing::IsEmpty());
 }
 
 TEST(SoundFiles, AreAllAccepted)

@@ -27,21 +27,21 @@ void check_log_written(const History& history)
     promised("a log that was written is refused", [&] {
         const std::string text = log_text(history);
         const History again = replay(read_log(text, "again"));
-        check_same(again.document(), history.document(), "a log that was written");
+        check_same(again.document(), history.committed(), "a log that was written");
         if (log_text(again) != text) throw Broken("a log is written otherwise the second time");
         const History compact = replay(read_log(compact_log_text(history), "compact"));
-        check_same(compact.document(), history.document(), "a compact log");
+        check_same(compact.document(), history.committed(), "a compact log");
     });
 }
 
 void check_way_back(History history)
 {
-    const Document now = history.document();
+    const Document now = history.committed();
     const std::size_t steps = history.position();
     while (history.undo()) {
     }
     for (std::size_t i = 0; i < steps; ++i) history.redo();
-    check_same(history.document(), now, "undoing and redoing all");
+    check_same(history.committed(), now, "undoing and redoing all");
 }
 
 void check_opened(const History& history, const std::string& path)
@@ -73,14 +73,19 @@ void check_shown(const Document& document, const std::string& path)
 
 } // namespace
 
+void check_history(const History& history)
+{
+    check_log_written(history);
+    check_way_back(history);
+}
+
 void use_log(const std::string& path)
 {
     const std::string name = std::filesystem::path(path).filename().string();
     const Log log = read_log(read_text_file(path), name);
     if (!log.notice.empty()) check_sentences({log.notice});
     const History history = replay(log);
-    check_log_written(history);
-    check_way_back(history);
+    check_history(history);
     if (is_cheap(history.document())) check_shown(history.document(), path);
     check_opened(history, path);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/history.h"
+
 #include <string>
 
 namespace trivar::testing {
@@ -10,5 +12,9 @@ namespace trivar::testing {
 // is cheap, works out what it shows, at two frames, and writes that. Throws Rejected where the
 // scene is refused and Broken where a promise does not hold.
 void use_log(const std::string& path);
+
+// Written, whole and compact, and read back it gives the same document; so it does when all of it
+// is undone and done again. Throws Broken.
+void check_history(const History& history);
 
 } // namespace trivar::testing

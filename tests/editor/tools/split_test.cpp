@@ -2,6 +2,7 @@
 #include "editor/tools/split.h"
 
 #include "core/commands/animate.h"
+#include "core/commands/arrange.h"
 #include "tests/editor/rig.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,31 @@ TEST(SplitTool, ShowsWhatAnObstacleWouldDoAndDoesItByAClick)
     EXPECT_FALSE(rig.parted());
 }
 
+TEST(SplitTool, ShowsOneThingToAMouseThatRests)
+{
+    testing::Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(
+        AddTorus{.shape = {.radius = 0.8, .tube = 0.3, .segments = {24, 12}}}));
+    Transform in_the_ring;
+    in_the_ring.translation = {0.8, 0, 0};
+    ASSERT_TRUE(rig.editor.session.run(
+        AddCylinder{.shape = {.radius = 0.15, .height = 3}, .transform = in_the_ring}));
+    rig.editor.session.selected = 1;
+    rig.editor.session.view.camera.eye = {2.5, -4, 2.5};
+    rig.editor.session.view.camera.target = {0.4, 0, 0};
+    rig.key({'K'});
+    rig.wait();
+    const glm::vec2 post = rig.seen_at({0.8, 0, 0});
+    for (int x = -20; x <= 20; x += 4)
+        for (int y = -60; y <= 60; y += 12) {
+            rig.move(post + glm::vec2(x, y));
+            for (int i = 0; i < 3; ++i) rig.wait();
+            const long change = rig.editor.session.change();
+            for (int i = 0; i < 3; ++i) rig.wait();
+            EXPECT_EQ(rig.editor.session.change(), change) << x << " " << y;
+        }
+}
+
 TEST(SplitTool, OpensAcrossTheWayOnWhichTheObjectPasses)
 {
     SplitRig rig;
@@ -85,6 +111,18 @@ TEST(SplitTool, OpensAcrossTheWayOnWhichTheObjectPasses)
     ASSERT_TRUE(rig.editor.session.run(SetTime{{.first_frame = 1, .last_frame = 24}}));
     rig.wait();
     EXPECT_EQ(opening(), glm::dvec3(0, -1, 0));
+}
+
+TEST(SplitTool, ForgetsAnObstacleThatIsDeletedUnderTheMouse)
+{
+    SplitRig rig;
+    rig.move(rig.on_the_pillar());
+    rig.wait();
+    ASSERT_TRUE(rig.editor.session.run(Delete{{split_pillar}}));
+    rig.move(rig.on_the_pillar() + glm::vec2(1, 0)); // over its last picture
+    rig.wait();
+    EXPECT_FALSE(rig.parted());
+    EXPECT_FALSE(rig.editor.session.document().objects.contains(split_pillar));
 }
 
 } // namespace
