@@ -9,11 +9,20 @@ namespace trivar {
 namespace {
 
 constexpr double narrower = 0.7, narrower_below = 0.4, as_good_as_shut = 0.02; // shares
+constexpr double hardly_lacks = 0.05;                                          // of an opening
 constexpr double shorter_dent = 0.35, so_much_wider = 0.7; // of what an opening lacks with others
 // Openings at which nothing may pierce.
 constexpr std::array looked_at{1.0, 0.9, 0.8, 0.75, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.1};
 constexpr std::array quite_and_half_open{1.0, 0.5};
 constexpr double edges_of_dent = 1.2, widths_of_dent = 1;
+
+std::vector<char> changed(const std::vector<glm::dvec3>& before,
+                          const std::vector<glm::dvec3>& after)
+{
+    std::vector<char> out(before.size());
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = before[v] != after[v];
+    return out;
+}
 
 } // namespace
 
@@ -101,19 +110,22 @@ bool CutGuard::pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& 
     });
 }
 
-std::vector<PiercingPair> CutGuard::piercings(std::span<const Admitted> admitted,
-                                              std::span<const char> open,
-                                              std::span<const double> shares,
-                                              std::uint32_t moved_by) const
+std::vector<char> CutGuard::moved_by(std::uint32_t incision) const
 {
-    const std::vector<glm::dvec3> quite = moves(admitted, open);
+    std::vector<char> out(rest_.size(), 0);
+    for (const CutTerm& term : terms_)
+        if (incision == any || term.incision == incision) out[term.vertex] = 1;
+    return out;
+}
+
+std::vector<PiercingPair> CutGuard::piercings(const std::vector<glm::dvec3>& quite,
+                                              std::span<const double> shares,
+                                              std::span<const char> moving) const
+{
     std::vector<std::vector<glm::dvec3>> times(shares.size(), rest_);
     for (std::size_t i = 0; i < shares.size(); ++i)
         for (std::size_t v = 0; v < rest_.size(); ++v) times[i][v] += shares[i] * quite[v];
-    std::vector<char> moving(rest_.size(), 0), moved(triangles_.size(), 0);
-    for (const CutTerm& term : terms_)
-        if (moved_by == any || term.incision == moved_by)
-            moving[term.vertex] = quite[term.vertex] != glm::dvec3(0);
+    std::vector<char> moved(triangles_.size(), 0);
     for (std::size_t t = 0; t < moved.size(); ++t)
         for (int i = 0; i < 3; ++i) moved[t] |= moving[triangles_[t][i]];
     std::vector<PiercingPair> out = trivar::piercings(times, triangles_, moved);
@@ -151,8 +163,9 @@ bool CutGuard::admits_all() const
     // Upright walls of one piece that are apart when quite and half open are so before
     const std::vector<Admitted> all(radius_.size());
     const std::vector<char> open(radius_.size(), 1);
-    return simple_ ? piercings(all, open, quite_and_half_open).empty()
-                   : piercings(all, open, looked_at).empty();
+    const std::span<const double> shares =
+        simple_ ? std::span<const double>(quite_and_half_open) : looked_at;
+    return piercings(moves(all, open), shares, moved_by(any)).empty();
 }
 
 std::vector<Admission> CutGuard::admitted() const
@@ -161,7 +174,7 @@ std::vector<Admission> CutGuard::admitted() const
     std::vector<Admission> out(count);
     std::vector<Admitted> all(count);
     std::vector<char> open(count, 1);
-    for (const PiercingPair& pair : piercings(all, open, looked_at))
+    for (const PiercingPair& pair : piercings(moves(all, open), looked_at, moved_by(any)))
         for (std::size_t i = 0; i < 6; ++i)
             for (const CutTerm& term : terms_at(corner(pair, i))) open[term.incision] = 0;
     for (std::uint32_t k = 0; k < count; ++k) { // one after the other beside those in no one's way
@@ -174,14 +187,18 @@ std::vector<Admission> CutGuard::admitted() const
         alone[k] = 1;
         out[k].alone = admitted(k, std::vector<Admitted>(count), alone).with_others;
     }
+    std::vector<char> moving = moved_by(any);
     for (;;) { // what one of those that are open already kept apart
-        const std::vector<PiercingPair> pairs = piercings(all, open, looked_at);
+        const std::vector<glm::dvec3> quite = moves(all, open);
+        const std::vector<PiercingPair> pairs = piercings(quite, looked_at, moving);
         if (pairs.empty()) return out;
         const std::vector<Admitted> before = all;
+        std::vector<char> done(terms_.size(), 0);
         for (const PiercingPair& pair : pairs)
             for (std::uint32_t k = count; k-- > 0;)
-                if (lower(pair, k, 1, before[k], all[k])) break;
+                if (lower(pair, k, 1, before[k], all[k], done)) break;
         for (std::uint32_t k = 0; k < count; ++k) out[k].with_others = all[k];
+        moving = changed(quite, moves(all, open));
     }
 }
 
@@ -191,7 +208,7 @@ Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>
     Admission out;
     std::vector<char> holds(all.size(), 0);
     out.with_others = narrowed(incision, all, open, 1, holds);
-    if (const double lack = lacks(incision, out.with_others); lack > 0)
+    if (const double lack = lacks(incision, out.with_others); lack > hardly_lacks)
         if (const Admitted other = narrowed(incision, all, open, shorter_dent, holds);
             lacks(incision, other) < so_much_wider * lack)
             out.with_others = other;
@@ -204,29 +221,39 @@ Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>
 Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
                             std::span<const char> open, double dent, std::vector<char>& holds) const
 {
-    for (;;) { // ends, as what moves nothing any more pierces nothing
-        std::vector<PiercingPair> pairs = piercings(all, open, quite_and_half_open, incision);
-        if (pairs.empty()) pairs = piercings(all, open, looked_at, incision);
+    std::vector<glm::dvec3> quite = moves(all, open);
+    std::vector<char> moving;
+    // Looks at what has moved since it looked last. False: the incision moves nothing that pierces.
+    const auto narrow = [&](std::span<const double> shares) {
+        std::vector<PiercingPair> pairs = piercings(quite, shares, moving);
+        const std::vector<glm::dvec3> before_all = quite;
         bool lowers = false;
         while (!pairs.empty()) { // these alone, before all are looked at again
             const Admitted before = all[incision];
+            std::vector<char> done(terms_.size(), 0);
             std::erase_if(pairs, [&](const PiercingPair& pair) {
-                if (!lower(pair, incision, dent, before, all[incision])) return true;
+                if (!lower(pair, incision, dent, before, all[incision], done)) return true;
                 for (std::size_t i = 0; i < 6; ++i)
                     for (const CutTerm& term : terms_at(corner(pair, i)))
                         if (open[term.incision]) holds[term.incision] = 1;
                 return false;
             });
             lowers = lowers || !pairs.empty();
-            const std::vector<glm::dvec3> quite = moves(all, open);
+            quite = moves(all, open);
             std::erase_if(pairs, [&](const PiercingPair& pair) { return !pierces(pair, quite); });
         }
-        if (!lowers) return all[incision];
-    }
+        moving = changed(before_all, quite);
+        return lowers;
+    };
+    for (const std::span<const double> shares :
+         {std::span<const double>(quite_and_half_open), std::span<const double>(looked_at)})
+        for (moving = moved_by(incision); narrow(shares);) {
+        } // what moves nothing pierces nothing
+    return all[incision];
 }
 
 bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double dent,
-                     const Admitted& before, Admitted& after) const
+                     const Admitted& before, Admitted& after, std::vector<char>& done) const
 {
     std::vector<const CutTerm*> terms, below; // of the incision; and below the skin
     for (std::size_t i = 0; i < 6; ++i)
@@ -237,6 +264,10 @@ bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double de
             if (depth > 0 && before.below.at(share) > 0) below.push_back(&term);
         }
     const auto step = [&](const CutTerm& term, Narrowing Admitted::*what, double factor) {
+        char& known = done[static_cast<std::size_t>(&term - terms_.data())];
+        const char bit = what == &Admitted::below ? 1 : 2;
+        if ((known & bit) != 0) return;
+        known = static_cast<char>(known | bit);
         const double x{term.share}, next = factor * (before.*what).at(x);
         (after.*what)
             .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[incision],

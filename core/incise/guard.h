@@ -43,13 +43,13 @@ private:
                                   std::span<const char> open) const;
     // Whether a pair pierces at any share at which it is looked at.
     bool pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const;
-    // With each incision that is open by one of these shares of what it is let have, the greatest
-    // first: those that do not when all of them are shut. Ascending; of all, or with a corner that
-    // one incision moves.
     static constexpr std::uint32_t any = ~0u;
-    std::vector<PiercingPair> piercings(std::span<const Admitted> admitted,
-                                        std::span<const char> open, std::span<const double> shares,
-                                        std::uint32_t moved_by = any) const;
+    std::vector<char> moved_by(std::uint32_t incision) const; // by vertex
+    // With each vertex moved by one of these shares of that, the greatest first: those that do not
+    // when all incisions are shut. Ascending; with a corner that is `moving`.
+    std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& quite,
+                                        std::span<const double> shares,
+                                        std::span<const char> moving) const;
     // Lets an incision open as far as it can while some others are open as they are let, and tells
     // which of these hold it.
     Admission admitted(std::uint32_t incision, const std::vector<Admitted>& all,
@@ -57,9 +57,10 @@ private:
     // The same, with dents of one size.
     Admitted narrowed(std::uint32_t incision, std::vector<Admitted> all, std::span<const char> open,
                       double dent, std::vector<char>& holds) const;
-    // Narrows an incision by one step where it moves what pierces. False: it moves nothing of it.
+    // Narrows an incision by one step where it moves what pierces; `done`: which terms have been,
+    // by bits. False: it moves nothing of it.
     bool lower(const PiercingPair& pair, std::uint32_t incision, double dent,
-               const Admitted& before, Admitted& after) const;
+               const Admitted& before, Admitted& after, std::vector<char>& done) const;
     std::uint32_t corner(const PiercingPair& pair, std::size_t i) const
     {
         return triangles_[i < 3 ? pair.a : pair.b][static_cast<int>(i % 3)];

@@ -18,9 +18,10 @@ namespace {
 constexpr double shallower_at_rest = 0.6, shallower_when_open = 0.7; // shares
 // Times that depths give way while all is shut, and for the opening; and that folds are halved.
 constexpr int most_at_rest = 12, most_when_open = 4, most_halvings = 6;
-constexpr int near_the_place = 8; // so often where walls meet alone, then all along the incision
-constexpr double worth_it = 0.7;  // of what an opening lacks, for less depth
-constexpr double much_narrowed = 0.9, rung = 0.70710678; // shares of widths
+constexpr int near_the_place = 8;   // so often where walls meet alone, then all along the incision
+constexpr double worth_it = 0.7;    // of what an opening lacks, for less depth
+constexpr double much_lacks = 0.05; // of openings: for less nothing else is tried
+constexpr double much_narrowed = 0.6, rung = 0.70710678; // shares of widths
 constexpr double edges_of_dent_in_depth = 1.5;
 constexpr const char* no_room = "the body has no room for its depth there";
 constexpr const char* no_way = "its walls would meet others on their way through";
@@ -102,9 +103,9 @@ public:
         if (other && CutGuard(other->shape, all_).admits_all()) return other;
         made->admitted = guard->admitted();
         made->lacks = lacking(*made, *guard);
-        if (made->lacks == 0) return made;
+        if (made->lacks < much_lacks) return made;
         if (other) take_better(made, other);
-        for (int turn = 0; turn < most_when_open && made->lacks > 0; ++turn) {
+        for (int turn = 0; turn < most_when_open && made->lacks > much_lacks; ++turn) {
             for (std::size_t k = 0; k < all_.size(); ++k)
                 depths_[k].lower_where_narrowed(made->admitted[k].with_others.opening,
                                                 shallower_when_open);

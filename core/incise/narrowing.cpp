@@ -21,7 +21,12 @@ double Narrowing::least() const
 
 void Narrowing::narrow(double x, double most, double radius, bool round)
 {
-    for (std::size_t i = 0; i <= steps; ++i) {
+    const double near = radius + 2.0 / steps;
+    const auto step_at = [](double place) { // a little beyond what is near
+        return static_cast<std::size_t>(std::clamp(place, 0.0, 1.0) * steps);
+    };
+    const std::size_t last = round ? steps : std::min(step_at(x + near) + 1, steps);
+    for (std::size_t i = round ? 0 : step_at(x - near); i <= last; ++i) {
         const double here = static_cast<double>(i) / steps;
         double way = std::abs(here - x);
         if (round) way = std::min(way, 1 - way);

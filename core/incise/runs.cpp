@@ -154,10 +154,10 @@ void smooth_room(const CutRun& run, double way, std::vector<double>& room)
         double sum = 0, lengths = 0;
         visit_near(i, [&](std::size_t k) {
             const double length = run.at[std::min(k + 1, run.last)].s - run.at[k > 0 ? k - 1 : 0].s;
-            sum += length * least[k];
+            sum += length * (least[k] - room[i]);
             lengths += length;
         });
-        room[i] = lengths > 0 ? std::min(room[i], sum / lengths) : least[i];
+        room[i] = lengths > 0 ? room[i] + std::min(0.0, sum / lengths) : least[i];
     }
     for (std::size_t i = count; i < room.size(); ++i) room[i] = room[i - run.last];
 }
