@@ -146,7 +146,8 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
     for (const auto& [id, each] : evaluated.objects) {
         std::ranges::copy(tetrahedra(*each, color, line_px, true),
                           std::back_inserter(picture.lines));
-        if (!each->placement) continue;
+        const auto own = document.objects.find(id);
+        if (!each->placement || own == document.objects.end()) continue; // or deleted since
         const Lattice& volume = each->placement->volume;
         // Those that lie in one behind the other show it once.
         if (std::ranges::any_of(drawn, [&](const Lattice* other) { return *other == volume; }))
@@ -161,7 +162,7 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
                                           : placement_veil(*each->placement, color));
         if (box) picture.translucent.push_back(shell_points(*cage, color));
         std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
-        const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
+        const std::vector<Ref<VolumeEdit>>& steps = own->second->shaping;
         if (!steps.empty() && steps.back()->press)
             std::ranges::move(balls_of(*steps.back()->press, volume, color),
                               std::back_inserter(picture.translucent));

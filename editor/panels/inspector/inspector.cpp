@@ -397,7 +397,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         if (editor.session.document().objects.contains(id) &&
             section.applies(editor.session.document(), id))
             section.draw(editor, theme, id);
-    facts(editor, theme, *each, id);
+    if (editor.session.document().objects.contains(id)) facts(editor, theme, *each, id);
     ImGui::PopID();
     ImGui::End();
 }

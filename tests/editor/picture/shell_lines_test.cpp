@@ -42,5 +42,21 @@ TEST(ShellLines, OfALatticeAreInTheViewThatFramesIt)
     EXPECT_NEAR(framed.size().z, 4, 1e-9);
 }
 
+TEST(VolumesInPictures, AreNotThoseOfWhatWasDeletedSinceItWasEvaluated)
+{
+    testing::Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddLattice{.objects = {}, .shape = {.size = {2, 3, 4}}}));
+    rig.wait();
+    TetrahedraLines none;
+    const auto lines = [&](const Document& document) {
+        gpu::Picture picture;
+        add_volumes(picture, rig.editor.session.evaluated(), document, none,
+                    rig.screen.theme().color, 1);
+        return picture.lines.size();
+    };
+    EXPECT_GT(lines(rig.editor.session.document()), 0u);
+    EXPECT_EQ(lines({}), 0u);
+}
+
 } // namespace
 } // namespace trivar

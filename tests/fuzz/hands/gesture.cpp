@@ -11,8 +11,8 @@ namespace {
 
 using GestureJson = nlohmann::ordered_json;
 
-constexpr std::array kind_names{"stroke",  "click", "wheel", "chord",  "type",  "field", "palette",
-                                "command", "drop",  "save",  "resize", "focus", "card"};
+constexpr std::array kind_names{"stroke",  "click",   "choose", "wheel", "chord",  "type",  "field",
+                                "palette", "command", "drop",   "save",  "resize", "focus", "card"};
 
 // Calls each(name, member of the gesture) for whatever has a plain value.
 template <class Gestured, class Each> void each_value(Gestured& g, Each each)

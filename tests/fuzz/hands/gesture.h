@@ -13,6 +13,7 @@ struct Gesture {
     enum class Kind {
         stroke,  // a button goes down at the first point, along all of them, and up
         click,   // at the first point
+        choose,  // a click, then one in the list or menu that it opens, at the second point of that
         wheel,   // turned at the first point by `number` notches
         chord,   // the key in `text`, struck `number` times
         type,    // the letters in `text`, then the key in `end`

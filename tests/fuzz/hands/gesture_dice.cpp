@@ -154,6 +154,13 @@ Gesture some_stroke(const GestureWords& words, Dice& dice)
     return g;
 }
 
+// One of the entries that the click offers, if it does.
+void choose_too(Gesture& g, Dice& dice)
+{
+    g.kind = Kind::choose;
+    g.points.push_back({0.5, share(dice)});
+}
+
 Gesture some_click(Dice& dice)
 {
     Gesture g{.kind = Kind::click, .points = {rounded(on_body(dice))}};
@@ -164,6 +171,7 @@ Gesture some_click(Dice& dice)
     }
     g.twice = once_in(dice, 5);
     if (once_in(dice, 6)) g.button = once_in(dice, 2) ? "middle" : "right";
+    if (g.button == "right") choose_too(g, dice);
     g.held = some_held(dice);
     return g;
 }
@@ -188,10 +196,13 @@ Gesture some_row(Dice& dice, const std::string& area)
         g.points.push_back({share(dice), area == "inspector" ? g.points.front().y : share(dice)});
         break;
     case 3: g.twice = true; break;
-    case 4: g.held = some_held(dice); break;
-    default: break;
+    case 4: choose_too(g, dice); break;
+    default: g.held = some_held(dice);
     }
-    if (once_in(dice, 12)) g.button = "right";
+    if (g.points.size() < 2 && once_in(dice, 8)) {
+        g.button = "right";
+        choose_too(g, dice);
+    }
     return g;
 }
 
@@ -248,7 +259,7 @@ Gesture some_rare(const StartScene& scene, Dice& dice)
     case 2:
     case 3:
         g.kind = Kind::drop;
-        g.text = dice.one_of(scene.files).name;
+        g.text = once_in(dice, 3) ? "a.trivar" : dice.one_of(scene.files).name;
         break;
     case 4:
         g.kind = Kind::resize;
@@ -317,6 +328,7 @@ std::vector<Gesture> drawn_gestures(const GestureWords& words, const StartScene&
     if (once_in(dice, 8)) kept = dice.one_of(words.tools);
     const bool keeps = !once_in(dice, 4);
     std::vector<Gesture> out;
+    if (once_in(dice, 4)) out.push_back({.kind = Kind::chord, .text = "Shift+T"}); // the timeline
     while (std::ssize(out) < count) {
         if (out.empty() || once_in(dice, 8)) {
             out.push_back(some_selection(scene, dice));

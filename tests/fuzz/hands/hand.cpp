@@ -7,6 +7,7 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::testing {
 namespace {
@@ -264,6 +265,22 @@ void Hand::click(const Gesture& gesture)
     frame();
 }
 
+void Hand::choose(const Gesture& gesture)
+{
+    const std::size_t open = ImGui::GetCurrentContext()->OpenPopupStack.size();
+    click(gesture);
+    const ImVector<ImGuiPopupData>& now = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (std::size_t(now.size()) <= open || !now.back().Window || gesture.points.size() < 2) return;
+    const ImGuiWindow& list = *now.back().Window;
+    const glm::vec2 share(gesture.points[1]);
+    push(ui::move_to(
+        mouse_ = {list.Pos.x + share.x * list.Size.x, list.Pos.y + share.y * list.Size.y}));
+    drain();
+    push(ui::press(ui::Button::left));
+    push(ui::press(ui::Button::left, false));
+    drain();
+}
+
 void Hand::close_dialogs()
 {
     constexpr int most_open = 4;
@@ -287,6 +304,7 @@ void Hand::make(const Gesture& gesture)
     switch (gesture.kind) {
     case Kind::stroke: stroke(gesture); break;
     case Kind::click: click(gesture); break;
+    case Kind::choose: choose(gesture); break;
     case Kind::wheel:
         if (!gesture.points.empty()) push(ui::move_to(mouse_ = at(gesture, 0)));
         drain();

@@ -33,6 +33,7 @@ private:
     void hold(const std::vector<std::string>& keys, bool down);
     void stroke(const Gesture& gesture);
     void click(const Gesture& gesture);
+    void choose(const Gesture& gesture);
     void come_between(const std::string& what);
     void lose_focus();
     void resize(glm::ivec2 size_px);
