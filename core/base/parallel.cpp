@@ -31,16 +31,20 @@ void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 #else
 // Each i is a task of its own: blocks are large, and the automatic partitioner would hand out
 // several at once and leave a thread idle at the end. The loop is isolated: a thread that waits
-// here takes no block of another loop, whose lock it may hold.
+// here takes no block of another loop, whose lock it may hold. Blocks compute as the thread that
+// calls: without a context they would as it did when it first used TBB, and that may have been in
+// Embree, which takes the least numbers for 0.
 void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 {
+    using Context = tbb::task_group_context;
+    Context context(Context::bound, Context::default_traits | Context::fp_settings);
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count),
             [&](const tbb::blocked_range<std::size_t>& some) {
                 for (std::size_t i = some.begin(); i < some.end(); ++i) run(i);
             },
-            tbb::simple_partitioner());
+            tbb::simple_partitioner(), context);
     });
 }
 #endif

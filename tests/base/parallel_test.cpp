@@ -4,11 +4,14 @@
 #include "core/base/rejected.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <mutex>
 #include <numeric>
+#include <thread>
 #include <vector>
+#include <xmmintrin.h>
 
 namespace trivar {
 namespace {
@@ -40,6 +43,25 @@ TEST(ParallelBlocks, CoverTheRangeOnce)
             EXPECT_EQ(next, count);
         }
     EXPECT_TRUE(blocks_of(0, 8).empty());
+}
+
+TEST(ParallelBlocks, ComputeAsTheThreadThatCallsNowWhateverItDidBefore)
+{
+    constexpr unsigned flushing = 0x8040; // the least numbers to 0
+    const auto flushed_blocks = [] {
+        std::atomic<int> count = 0;
+        parallel_blocks(200, 1, [&](std::size_t, std::size_t) {
+            count += (_mm_getcsr() & flushing) != 0 ? 1 : 0;
+        });
+        return count.load();
+    };
+    std::thread([&] {
+        const unsigned usual = _mm_getcsr();
+        _mm_setcsr(usual | flushing);
+        EXPECT_EQ(flushed_blocks(), 200);
+        _mm_setcsr(usual);
+        EXPECT_EQ(flushed_blocks(), 0);
+    }).join();
 }
 
 TEST(ParallelBlocks, AreTheSameForAnyNumberOfThreads)
