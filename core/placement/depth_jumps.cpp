@@ -104,7 +104,8 @@ std::vector<std::size_t> DepthJumps::bridge(RayGrid& line, const std::vector<glm
     of_line_ = found_.size();
     std::size_t last = seen.size() - 1;
     while (seen[last].beyond) --last;
-    if (at(first) > longest_end || 1 - at(last) > longest_end)
+    // Not of what it passes in the air
+    if (at(first) - at(0) > longest_end || at(seen.size() - 1) - at(last) > longest_end)
         throw Rejected(fmt::format(
             "{:.0f} % along the stroke it jumps {:.2g} m in depth, from one surface to another; "
             "draw it on one of them, or look from where the way between them is seen",

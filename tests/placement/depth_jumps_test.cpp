@@ -2,6 +2,9 @@
 // Strokes over an edge behind which other surfaces are seen far off.
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
+#include "core/placement/depth_jumps.h"
+#include "core/placement/layout.h"
+#include "core/placement/sketch.h"
 #include "tests/placement/scenes.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +18,7 @@ using ::testing::AllOf, ::testing::HasSubstr, ::testing::ThrowsMessage;
 constexpr double table_height = 1, valley_height = -6; // metres
 
 // Two tables side by side with a gap between them, high above a valley. They end at y = 0.
-RayScene tables(double gap)
+RayScene tables(double gap, bool valley = true)
 {
     std::vector<RayScene::Entry> entries;
     const auto add = [&](Mesh mesh, const glm::dvec3& at) {
@@ -26,7 +29,7 @@ RayScene tables(double gap)
     };
     for (const double side : {-1, 1})
         add(box_mesh({3, 3, 1}, {8, 8, 8}), {side * (1.5 + gap / 2), -1.5, table_height - 0.5});
-    add(plane_mesh({60, 60}, {4, 4}), {0, 0, valley_height});
+    if (valley) add(plane_mesh({60, 60}, {4, 4}), {0, 0, valley_height});
     return RayScene(std::move(entries));
 }
 
@@ -74,6 +77,24 @@ TEST(DepthJumps, AreSaidWhereTheStrokeDoesNotComeBack)
         EXPECT_THAT([&] { placed(sketch, tables(0.4), bridging()); },
                     ThrowsMessage<Rejected>(AllOf(HasSubstr("% along the stroke it jumps"),
                                                   HasSubstr("draw it on one of them"))));
+    }
+}
+
+TEST(DepthJumps, AreNoneWhereTheStrokeBeginsOrEndsInTheAir)
+{
+    const Camera camera = before_them();
+    const RayScene scene = tables(0.4, false);
+    const glm::dvec2 on = project(camera, {-0.8, -0.8, table_height}).p_px,
+                     off = project(camera, {-0.6, 2, valley_height}).p_px;
+    for (const auto& way : {std::vector{on, off}, std::vector{off, on}}) {
+        const Curve<glm::dvec2> center = fit_sketch(stroke_points(stroke(camera, way)));
+        RayGrid line = center_line(center, 41, camera, scene, false);
+        EXPECT_GT(line.missed_share(), 0.2);
+        std::vector<glm::dvec2> points_px;
+        for (const double a : line.a) points_px.push_back(evaluate(center, a).value);
+        DepthJumps jumps(camera, scene, false);
+        EXPECT_TRUE(jumps.bridge(line, points_px).empty());
+        EXPECT_TRUE(jumps.found().empty());
     }
 }
 
