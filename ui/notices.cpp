@@ -24,6 +24,15 @@ double lifetime_s(const Notices::Notice& notice)
     return notice.actions.empty() ? notice.kind == NoticeKind::good ? 4 : 10 : 20;
 }
 
+// Names that files and logs contribute may hold anything and be of any length.
+std::string short_lines(const std::string& text)
+{
+    std::string out;
+    for (const std::string_view line : trimmed_lines(text))
+        out += (out.empty() ? "" : "\n") + short_sentence(line);
+    return out;
+}
+
 // An undecorated window over everything else, of just this place.
 void begin_card(const Theme& theme, const char* name, const Rect& rect)
 {
@@ -149,8 +158,8 @@ void Notices::keep(std::string_view topic)
 void Notices::say(NoticeKind kind, std::string title, std::string body, std::string topic,
                   std::vector<Action> actions)
 {
-    title = capitalised(std::move(title));
-    body = sentence(std::move(body));
+    title = short_sentence(capitalised(std::move(title)));
+    body = short_lines(sentence(std::move(body)));
     for (Notice& notice : notices_)
         if (notice.kind == kind && notice.title == title && notice.body == body) {
             if (topic.empty()) ++notice.count; // else it is the same still

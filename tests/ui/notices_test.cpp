@@ -36,6 +36,18 @@ TEST(Notices, SayWhatBelongsTogetherInLinesUnderOneTitle)
     EXPECT_EQ(notices.all()[0].body, "Two rays hit nothing.\nIt folds.");
 }
 
+TEST(Notices, AreSentencesWhateverTheNamesInThem)
+{
+    Notices notices;
+    notices.say(NoticeKind::good, "\x1b[2J\n\xff was placed",
+                "On " + std::string(3000, 'a') + "\nAs before");
+    ASSERT_THAT(notices.all(), SizeIs(1));
+    EXPECT_EQ(notices.all()[0].title, "?[2J?? was placed");
+    const std::string& body = notices.all()[0].body;
+    EXPECT_LE(body.find('\n'), 400u);
+    EXPECT_TRUE(body.ends_with("aaa\nAs before.")) << body;
+}
+
 TEST(Notices, OfErrorsLeaveButForThoseWithARemedy)
 {
     Notices notices;
