@@ -15,7 +15,8 @@ namespace {
 using namespace testing;
 using ::testing::AllOf, ::testing::HasSubstr, ::testing::ThrowsMessage;
 
-constexpr double table_height = 1, valley_height = -6; // metres
+constexpr double table_height = 1, valley_height = -6;     // metres
+constexpr glm::dvec3 beyond_them{-0.6, 14, valley_height}; // seen over their edge
 
 // Two tables side by side with a gap between them, high above a valley. They end at y = 0.
 RayScene tables(double gap, bool valley = true)
@@ -71,7 +72,7 @@ TEST(DepthJumps, AreSaidWhereTheStrokeDoesNotComeBack)
 {
     const Camera camera = before_them();
     const glm::dvec2 on = project(camera, {-0.8, -0.8, table_height}).p_px,
-                     behind = project(camera, {-0.6, 2, valley_height}).p_px;
+                     behind = project(camera, beyond_them).p_px;
     for (const bool back : {false, true}) {
         const Sketch sketch = back ? stroke(camera, {behind, on}) : stroke(camera, {on, behind});
         EXPECT_THAT([&] { placed(sketch, tables(0.4), bridging()); },
@@ -85,7 +86,7 @@ TEST(DepthJumps, AreNoneWhereTheStrokeBeginsOrEndsInTheAir)
     const Camera camera = before_them();
     const RayScene scene = tables(0.4, false);
     const glm::dvec2 on = project(camera, {-0.8, -0.8, table_height}).p_px,
-                     off = project(camera, {-0.6, 2, valley_height}).p_px;
+                     off = project(camera, beyond_them).p_px;
     for (const auto& way : {std::vector{on, off}, std::vector{off, on}}) {
         const Curve<glm::dvec2> center = fit_sketch(stroke_points(stroke(camera, way)));
         RayGrid line = center_line(center, 41, camera, scene, false);
