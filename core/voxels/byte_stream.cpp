@@ -110,6 +110,47 @@ ByteStream exactly(ByteStream stream, std::uint64_t count, std::function<void(st
         }};
 }
 
+ByteStream one_of(ByteStream stream, ByteTurns turns, std::uint64_t thing)
+{
+    struct State {
+        ByteStream stream;
+        std::uint64_t turn = 0, left = 0; // of the run
+    };
+    const auto state = std::make_shared<State>(State{std::move(stream)});
+    // Passes so many bytes of the thing, run by run.
+    const auto pass = [=](std::uint64_t bytes, auto&& by) {
+        std::uint64_t done = 0;
+        while (done < bytes && (state->left > 0 || state->turn < turns.turns)) {
+            if (state->left == 0) {
+                const std::uint64_t before = state->turn++ == 0 ? thing : turns.things - 1;
+                if (before > 0) state->stream.skip(before * turns.run);
+                state->left = turns.run;
+            }
+            const std::uint64_t wanted = std::min(bytes - done, state->left);
+            const std::uint64_t got = by(state->stream, done, wanted);
+            done += got;
+            state->left -= got;
+            if (got < wanted) break;
+            const std::uint64_t behind = turns.things - 1 - thing;
+            if (state->left == 0 && state->turn == turns.turns && behind > 0)
+                state->stream.skip(behind * turns.run);
+        }
+        return done;
+    };
+    return {[=](std::span<char> to) {
+                return static_cast<std::size_t>(
+                    pass(to.size(), [&](ByteStream& from, std::uint64_t done, std::uint64_t count) {
+                        return std::uint64_t{from.read(to.subspan(
+                            static_cast<std::size_t>(done), static_cast<std::size_t>(count)))};
+                    }));
+            },
+            [=](std::uint64_t bytes) {
+                return pass(bytes, [](ByteStream& from, std::uint64_t, std::uint64_t count) {
+                    return from.skip(count);
+                });
+            }};
+}
+
 ByteStream joined(std::size_t count, std::function<ByteStream(std::size_t)> next)
 {
     struct State {

@@ -53,6 +53,13 @@ ByteStream stream_of(std::function<std::size_t(std::span<char>)> read);
 ByteStream exactly(ByteStream stream, std::uint64_t count,
                    std::function<void(std::uint64_t)> wrong);
 
+// What a stream holds of several things in turn, `run` bytes of each, `turns` times.
+struct ByteTurns {
+    std::uint64_t things = 1, run = 0, turns = 0;
+};
+// The bytes of one thing, from 0; after its last ones the rest of the stream is skipped.
+ByteStream one_of(ByteStream stream, ByteTurns turns, std::uint64_t thing);
+
 // Streams behind one another; `next` gives the one with that number when those before have ended.
 ByteStream joined(std::size_t count, std::function<ByteStream(std::size_t)> next);
 

@@ -78,7 +78,8 @@ void check_pixels(DicomDataset& file, const DicomHead& head, std::string_view by
         if (!DcmCodecList::canChangeCoding(transfer.getXfer(), EXS_LittleEndianExplicit))
             file.refuse(
                 fmt::format("its pixels are packed as {}, which is not read; JPEG, JPEG-LS, "
-                            "RLE and pixels that are not packed are",
+                            "RLE and pixels that are not packed are; gdcmconv --raw IN OUT "
+                            "writes it again without packing",
                             transfer.getXferName()));
         // JPEG-LS packs runs of one value as tightly as bzip2 does.
         check_ratio(bytes.size(), Packing::bzip2, needed, name);
@@ -111,6 +112,8 @@ DicomHead head_of(std::string_view bytes, const std::string& name)
     if (!data.tagExists(DCM_PixelData))
         file.refuse("this DICOM file has no whole numbers as pixels, or ends before them");
     head.modality = dicom_text(data, DCM_Modality);
+    Sint32 number = 0;
+    if (data.findAndGetSint32(DCM_InstanceNumber, number).good()) head.number = number;
     head.rows = whole_of(data, DCM_Rows, 0);
     head.columns = whole_of(data, DCM_Columns, 0);
     if (head.rows < 1 || head.columns < 1)
@@ -226,15 +229,15 @@ bool is_dicom(std::string_view bytes)
 DicomHead read_dicom_head(std::string_view bytes, const std::string& name)
 {
     DicomHead head;
-    with_stack_for_dicom(bytes, name, [&] { head = head_of(bytes, name); });
+    with_stack_for_dicom(bytes, name, [&](std::string_view all) { head = head_of(all, name); });
     return head;
 }
 
 std::string dicom_series_of(std::string_view bytes, const std::string& name)
 {
     std::string series;
-    with_stack_for_dicom(bytes, name, [&] {
-        DicomDataset file(bytes, name);
+    with_stack_for_dicom(bytes, name, [&](std::string_view all) {
+        DicomDataset file(all, name);
         series = dicom_text(file.data(), DCM_SeriesInstanceUID);
     });
     return series;
@@ -244,7 +247,8 @@ TakenSamples read_dicom_samples(std::string_view bytes, const DicomHead& head,
                                 const std::string& name)
 {
     TakenSamples samples;
-    with_stack_for_dicom(bytes, name, [&] { samples = samples_of_file(bytes, head, name); });
+    with_stack_for_dicom(bytes, name,
+                         [&](std::string_view all) { samples = samples_of_file(all, head, name); });
     return samples;
 }
 

@@ -16,6 +16,7 @@ struct DicomHead {
     std::string series_words; // for the user: its description, else the end of the former
     std::string modality;     // CT, MR, ...
     std::string unit;         // of values: HU, or empty
+    long number = 0;          // its InstanceNumber; 0: it has none
     std::int64_t columns = 0, rows = 0;
     SampleType type = SampleType::u16; // of samples, bits that are not stored masked out
     std::vector<DicomFrame> frames;

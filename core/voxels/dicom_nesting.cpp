@@ -2,14 +2,41 @@
 #include "core/voxels/dicom_nesting.h"
 
 #include "core/base/rejected.h"
+#include "core/voxels/inflate.h"
 #include "core/voxels/sample_type.h"
 
+#include <cstring>
 #include <exception>
 #include <fmt/format.h>
+#include <optional>
 #include <pthread.h>
 
 namespace trivar {
 namespace {
+
+using namespace std::string_view_literals;
+
+constexpr auto deflated_syntax = "1.2.840.10008.1.2.1.99"sv,
+               plain_syntax = "1.2.840.10008.1.2.1\0\0\0"sv;
+
+// A deflated file as one that is not: behind the head, which says how long it is and is not packed,
+// all is deflated. Nothing for another file.
+std::optional<std::string> inflated(std::string_view bytes, const std::string& name)
+{
+    constexpr std::size_t preamble = 132, first_element = 12;
+    constexpr std::uint64_t most = std::uint64_t{1} << 29;
+    if (bytes.size() < preamble + first_element ||
+        bytes.substr(preamble, 8) != "\x02\0\0\0UL\4\0"sv)
+        return {};
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + preamble + 8, sizeof(length));
+    const std::string_view head = bytes.substr(0, preamble + first_element + std::size_t{length});
+    const std::size_t at = head.find(deflated_syntax, preamble);
+    if (at == head.npos) return {};
+    std::string out(head);
+    out.replace(at, plain_syntax.size(), plain_syntax);
+    return out + unpacked(bytes.substr(head.size()), Packing::deflate, most, name);
+}
 
 std::size_t count_marks(std::string_view bytes, std::string_view mark, std::size_t most)
 {
@@ -55,14 +82,17 @@ void run_on_thread(std::size_t stack_bytes, const std::string& name,
 } // namespace
 
 void with_stack_for_dicom(std::string_view bytes, const std::string& name,
-                          const std::function<void()>& work)
+                          const std::function<void(std::string_view bytes)>& work)
 {
-    using namespace std::string_view_literals;
     constexpr std::size_t few = 500, most = std::size_t{1} << 18;
     constexpr std::size_t stack_for_one = 4096, stack_at_least = std::size_t{1} << 23;
-    if (bytes.find("1.2.840.10008.1.2.1.99"sv) != bytes.npos)
-        throw Rejected(name + ": this DICOM file is deflated, which is not read; write it again in "
-                              "Explicit VR Little Endian");
+    const std::optional<std::string> plain = inflated(bytes, name);
+    if (plain)
+        bytes = *plain;
+    else if (bytes.find(deflated_syntax) != bytes.npos)
+        throw Rejected(name +
+                       ": this DICOM file is deflated and does not say where; write it again "
+                       "by dcmconv +te IN OUT");
     const std::size_t items = count_marks(bytes, "\xfe\xff\x00\xe0"sv, most) +
                               count_marks(bytes, "\xff\xfe\xe0\x00"sv, most);
     if (items > most)
@@ -70,9 +100,9 @@ void with_stack_for_dicom(std::string_view bytes, const std::string& name,
                                    "is not read",
                                    name, with_commas(most)));
     if (items <= few)
-        work();
+        work(bytes);
     else
-        run_on_thread(stack_at_least + items * stack_for_one, name, work);
+        run_on_thread(stack_at_least + items * stack_for_one, name, [&] { work(bytes); });
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/dicom_series.h"
 
+#include "core/base/number_text.h"
 #include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
@@ -32,6 +33,19 @@ struct SeriesFile {
 };
 using SeriesFiles = std::vector<SeriesFile>;
 
+// Whether the slices of two files can be slices of one volume.
+bool alike(const DicomHead& a, const DicomHead& b)
+{
+    return a.columns == b.columns && a.rows == b.rows && a.type == b.type &&
+           parallel(a.frames[0], b.frames[0]);
+}
+
+// The pixels of a file that cannot be decoded, and why.
+struct DamagedPixels {
+    std::size_t file;
+    std::string why;
+};
+
 std::size_t slice_count(const SeriesFiles& files)
 {
     std::size_t count = 0;
@@ -45,24 +59,27 @@ using BytesOf = std::function<std::string_view(const std::string& name)>;
 // Makes a volume of the files of one series.
 class SeriesReader {
 public:
-    SeriesReader(const SeriesFiles& files, std::string words, const ReadVolumeOptions& options)
+    SeriesReader(const SeriesFiles& files, std::string words, const ReadVolumeOptions& options,
+                 int time)
         : files_(files),
           words_(std::move(words)),
-          options_(options)
+          options_(options),
+          time_(time)
     {
     }
 
+    // Throws DamagedPixels, too.
     ReadVolume volume(const BytesOf& bytes_of, const Progress& progress)
     {
-        check_alike();
         for (const SeriesFile& file : files_) {
             first_.push_back(slices_.size());
-            for (const DicomFrame& frame : file.head.frames) slices_.push_back({frame, file.name});
+            for (const DicomFrame& frame : file.head.frames)
+                slices_.push_back({frame, file.name, file.head.number});
         }
         first_.push_back(slices_.size());
         SliceOrder order;
         try {
-            order = ordered_slices(slices_);
+            order = ordered_slices(slices_, time_);
         } catch (const Rejected& rejected) {
             refuse(rejected.what());
         }
@@ -82,21 +99,6 @@ private:
     void say(std::string_view sentence)
     {
         grid_.notices.push_back(fmt::format("DICOM series {}: {}", words_, sentence));
-    }
-
-    void check_alike() const
-    {
-        for (const SeriesFile& file : files_) {
-            if (file.head.columns != first().columns || file.head.rows != first().rows)
-                refuse(fmt::format("{} has {} x {} pixels, but {} has {} x {}; the slices of a "
-                                   "volume have one size",
-                                   files_[0].name, first().columns, first().rows, file.name,
-                                   file.head.columns, file.head.rows));
-            if (file.head.type != first().type)
-                refuse(fmt::format("{} has {}, but {} has {}; the slices of a volume have one type",
-                                   files_[0].name, words_of(first().type), file.name,
-                                   words_of(file.head.type)));
-        }
     }
 
     void take_samples(const BytesOf& bytes_of, const SliceOrder& order, const Progress& progress)
@@ -120,9 +122,14 @@ private:
                        0.3 + 0.7 * static_cast<double>(decoded++) /
                                  static_cast<double>(files_.size()),
                        "Decoding");
-                TakenSamples taken = read_dicom_samples(bytes_of(file.name), file.head, file.name);
-                rounded += taken.rounded;
-                return std::move(taken.samples);
+                try {
+                    TakenSamples taken =
+                        read_dicom_samples(bytes_of(file.name), file.head, file.name);
+                    rounded += taken.rounded;
+                    return std::move(taken.samples);
+                } catch (const Rejected& why) {
+                    throw DamagedPixels{number, why.what()};
+                }
             },
             [&](const VoxelGrid::Samples& slice) { taker.take_slice(slice); });
         part_ = taker.part();
@@ -159,18 +166,32 @@ private:
     const SeriesFiles& files_;
     std::string words_;
     const ReadVolumeOptions& options_;
+    int time_;
     std::vector<PlacedSlice> slices_;
     std::vector<std::size_t> first_; // slice of each file, and the end of the last
     VoxelGrid grid_;
     GridPart part_;
 };
 
+// A file that is left out, and why.
+struct LeftOut {
+    std::string series; // empty: not known
+    std::string why;    // begins with the file's name
+};
+
 // The files of a folder with pixels, by their series.
 struct FolderSeries {
     std::map<std::string, SeriesFiles> series;
-    // The sentences for whole files with pixels that are no slices (colours, no place), by series.
-    std::map<std::string, std::vector<std::string>> refused;
+    // Those that are damaged, and whole ones with pixels that are no slices (colours, no place).
+    std::vector<LeftOut> left_out;
+    bool any = false; // whether there is a DICOM file
 };
+
+bool named_as_slice(const std::string& name)
+{
+    const std::string extension = extension_of(name);
+    return extension == ".dcm" || extension == ".dicom" || extension == ".ima";
+}
 
 // Other files of the folder, which may be large, are not read.
 bool begins_as_dicom(const std::string& path)
@@ -182,6 +203,26 @@ bool begins_as_dicom(const std::string& path)
     return is_dicom({begin.data(), filled});
 }
 
+void add_file(FolderSeries& all, const std::string& path, const std::string& name,
+              std::uintmax_t& bytes_left)
+{
+    if (!begins_as_dicom(path)) {
+        if (named_as_slice(name))
+            all.left_out.push_back({{}, name + ": this is no DICOM file, or its head is missing"});
+        return;
+    }
+    all.any = true;
+    const std::string bytes = read_bytes(path, bytes_left);
+    bytes_left -= bytes.size();
+    try {
+        const DicomHead head = read_dicom_head(bytes, name);
+        if (!head.frames.empty()) all.series[head.series].push_back({name, head});
+    } catch (const Rejected& rejected) {
+        all.left_out.push_back({{}, rejected.what()});
+        all.left_out.back().series = dicom_series_of(bytes, name); // throws where it is damaged
+    }
+}
+
 FolderSeries series_in(const std::string& folder, const std::vector<std::string>& names,
                        const ReadVolumeOptions& options, const Progress& progress)
 {
@@ -190,15 +231,11 @@ FolderSeries series_in(const std::string& folder, const std::vector<std::string>
     for (std::size_t k = 0; k < names.size(); ++k) {
         report(progress, 0.3 * static_cast<double>(k) / static_cast<double>(names.size()),
                "Looking for slices");
-        const std::string path = (fs::path(folder) / names[k]).string();
-        if (!begins_as_dicom(path)) continue;
-        const std::string bytes = read_bytes(path, left);
-        left -= bytes.size();
+        const std::size_t before = out.left_out.size();
         try {
-            const DicomHead head = read_dicom_head(bytes, names[k]);
-            if (!head.frames.empty()) out.series[head.series].push_back({names[k], head});
-        } catch (const Rejected& rejected) {
-            out.refused[dicom_series_of(bytes, names[k])].emplace_back(rejected.what());
+            add_file(out, (fs::path(folder) / names[k]).string(), names[k], left);
+        } catch (const Rejected& why) { // it cannot be opened or is damaged
+            if (out.left_out.size() == before) out.left_out.push_back({{}, why.what()});
         }
     }
     return out;
@@ -208,29 +245,48 @@ FolderSeries series_in(const std::string& folder, const std::vector<std::string>
 std::map<std::string, SeriesFiles>::const_iterator chosen_series(const FolderSeries& all,
                                                                  const ReadVolumeOptions& options)
 {
-    if (!options.series.empty()) {
-        const auto asked = all.series.find(options.series);
-        if (asked == all.series.end())
-            throw Rejected(fmt::format("the folder has no DICOM series {}", shown(options.series)));
-        return asked;
-    }
-    return std::ranges::max_element(all.series, {},
-                                    [](const auto& each) { return slice_count(each.second); });
+    if (options.series.empty())
+        return std::ranges::max_element(all.series, {},
+                                        [](const auto& each) { return slice_count(each.second); });
+    const auto asked = all.series.find(options.series);
+    if (asked != all.series.end()) return asked;
+    for (const LeftOut& each : all.left_out)
+        if (each.series == options.series) throw Rejected(each.why);
+    throw Rejected(fmt::format("the folder has no DICOM series {}", shown(options.series)));
 }
 
-// What a folder of one series often has beside it: a report in colours, a picture without a place.
-void say_refused(const FolderSeries& all, VoxelGrid& grid)
+// The files of a series that make one volume; the names of the others are added to `others`.
+SeriesFiles one_volume(const SeriesFiles& files, const std::string& chosen, NameList& others)
 {
-    std::size_t count = 0;
-    std::string first;
-    for (const auto& [uid, sentences] : all.refused) {
-        count += sentences.size();
-        if (first.empty()) first = sentences[0];
+    std::vector<SeriesFiles> groups;
+    std::size_t taken = 0;
+    bool found = false;
+    for (const SeriesFile& file : files) {
+        const auto group = std::ranges::find_if(
+            groups, [&](const SeriesFiles& each) { return alike(each[0].head, file.head); });
+        const auto at = static_cast<std::size_t>(group - groups.begin());
+        if (group == groups.end()) groups.emplace_back();
+        groups[at].push_back(file);
+        if (file.name == chosen) taken = at;
+        found = found || file.name == chosen;
     }
+    if (!found)
+        taken = static_cast<std::size_t>(std::ranges::max_element(groups, {}, slice_count) -
+                                         groups.begin());
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        for (const SeriesFile& file : groups[k])
+            if (k != taken) others.add(file.name);
+    return groups[taken];
+}
+
+// What is damaged or no slice, and may have been one.
+void say_left_out(const FolderSeries& all, VoxelGrid& grid)
+{
+    const std::size_t count = all.left_out.size();
     if (count > 0)
-        grid.notices.push_back(fmt::format(
-            "{} left out that {} of other series ({}{})", counted(count, "file was", "files were"),
-            count == 1 ? "is" : "are", count > 1 ? "the first: " : "", first));
+        grid.notices.push_back(fmt::format("{} left out ({}{})",
+                                           counted(count, "file was", "files were"),
+                                           count > 1 ? "the first: " : "", all.left_out[0].why));
 }
 
 void say_others(const FolderSeries& all, const std::string& chosen, VoxelGrid& grid)
@@ -248,33 +304,68 @@ void say_others(const FolderSeries& all, const std::string& chosen, VoxelGrid& g
 
 } // namespace
 
+std::vector<std::string> files_in(const std::string& folder)
+{
+    constexpr std::size_t most = 20'000;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (!at->is_regular_file(error)) continue;
+        names.push_back(at->path().filename().string());
+        if (names.size() > most)
+            throw Rejected(fmt::format("{}: has more than {} files; a volume has fewer slices",
+                                       folder, with_commas(most)));
+    }
+    if (error) throw Rejected(fmt::format("{}: {}", folder, error.message()));
+    std::ranges::sort(names);
+    return names;
+}
+
 std::optional<ReadVolume> read_dicom_folder(const std::string& folder,
                                             const std::vector<std::string>& names,
-                                            const ReadVolumeOptions& options,
-                                            const Progress& progress)
+                                            const ReadVolumeOptions& options, int time,
+                                            const Progress& progress, const std::string& chosen)
 {
-    const FolderSeries all = series_in(folder, names, options, progress);
-    if (all.series.empty() && all.refused.empty()) return {};
-    if (all.series.empty()) throw Rejected(all.refused.begin()->second[0]);
-    const auto chosen = chosen_series(all, options);
-    if (const auto refused = all.refused.find(chosen->first); refused != all.refused.end())
-        throw Rejected(refused->second[0]);
-    const SeriesFiles& files = chosen->second;
+    constexpr std::size_t most_again = 16; // times, since each begins from the first slice
+    FolderSeries all = series_in(folder, names, options, progress);
+    if (all.series.empty() && (!all.any || all.left_out.empty())) return {};
+    if (all.series.empty()) throw Rejected(all.left_out[0].why);
+    const auto series = chosen_series(all, options);
+    NameList others;
+    SeriesFiles files = one_volume(series->second, chosen, others);
     std::string held;
     const BytesOf bytes_of = [&](const std::string& name) -> std::string_view {
         held = read_bytes((fs::path(folder) / name).string(), options.max_bytes);
         return held;
     };
-    ReadVolume out =
-        SeriesReader(files, files[0].head.series_words, options).volume(bytes_of, progress);
-    say_others(all, chosen->first, out.grid);
-    say_refused(all, out.grid);
+    ReadVolume out;
+    for (std::size_t again = 0;; ++again) try {
+            for (const LeftOut& each : all.left_out)
+                if (slice_count(files) < 2 && (each.series.empty() || each.series == series->first))
+                    throw Rejected(each.why);
+            out = SeriesReader(files, series->second[0].head.series_words, options, time)
+                      .volume(bytes_of, progress);
+            break;
+        } catch (const DamagedPixels& damaged) {
+            // Slices that were given already cannot be taken back.
+            if (again == most_again || options.each_slice || files[damaged.file].name == chosen)
+                throw Rejected(damaged.why);
+            all.left_out.push_back({series->first, damaged.why});
+            files.erase(files.begin() + static_cast<std::ptrdiff_t>(damaged.file));
+        }
+    if (others.count() > 0)
+        out.grid.notices.push_back(
+            fmt::format("{} of other size, type, direction or distance of pixels {} left out: {}",
+                        counted(others.count(), "slice", "slices"),
+                        others.count() == 1 ? "was" : "were", others.text()));
+    say_others(all, series->first, out.grid);
+    say_left_out(all, out.grid);
     for (const SeriesFile& file : files) out.companions.push_back(file.name);
     return out;
 }
 
 ReadVolume read_dicom_bytes(std::string_view bytes, const std::string& name,
-                            const std::string& folder, const ReadVolumeOptions& options,
+                            const std::string& folder, const ReadVolumeOptions& options, int time,
                             const Progress& progress)
 {
     const DicomHead head = read_dicom_head(bytes, name);
@@ -283,20 +374,28 @@ ReadVolume read_dicom_bytes(std::string_view bytes, const std::string& name,
     if (head.frames.size() == 1 && !folder.empty()) {
         ReadVolumeOptions of_series = options;
         of_series.series = head.series;
-        std::vector<std::string> names;
-        std::error_code error;
-        for (fs::directory_iterator at(folder, error), end; !error && at != end;
-             at.increment(error))
-            if (at->is_regular_file(error)) names.push_back(at->path().filename().string());
-        std::ranges::sort(names);
-        auto out = read_dicom_folder(folder, names, of_series, progress);
+        auto out = read_dicom_folder(folder, files_in(folder), of_series, time, progress, name);
         if (!out) throw Rejected(name + ": its folder has no DICOM files any more");
         std::erase(out->companions, name);
         return std::move(*out);
     }
     const SeriesFiles files{{name, head}};
-    return SeriesReader(files, head.series_words, options)
-        .volume([&](const std::string&) { return bytes; }, progress);
+    try {
+        return SeriesReader(files, head.series_words, options, time)
+            .volume([&](const std::string&) { return bytes; }, progress);
+    } catch (const DamagedPixels& damaged) {
+        throw Rejected(damaged.why);
+    }
+}
+
+std::vector<std::string> dicom_series_in(const std::string& folder)
+{
+    std::vector<std::string> out;
+    for (const auto& [uid, files] : series_in(folder, files_in(folder), {}, {}).series)
+        out.push_back(fmt::format(
+            "{}{}{}, {}", files[0].head.series_words, files[0].head.modality.empty() ? "" : ", ",
+            shown(files[0].head.modality), counted(slice_count(files), "slice", "slices")));
+    return out;
 }
 
 } // namespace trivar

@@ -24,7 +24,8 @@ public:
         constexpr int largest_window = 15, with_gzip_head = 16;
         // It fails for lack of memory only.
         begun_ = inflateInit2(&stream_, packing == Packing::gzip ? largest_window + with_gzip_head
-                                                                 : largest_window) == Z_OK;
+                                        : packing == Packing::deflate ? -largest_window
+                                                                      : largest_window) == Z_OK;
     }
     ~Inflater() { inflateEnd(&stream_); }
     Inflater(const Inflater&) = delete;
@@ -105,13 +106,15 @@ private:
 // Unpacks a part of a file bit by bit.
 template <class Stream> class Unpacker {
 public:
+    // `magic` begins another member that may follow; `filling` bytes may.
     Unpacker(ByteFile file, std::uint64_t at, std::uint64_t count, std::string_view magic,
-             std::string name, auto... of_stream)
+             std::uint64_t filling, std::string name, auto... of_stream)
         : stream_(of_stream...),
           file_(std::move(file)),
           at_(std::min(at, file_.size())),
           end_(at_ + std::min(count, file_.size() - at_)),
           magic_(magic),
+          filling_(filling),
           name_(std::move(name))
     {
     }
@@ -146,7 +149,7 @@ private:
     void go_on()
     {
         const std::uint64_t behind = stream_.left().size() + (end_ - at_);
-        if (behind == 0) {
+        if (behind <= filling_) {
             ended_ = true;
             return;
         }
@@ -164,6 +167,7 @@ private:
     ByteFile file_;
     std::uint64_t at_, end_; // of what the stream was not fed with yet
     std::string_view magic_;
+    std::uint64_t filling_;
     std::string name_, buffer_;
     std::uint64_t given_ = 0;
     bool ended_ = false;
@@ -178,11 +182,11 @@ ByteStream unpacked(ByteFile file, std::uint64_t at, std::uint64_t count, Packin
         return stream_of([unpacker](std::span<char> to) { return unpacker->read(to); });
     };
     if (packing == Packing::bzip2)
-        return stream(std::make_shared<Unpacker<Bunzipper>>(std::move(file), at, count, "BZh",
+        return stream(std::make_shared<Unpacker<Bunzipper>>(std::move(file), at, count, "BZh", 0,
                                                             std::move(name)));
-    return stream(std::make_shared<Unpacker<Inflater>>(std::move(file), at, count,
-                                                       packing == Packing::gzip ? "\x1f\x8b" : "",
-                                                       std::move(name), packing));
+    return stream(std::make_shared<Unpacker<Inflater>>(
+        std::move(file), at, count, packing == Packing::gzip ? "\x1f\x8b" : "",
+        packing == Packing::deflate ? 1 : 0, std::move(name), packing));
 }
 
 std::string unpacked(std::string_view bytes, Packing packing, std::uint64_t most,

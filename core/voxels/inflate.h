@@ -9,8 +9,9 @@
 
 namespace trivar {
 
-// How the bytes of a file are packed.
-enum class Packing { none, gzip, zlib, bzip2 };
+// How the bytes of a file are packed; deflate is the stream that gzip and zlib hold, without a head
+// and a checksum.
+enum class Packing { none, gzip, zlib, bzip2, deflate };
 
 // Whether bytes begin as gzip's do.
 inline bool is_gzip(std::string_view bytes)
@@ -21,7 +22,8 @@ inline bool is_gzip(std::string_view bytes)
 // The bytes that a packed part of a file gives, members behind one another too: from a place on,
 // `count` bytes. They are unpacked as they are asked for, in memory that does not grow. Reading
 // throws Rejected where the stream is damaged, ends before its checksum or is followed by other
-// bytes. `packing` is not none; `name` is that of the file, for the sentences.
+// bytes; one that fills up an odd number may follow deflate's. `packing` is not none; `name` is
+// that of the file, for the sentences.
 ByteStream unpacked(ByteFile file, std::uint64_t at, std::uint64_t count, Packing packing,
                     std::string name);
 

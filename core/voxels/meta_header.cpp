@@ -125,10 +125,14 @@ private:
         if (dimensions < 3 || dimensions > 4)
             refuse(fmt::format("its NDims is {}; a volume has 3", dimensions));
         const auto sizes = numbers({"DimSize"}, static_cast<std::size_t>(dimensions));
-        if (dimensions == 4 && sizes[3] != 1)
-            refuse(fmt::format("it has 4 dimensions, {} values at each point; a volume has one "
-                               "number at each point",
-                               sizes[3]));
+        if (dimensions == 4) {
+            constexpr double most_volumes = 1e6;
+            if (!(sizes[3] >= 1 && sizes[3] <= most_volumes && sizes[3] == std::floor(sizes[3])))
+                refuse(fmt::format("its DimSize is '{}'; its last number should be that of the "
+                                   "volumes",
+                                   shown(find({"DimSize"}))));
+            out_.volumes = static_cast<std::uint64_t>(sizes[3]);
+        }
         constexpr double most = std::numeric_limits<std::int32_t>::max();
         for (std::size_t k = 0; k < 3; ++k) {
             if (sizes[k] != std::floor(sizes[k]) || std::abs(sizes[k]) > most + 1)

@@ -13,6 +13,7 @@ namespace trivar {
 // What the head of a MetaImage says.
 struct MetaHeader {
     SampleBlock block;
+    std::uint64_t volumes = 1; // behind one another: times
     ByteOrder order = ByteOrder::little;
     bool binary = true, packed = false; // packed: by zlib
     std::int64_t header_bytes = 0; // before the samples of a file; -1: these are its last bytes

@@ -55,26 +55,31 @@ TakenSamples words_in(const MetaHeader& header, const ByteFile& file, std::uint6
 
 // Takes the samples of one file from a place on.
 void take_one(PartTaker& taker, const MetaHeader& header, const ByteFile& file, std::uint64_t from,
-              const std::string& name, const VolumeSource& source)
+              const std::string& name, const VolumeSource& source, const ByteTurns& turns)
 {
     if (!header.binary) {
         if (taker.wants_samples()) taker.take(words_in(header, file, from, name, source));
         return;
     }
-    const ByteStream stream =
-        meta_stream(header, file, from, header.block.bytes(), name, source,
-                    [&](std::uint64_t present) { check_bytes(header.block, present, name); });
-    if (taker.wants_samples()) taker.take(stream, header.order);
+    const ByteStream all =
+        meta_stream(header, file, from, bytes_of(turns), name, source, [&](std::uint64_t present) {
+            refuse_bytes(header.block, turns, present, name);
+        });
+    if (taker.wants_samples()) taker.take(chosen_volume(source, all, turns), header.order);
 }
 
 void take_samples(PartTaker& taker, const MetaHeader& header, VolumeSource& source)
 {
-    const std::uint64_t needed = header.block.bytes(), count = header.data_files.size();
+    const ByteTurns turns = turns_of(source, header.block, header.volumes,
+                                     header.block.bytes() / size_of(header.block.type));
+    const std::uint64_t needed = bytes_of(turns), count = header.data_files.size();
+    if (!header.binary && turns.things > 1)
+        source.refuse("it holds several volumes as numbers in words; write it binary");
     if (count == 0)
-        return take_one(taker, header, source.file(), header.size, source.name(), source);
+        return take_one(taker, header, source.file(), header.size, source.name(), source, turns);
     if (count == 1)
         return take_one(taker, header, source.open_beside(header.data_files[0]), 0,
-                        shown(header.data_files[0]), source);
+                        shown(header.data_files[0]), source, turns);
     if (!header.binary) source.refuse("numbers in words are in many files; one can be read");
     if (needed % count != 0)
         source.refuse(fmt::format("{} files cannot share {} bytes of samples equally", count,
@@ -88,7 +93,8 @@ void take_samples(PartTaker& taker, const MetaHeader& header, VolumeSource& sour
                                    name, with_commas(present), count, with_commas(needed / count)));
                            });
     };
-    if (taker.wants_samples()) taker.take(joined(count, stream), header.order);
+    if (taker.wants_samples())
+        taker.take(chosen_volume(source, joined(count, stream), turns), header.order);
 }
 
 } // namespace

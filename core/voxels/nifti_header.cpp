@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/nifti_header.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -108,8 +109,9 @@ private:
         const std::int64_t dimensions = size(0);
         if (dimensions < 1 || dimensions > 7)
             refuse(fmt::format("its head says {} dimensions; a volume has 3", dimensions));
+        if (dimensions > 3 && size(4) > 1) out_.volumes = static_cast<std::uint64_t>(size(4));
         for (std::size_t k = 4; k <= static_cast<std::size_t>(dimensions); ++k)
-            if (size(k) != 1)
+            if (size(k) != 1 && (k > 4 || size(k) < 1))
                 refuse(fmt::format("it has {} dimensions, {} values at each point; a volume has "
                                    "one number at each point",
                                    dimensions, size(k)));
@@ -240,11 +242,30 @@ private:
         return frame;
     }
 
+    void compare(const VolumeFrame& general, const VolumeFrame& turned)
+    {
+        constexpr double same = 0.02; // of a step
+        bool differ = false;
+        std::string by_matrix, by_turn;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 a = general.steps[k], b = turned.steps[k];
+            differ = differ || glm::length(a - b) > same * glm::length(a);
+            by_matrix += (k > 0 ? " x " : "") + number_text(glm::length(a));
+            by_turn += (k > 0 ? " x " : "") + number_text(glm::length(b));
+        }
+        if (differ && spans_space(turned))
+            out_.notices.push_back(fmt::format(
+                "its two places differ: samples are {} apart by its matrix (sform) and {} by its "
+                "turn (qform){}; the matrix was taken",
+                by_matrix, by_turn, by_matrix == by_turn ? ", in other directions" : ""));
+    }
+
     void take_frame()
     {
         glm::dvec3 distance = distances();
         const bool general = code(places_.sform) > 0, turned = code(places_.qform) > 0;
         if (general && spans_space(general_frame())) {
+            if (turned) compare(general_frame(), turned_by_quaternion(distance));
             out_.frame = turned_frame(general_frame(), {-1, -1, 1});
             return;
         }

@@ -13,6 +13,7 @@ namespace trivar {
 // What the head of a NIfTI file says.
 struct NiftiHeader {
     SampleBlock block;
+    std::uint64_t volumes = 1; // behind one another: times
     ByteOrder order = ByteOrder::little;
     bool detached = false;         // the samples are in the .img beside the .hdr
     std::uint64_t data_offset = 0; // of the samples in their file
@@ -29,8 +30,9 @@ inline constexpr std::size_t nifti2_head_bytes = 540;
 bool is_nifti(std::string_view bytes);
 
 // Reads the head of a file for which is_nifti() holds. Where it has a general matrix (sform) that
-// spans space, that is taken, else the turn and distances (qform), else the distances alone.
-// Throws Rejected for anything but one real number at each point of a grid of three axes.
+// spans space, that is taken, else the turn and distances (qform), else the distances alone; a
+// notice says where the first two differ. Throws Rejected for anything but one real number at each
+// point of a grid of three axes, and of time.
 // Source: the NIfTI-1 and NIfTI-2 headers of the NIfTI Data Format Working Group.
 NiftiHeader read_nifti_header(std::string_view bytes, const std::string& name);
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <teem/nrrd.h>
 
 namespace trivar {
@@ -30,16 +31,33 @@ std::mutex& teem_mutex()
     return mutex;
 }
 
-// The innermost of the library's messages, without the names of its functions.
+constexpr const char* no_order =
+    "it does not say the order of bytes; it should have a line 'endian: "
+    "little' or 'endian: big'";
+
+// What stands in a text between two others; nothing where they are not there.
+std::optional<std::string_view> between(std::string_view text, std::string_view front,
+                                        std::string_view back)
+{
+    const std::size_t begin = text.find(front), from = begin + front.size();
+    const std::size_t end = begin == text.npos ? begin : text.find(back, from);
+    if (end == text.npos) return {};
+    return text.substr(from, end - from);
+}
+
+// What the library found wrong, in our words, of its messages from the outermost to the innermost.
 std::string teem_reason()
 {
     const std::unique_ptr<char, decltype(&std::free)> all(biffGetDone(NRRD), &std::free);
-    std::string_view text = all ? all.get() : "";
-    while (text.ends_with('\n')) text.remove_suffix(1);
-    text.remove_prefix(std::min(text.size(), text.rfind('\n') + 1));
-    if (const auto colon = text.find(": "); text.starts_with("[nrrd] ") && colon != text.npos)
-        text.remove_prefix(colon + 2);
-    return shown(text);
+    const std::string_view text = all ? all.get() : "";
+    if (const auto field = between(text, "trouble parsing ", " info |"))
+        return fmt::format("its line '{}: {}' cannot be read", shown(*field),
+                           shown(between(text, " info |", "|\n").value_or("")));
+    if (const auto line = between(text, "field identifier from in \"", "\"\n"))
+        return fmt::format("its line '{}' is not 'field: value'", shown(*line));
+    if (text.find("require endian info") != text.npos) return no_order;
+    return "its version is not known, or a line is missing: type, dimension, sizes and encoding "
+           "are needed";
 }
 
 class NrrdHead {
@@ -62,8 +80,7 @@ public:
         out_.order = state_.endian == airEndianBig ? ByteOrder::big : ByteOrder::little;
         const bool ordered = out_.encoding == NrrdEncoding::ascii || size_of(out_.block.type) == 1;
         if (!ordered && state_.endian != airEndianBig && state_.endian != airEndianLittle)
-            refuse("it does not say the order of bytes; it should have a line 'endian: little' or "
-                   "'endian: big'");
+            refuse(no_order);
         out_.line_skip = state_.lineSkip;
         out_.byte_skip = state_.byteSkip;
         take_frame();
@@ -77,21 +94,42 @@ private:
     }
     const NrrdAxisInfo& axis(std::size_t k) const { return nrrd_.axis[axes_[k]]; }
 
-    // Finds the three axes of the grid; others may have one sample only.
+    // Whether an axis counts volumes, such as times: it says so, it alone has no direction, or it
+    // is the last of four that say nothing.
+    bool counts_volumes(unsigned a, std::size_t found) const
+    {
+        const NrrdAxisInfo& info = nrrd_.axis[a];
+        if (info.kind == nrrdKindList || info.kind == nrrdKindTime) return true;
+        if (info.kind != nrrdKindUnknown) return false;
+        constexpr std::size_t most_colours = 4;
+        if (nrrd_.spaceDim == 3) return !std::isfinite(info.spaceDirection[0]);
+        return found == 3 && nrrd_.axis[0].size > most_colours;
+    }
+
+    // Finds the three axes of the grid, and one of several volumes; others may have one sample
+    // only.
     void find_axes()
     {
         std::size_t found = 0;
+        std::uint64_t in_turn = 1; // samples of a volume
         for (unsigned a = 0; a < nrrd_.dim; ++a) {
             const NrrdAxisInfo& info = nrrd_.axis[a];
             const bool of_space = info.kind == nrrdKindUnknown || info.kind == nrrdKindDomain ||
                                   info.kind == nrrdKindSpace;
-            if (info.size == 1 && nrrd_.dim - a + found > 3) continue;
+            const bool spare = nrrd_.dim - a + found > 3;
+            if (info.size == 1 && spare) continue;
+            if (spare && out_.volumes == 1 && counts_volumes(a, found)) {
+                out_.volumes = info.size;
+                out_.in_turn = in_turn;
+                continue;
+            }
             if (!of_space)
                 refuse(fmt::format("its axis {} holds {} values for each point ({}); a volume has "
                                    "one number at each point",
                                    a + 1, info.size, airEnumStr(nrrdKind, info.kind)));
             if (found == 3) refuse(fmt::format("it has {} dimensions; a volume has 3", nrrd_.dim));
             axes_[found++] = a;
+            in_turn *= info.size; // teem refuses sizes whose product is beyond its numbers
         }
         if (found < 3)
             refuse(fmt::format("it has {}; a volume has 3",
@@ -180,6 +218,12 @@ private:
     {
         const char* said = nrrd_.spaceUnits[0] ? nrrd_.spaceUnits[0] : axis(0).units;
         const std::string unit(said ? said : "");
+        const bool plain = glm::length(out_.frame.steps[0]) == 1 &&
+                           glm::length(out_.frame.steps[1]) == 1 &&
+                           glm::length(out_.frame.steps[2]) == 1;
+        if (unit.empty() && plain && out_.notices.empty())
+            out_.notices.push_back("its samples are 1 apart along each axis, without a unit, so it "
+                                   "may not know their distance; 1 mm was taken");
         if (unit == "mm" || unit == "millimeter" || unit == "millimetre")
             out_.metres_per_unit = 1e-3;
         else if (unit == "cm")

@@ -16,6 +16,8 @@ enum class NrrdEncoding { raw, gzip, bzip2, ascii, hex };
 // What the head of an NRRD file says.
 struct NrrdHeader {
     SampleBlock block;
+    std::uint64_t volumes = 1; // times or layers,
+    std::uint64_t in_turn = 1; // so many samples of each in turn
     NrrdEncoding encoding = NrrdEncoding::raw;
     ByteOrder order = ByteOrder::little;
     VolumeFrame frame;          // LPS where the file tells its space, else as the file has it

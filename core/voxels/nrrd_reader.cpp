@@ -81,14 +81,14 @@ public:
     }
 
     // Its numbers in words; the file is read as a whole.
-    TakenSamples words() const
+    TakenSamples words(const SampleBlock& block) const
     {
         const ByteFile all = source_.whole(file_, name_);
         check_skip(all.size() - from_);
         std::string unused;
         return taken_words(
             all.part(from_ + static_cast<std::uint64_t>(header_.byte_skip), all.size(), unused),
-            header_.block, name_);
+            block, name_);
     }
 
 private:
@@ -153,9 +153,28 @@ private:
     std::string name_;
 };
 
+// Of the samples of several volumes those of one.
+TakenSamples one_volume(TakenSamples all, const ByteTurns& turns, const VolumeSource& source,
+                        std::size_t sample_bytes)
+{
+    if (turns.things == 1) return all;
+    std::visit(
+        [&](auto& samples) {
+            const std::size_t run = turns.run / sample_bytes, turn = run * turns.things;
+            const std::size_t first = run * (static_cast<std::size_t>(source.time()) - 1);
+            std::size_t count = 0;
+            for (std::size_t at = first; at < samples.size(); at += turn)
+                for (std::size_t k = 0; k < run; ++k) samples[count++] = samples[at + k];
+            samples.resize(count);
+        },
+        all.samples);
+    return all;
+}
+
 void take_samples(PartTaker& taker, VolumeSource& source, const NrrdHeader& header)
 {
-    const std::uint64_t needed = header.block.bytes();
+    const ByteTurns turns = turns_of(source, header.block, header.volumes, header.in_turn);
+    const std::uint64_t needed = bytes_of(turns);
     if (header.data_files.size() <= 1) {
         const bool attached = header.data_files.empty();
         const std::string name = attached ? source.name() : shown(header.data_files[0]);
@@ -163,15 +182,17 @@ void take_samples(PartTaker& taker, VolumeSource& source, const NrrdHeader& head
                       attached ? source.file() : source.open_beside(header.data_files[0]),
                       attached ? header.size : 0, name);
         if (header.encoding == NrrdEncoding::ascii) {
-            if (taker.wants_samples()) taker.take(file.words());
+            SampleBlock all = header.block;
+            all.size[2] *= static_cast<std::int64_t>(turns.things);
+            if (taker.wants_samples())
+                taker.take(one_volume(file.words(all), turns, source, size_of(all.type)));
             return;
         }
         if (!taker.wants_samples()) return;
-        taker.take(file.stream(needed,
-                               [&header, name](std::uint64_t present) {
-                                   check_bytes(header.block, present, name);
-                               }),
-                   header.order);
+        const ByteStream all = file.stream(needed, [&header, &turns, name](std::uint64_t present) {
+            refuse_bytes(header.block, turns, present, name);
+        });
+        taker.take(chosen_volume(source, all, turns), header.order);
         return;
     }
     // Files behind one another, each with an equal part of the samples.
@@ -191,7 +212,8 @@ void take_samples(PartTaker& taker, VolumeSource& source, const NrrdHeader& head
                                       with_commas(needed / count)));
         });
     };
-    if (taker.wants_samples()) taker.take(joined(count, stream), header.order);
+    if (taker.wants_samples())
+        taker.take(chosen_volume(source, joined(count, stream), turns), header.order);
 }
 
 } // namespace

@@ -42,6 +42,8 @@ ReadVolume read_raw(VolumeSource& source, const ReadVolumeOptions& options)
         source.refuse(fmt::format("has {} bytes; {} should be skipped", with_commas(source.size()),
                                   with_commas(layout.header_bytes)));
     check_bytes(layout.block, source.size() - layout.header_bytes, source.name());
+    if (options.spacing == glm::dvec3(1))
+        source.say("it does not say how far its samples are apart; 1 mm was taken");
     PartTaker taker(layout.block, options, source.name(), source.progress());
     if (taker.wants_samples())
         taker.take(stream_of(source.file(), layout.header_bytes), layout.order);

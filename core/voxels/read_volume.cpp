@@ -34,7 +34,7 @@ bool is_packed_nifti(std::string_view bytes)
     return is_gzip(bytes) && is_nifti(first_unpacked(bytes, nifti2_head_bytes));
 }
 
-// Finds the reader by the first bytes; files without a head have only their name.
+// The reader by the first bytes; files without a head have only their name. Null: none.
 Reader reader_for(std::string_view bytes, const std::string& name)
 {
     if (bytes.starts_with("NRRD")) return read_nrrd;
@@ -45,14 +45,12 @@ Reader reader_for(std::string_view bytes, const std::string& name)
     const std::string extension = extension_of(name);
     if (extension == ".raw" || extension == ".bin" || extension == ".dat" || extension == ".vol")
         return read_raw;
-    throw Rejected(fmt::format(
-        "{}: this is no volume that can be read: NRRD, NIfTI (.nii, .nii.gz, .hdr), MetaImage "
-        "(.mha, .mhd), VTK (.vtk, .vti), DICOM, .raw, or a folder of DICOM files or pictures",
-        name));
+    return nullptr;
 }
 
-void check_options(const ReadVolumeOptions& options)
+void check_options(const ReadVolumeOptions& options, int time)
 {
+    if (time < 1) throw Rejected(fmt::format("times are counted from 1; there is no {}", time));
     const auto sound = [](double value) { return value >= 1e-12 && value <= 1e12; };
     if (options.metres_per_unit && !sound(*options.metres_per_unit))
         throw Rejected(fmt::format("the unit must be from 1e-12 to 1e12 metres, not {}",
@@ -152,29 +150,11 @@ void make_tame(VoxelGrid& grid, const std::string& name)
                                    number_text(value)));
 }
 
-// The names of ordinary files in a folder, sorted.
-std::vector<std::string> files_in(const std::string& folder)
-{
-    constexpr std::size_t most = 20'000;
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (!at->is_regular_file(error)) continue;
-        names.push_back(at->path().filename().string());
-        if (names.size() > most)
-            throw Rejected(fmt::format("{}: has more than {} files; a volume has fewer slices",
-                                       folder, with_commas(most)));
-    }
-    if (error) throw Rejected(fmt::format("{}: {}", folder, error.message()));
-    std::ranges::sort(names);
-    return names;
-}
-
 ReadVolume read_folder(const std::string& folder, const ReadVolumeOptions& options,
-                       const Progress& progress)
+                       const Progress& progress, int time)
 {
     const std::vector<std::string> names = files_in(folder);
-    if (auto series = read_dicom_folder(folder, names, options, progress))
+    if (auto series = read_dicom_folder(folder, names, options, time, progress))
         return std::move(*series);
     std::vector<std::string> pictures;
     std::ranges::copy_if(names, std::back_inserter(pictures), may_be_slice);
@@ -185,17 +165,23 @@ ReadVolume read_folder(const std::string& folder, const ReadVolumeOptions& optio
 }
 
 ReadVolume read_file(const ByteFile& bytes, const std::string& name, const std::string& folder,
-                     const ReadVolumeOptions& options, const Progress& progress)
+                     const ReadVolumeOptions& options, const Progress& progress, int time)
 {
     const std::string file = fs::path(name).filename().string();
     if (bytes.size() == 0) throw Rejected(file + ": the file is empty");
     report(progress, 0, "Reading");
-    VolumeSource source(bytes, file, folder, options, progress);
+    VolumeSource source(bytes, file, folder, options, progress, time);
     ReadVolume out;
     if (!options.raw && is_dicom(source.head())) {
-        out = read_dicom_bytes(source.bytes(), file, folder, options, progress);
+        out = read_dicom_bytes(source.bytes(), file, folder, options, time, progress);
     } else {
         const Reader reader = options.raw ? read_raw : reader_for(source.head(), file);
+        if (!reader)
+            throw Rejected(fmt::format(
+                "{}: this is no volume that can be read: NRRD, NIfTI (.nii, .nii.gz, .hdr), "
+                "MetaImage (.mha, .mhd), VTK (.vtk, .vti), DICOM, .raw, or a folder of DICOM files "
+                "or pictures",
+                file));
         out = reader(source, options);
         out.grid.notices = source.notices();
         out.companions = source.companions();
@@ -211,20 +197,32 @@ ReadVolume read_volume_bytes(std::string_view bytes, const std::string& name,
                              const std::string& folder, const ReadVolumeOptions& options,
                              const Progress& progress)
 {
-    check_options(options);
-    return read_file(ByteFile(bytes), name, folder, options, progress);
+    check_options(options, 1);
+    return read_file(ByteFile(bytes), name, folder, options, progress, 1);
+}
+
+bool is_volume_file(const std::string& path)
+{
+    constexpr std::uint64_t begin = 4096;
+    try {
+        std::string buffer;
+        const std::string_view head = ByteFile::opened(path).part(0, begin, buffer);
+        return is_dicom(head) || reader_for(head, path);
+    } catch (const Rejected&) {
+        return false;
+    }
 }
 
 ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options,
-                       const Progress& progress)
+                       const Progress& progress, int time)
 {
-    check_options(options);
+    check_options(options, time);
     report(progress, 0, "Opening");
     std::error_code error;
     const fs::path absolute = fs::absolute(path).lexically_normal();
     if (fs::is_directory(absolute, error)) {
         const fs::path folder = absolute.has_filename() ? absolute : absolute.parent_path();
-        ReadVolume out = read_folder(folder.string(), options, progress);
+        ReadVolume out = read_folder(folder.string(), options, progress, time);
         make_tame(out.grid, folder.filename().string());
         return out;
     }
@@ -237,13 +235,13 @@ ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options
         const fs::path head = fs::path(absolute).replace_extension(".hdr");
         if (fs::is_regular_file(head, error)) {
             ReadVolume out = read_file(ByteFile::opened(head.string()), head.string(), folder,
-                                       options, progress);
+                                       options, progress, time);
             std::erase(out.companions, absolute.filename().string());
             out.companions.push_back(head.filename().string());
             return out;
         }
     }
-    return read_file(file, path, folder, options, progress);
+    return read_file(file, path, folder, options, progress, time);
 }
 
 } // namespace trivar

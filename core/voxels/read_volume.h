@@ -17,8 +17,14 @@ namespace trivar {
 // samples of the part that is asked for and for a few slices; more where the format cannot be read
 // bit by bit: numbers in words or in base64, a DICOM file with many frames. All samples are numbers
 // then, and no value is beyond 1e30. Throws Rejected with one sentence, having changed nothing.
+// Of several volumes in a file, or slices at one place in a series, which are times, echoes or
+// layers, that with the number `time` is read, from 1.
 ReadVolume read_volume(const std::string& path, const ReadVolumeOptions& options = {},
-                       const Progress& progress = {});
+                       const Progress& progress = {}, int time = 1);
+
+// Whether a file is a volume, by its first bytes, or by its name if it has no head. No more is
+// read.
+bool is_volume_file(const std::string& path);
 
 // The same of bytes in memory: `name` is the file's and tells raw files from others; other files
 // are read from `folder`, none if it is empty.

@@ -17,20 +17,17 @@ constexpr double even_within = 0.01; // of the usual distance
 
 void check_parallel(const std::vector<PlacedSlice>& slices)
 {
-    constexpr double same_direction = 1e-3, same_spacing = 1e-3; // radians; share
-    const PlacedSlice& first = slices[0];
-    for (const PlacedSlice& each : slices) {
-        if (glm::length(each.frame.along_row - first.frame.along_row) > same_direction ||
-            glm::length(each.frame.along_column - first.frame.along_column) > same_direction)
-            throw Rejected(fmt::format("{} and {} lie in different directions; the slices of a "
-                                       "volume are parallel",
-                                       first.name, each.name));
-        const glm::dvec2 differ = glm::abs(each.frame.spacing - first.frame.spacing);
-        if (differ.x > same_spacing * first.frame.spacing.x ||
-            differ.y > same_spacing * first.frame.spacing.y)
-            throw Rejected(fmt::format("the pixels of {} and {} are not equally far apart",
-                                       first.name, each.name));
-    }
+    for (const PlacedSlice& each : slices)
+        if (!parallel(slices[0].frame, each.frame))
+            throw Rejected(fmt::format("{} and {} have different directions or distances of "
+                                       "pixels; the slices of a volume are parallel",
+                                       slices[0].name, each.name));
+}
+
+double median(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    return values.empty() ? 0 : values[values.size() / 2];
 }
 
 class Ordering {
@@ -42,10 +39,10 @@ public:
     {
     }
 
-    SliceOrder order()
+    SliceOrder order(int time)
     {
         sort();
-        check_apart();
+        take_time(time);
         check_line();
         make_even();
         return std::move(out_);
@@ -63,31 +60,72 @@ private:
             height[k] = glm::dot(slices_[k].frame.position, normal_);
         std::ranges::stable_sort(out_.order, {}, [&](std::size_t k) { return height[k]; });
         for (const std::size_t k : out_.order) height_.push_back(height[k] - height[out_.order[0]]);
+        take_gaps();
+    }
+
+    void take_gaps()
+    {
+        gaps_.clear();
         for (std::size_t k = 0; k + 1 < height_.size(); ++k)
             gaps_.push_back(height_[k + 1] - height_[k]);
     }
 
-    // Slices nearer than a hundredth of the usual distance are one slice twice. Where all are there
-    // twice, the usual distance is nothing but rounding, far below that of pixels.
-    void check_apart()
+    // Slices nearer than a hundredth of the usual distance are at one place; what is far below the
+    // distance of pixels is rounding.
+    double nearest() const
     {
         constexpr double of_pixels = 1e-3;
+        const double rounding = of_pixels * pixel();
+        std::vector<double> apart;
+        std::ranges::copy_if(gaps_, std::back_inserter(apart),
+                             [&](double gap) { return gap > rounding; });
+        return std::max(even_within * median(std::move(apart)), rounding);
+    }
+    double pixel() const
+    {
         const glm::dvec2 spacing = slice(0).frame.spacing;
-        const double nearest =
-            std::max(even_within * usual_gap(), of_pixels * std::min(spacing.x, spacing.y));
-        std::size_t doubles = 0, first = 0;
-        for (std::size_t k = gaps_.size(); k-- > 0;)
-            if (!(gaps_[k] > nearest)) {
-                doubles += 1;
-                first = k;
-            }
-        if (doubles == 0) return;
-        throw Rejected(
-            fmt::format("{} and {} lie at the same place{}; remove one of them, or, if these are "
-                        "different times "
-                        "or echoes, read one by itself",
-                        slice(first).name, slice(first + 1).name,
-                        doubles > 1 ? fmt::format(", and so do {} more", doubles - 1) : ""));
+        return std::min(spacing.x, spacing.y);
+    }
+
+    void take_time(int time)
+    {
+        const double same_place = nearest();
+        const auto wanted = static_cast<std::size_t>(time);
+        std::vector<std::size_t> order;
+        std::vector<double> height;
+        std::size_t most = 0, fewest = slices_.size(), fullest = 0;
+        for (std::size_t k = 0, end = 0; k < out_.order.size(); k = end) {
+            for (end = k + 1; end < out_.order.size() && !(gaps_[end - 1] > same_place);) ++end;
+            std::sort(out_.order.begin() + static_cast<std::ptrdiff_t>(k),
+                      out_.order.begin() + static_cast<std::ptrdiff_t>(end),
+                      [&](std::size_t a, std::size_t b) {
+                          return std::pair(slices_[a].number, a) < std::pair(slices_[b].number, b);
+                      });
+            if (end - k > most) fullest = k;
+            most = std::max(most, end - k);
+            fewest = std::min(fewest, end - k);
+            if (wanted > end - k) continue;
+            order.push_back(out_.order[k + wanted - 1]);
+            height.push_back(height_[k]);
+        }
+        if (order.empty())
+            throw Rejected(fmt::format("it has {} at each place; there is no time {}",
+                                       counted(most, "slice", "slices"), time));
+        if (order.size() < 2)
+            throw Rejected(fmt::format("its {} slices lie at one place; a volume has at least 2 "
+                                       "places",
+                                       slices_.size()));
+        if (most > 1)
+            out_.notices.push_back(fmt::format(
+                "{}{} slices lie at {}, such as {} and {}: times, echoes or copies; number {} was "
+                "taken",
+                fewest < most ? "up to " : "", most, fewest < most ? "one place" : "each place",
+                slice(fullest).name, slice(fullest + 1).name, time));
+        out_.order = std::move(order);
+        const double lowest = height[0];
+        height_ = std::move(height);
+        for (double& each : height_) each -= lowest;
+        take_gaps();
     }
 
     // The first pixels of all slices lie on a line, which is oblique where the gantry was tilted.
@@ -95,7 +133,10 @@ private:
     {
         const DicomFrame& first = slice(0).frame;
         direction_ = (slice(height_.size() - 1).frame.position - first.position) / height_.back();
-        const double tolerance = 0.05 * std::min(first.spacing.x, first.spacing.y) + 1e-3; // mm
+        constexpr double rounding = 1e-3; // mm
+        const double told_from = 0.05 * pixel() + rounding,
+                     tolerance = std::max(pixel() / 2, even_within * median(gaps_)) + rounding;
+        double most_off = 0;
         for (std::size_t k = 0; k < height_.size(); ++k) {
             const glm::dvec3 on_line = first.position + direction_ * height_[k];
             const double off = glm::length(slice(k).frame.position - on_line);
@@ -103,10 +144,15 @@ private:
                 throw Rejected(fmt::format("{} lies {} mm beside the line through the first and "
                                            "the last slice; the slices of a volume lie on one",
                                            slice(k).name, number_text(off)));
+            most_off = std::max(most_off, off);
         }
+        if (most_off > told_from)
+            out_.notices.push_back(fmt::format("its slices lie up to {} mm beside a line, about as "
+                                               "positions are rounded; they were taken as on it",
+                                               number_text(most_off)));
         const double tilt = glm::degrees(std::atan(glm::length(direction_ - normal_)));
-        constexpr double told_from = 0.05;
-        if (tilt > told_from)
+        constexpr double least_tilt = 0.05;
+        if (tilt > least_tilt && glm::length(direction_ - normal_) * height_.back() > 2 * told_from)
             out_.notices.push_back(
                 fmt::format("its slices are moved in their planes, as by a gantry "
                             "tilted by {:.1f} degrees; the grid is oblique "
@@ -116,7 +162,7 @@ private:
 
     void make_even()
     {
-        const double usual = usual_gap();
+        const double usual = median(gaps_);
         std::size_t uneven = 0, first = 0;
         for (std::size_t k = gaps_.size(); k-- > 0;)
             if (std::abs(gaps_[k] - usual) > even_within * usual) {
@@ -149,13 +195,6 @@ private:
                             number_text(step, {.digits = 4})));
     }
 
-    double usual_gap() const // the median
-    {
-        std::vector<double> sorted = gaps_;
-        std::ranges::sort(sorted);
-        return sorted[sorted.size() / 2];
-    }
-
     std::size_t widest() const
     {
         return static_cast<std::size_t>(std::ranges::max_element(gaps_) - gaps_.begin());
@@ -178,11 +217,19 @@ private:
 
 } // namespace
 
-SliceOrder ordered_slices(const std::vector<PlacedSlice>& slices)
+bool parallel(const DicomFrame& a, const DicomFrame& b)
+{
+    constexpr double same_direction = 1e-3, same_spacing = 1e-3; // radians; share
+    return glm::length(a.along_row - b.along_row) <= same_direction &&
+           glm::length(a.along_column - b.along_column) <= same_direction &&
+           glm::all(glm::lessThanEqual(glm::abs(a.spacing - b.spacing), same_spacing * a.spacing));
+}
+
+SliceOrder ordered_slices(const std::vector<PlacedSlice>& slices, int time)
 {
     if (slices.size() < 2) throw Rejected("it has 1 slice; a volume has at least 2");
     check_parallel(slices);
-    return Ordering(slices).order();
+    return Ordering(slices).order(time);
 }
 
 } // namespace trivar

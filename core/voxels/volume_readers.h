@@ -29,6 +29,21 @@ inline double metres_per_unit(const ReadVolumeOptions& options, double of_file)
     return of_file > 0 ? of_file : millimetre;
 }
 
+// How a file of `things` volumes, such as times, holds them: so many of a volume's samples in turn.
+// Says which one is taken. Throws Rejected where there is none of the number that is asked for, or
+// the bytes of all cannot be counted.
+ByteTurns turns_of(VolumeSource& source, const SampleBlock& block, std::uint64_t things,
+                   std::uint64_t samples_in_turn);
+inline std::uint64_t bytes_of(const ByteTurns& all)
+{
+    return all.things * all.run * all.turns;
+}
+// Throws Rejected: there are so many bytes of samples, which is another number.
+void refuse_bytes(const SampleBlock& block, const ByteTurns& turns, std::uint64_t present,
+                  const std::string& name);
+// The samples of that volume, of the bytes of all.
+ByteStream chosen_volume(const VolumeSource& source, ByteStream all, const ByteTurns& turns);
+
 // A volume of the part that was taken, with the sentence for what samples lost. `frame` is that of
 // the whole volume.
 ReadVolume volume_of(VolumeSource& source, PartTaker& taker, SampleType type,

@@ -23,13 +23,14 @@ void check_most(std::uint64_t bytes, std::uintmax_t most, const std::string& nam
 } // namespace
 
 VolumeSource::VolumeSource(ByteFile file, std::string name, const std::string& folder,
-                           const ReadVolumeOptions& options, Progress progress)
+                           const ReadVolumeOptions& options, Progress progress, int time)
     : file_(std::move(file)),
       name_(std::move(name)),
       files_(folder),
       bytes_left_(options.max_bytes),
       most_in_memory_(options.memory_bytes),
-      progress_(std::move(progress))
+      progress_(std::move(progress)),
+      time_(time)
 {
     check_most(file_.size(), bytes_left_, name_);
     bytes_left_ -= file_.size();

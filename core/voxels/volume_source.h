@@ -21,12 +21,13 @@ public:
     // `name` is that of the file, for sentences; other files are read from `folder`, none if it is
     // empty. Throws Rejected where the file has more bytes than the options allow.
     VolumeSource(ByteFile file, std::string name, const std::string& folder,
-                 const ReadVolumeOptions& options, Progress progress = {});
+                 const ReadVolumeOptions& options, Progress progress = {}, int time = 1);
 
     const ByteFile& file() const { return file_; }
     std::uint64_t size() const { return file_.size(); }
     const std::string& name() const { return name_; }
     const Progress& progress() const { return progress_; }
+    int time() const { return time_; } // of several volumes in the file the one to read, from 1
     // The first bytes, in which heads stand: at most 4 MB.
     std::string_view head() const { return head_; }
     // All bytes, for formats that cannot be read bit by bit; they are kept. Throws Rejected where
@@ -55,6 +56,7 @@ private:
     FolderFiles files_;
     std::uintmax_t bytes_left_, most_in_memory_;
     Progress progress_;
+    int time_;
     std::string head_buffer_, whole_buffer_;
     std::string_view head_;
     std::set<std::string> companions_;

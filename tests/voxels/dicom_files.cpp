@@ -45,8 +45,9 @@ void put_head(DcmDataset& data, const DicomSlice& slice)
     put(data, DCM_RescaleIntercept, fmt::format("{}", slice.intercept));
     put(data, DCM_PhotometricInterpretation, slice.colours);
     put_whole(data, DCM_SamplesPerPixel, 1);
-    put_whole(data, DCM_Rows, 5);
-    put_whole(data, DCM_Columns, 6);
+    if (slice.number > 0) put(data, DCM_InstanceNumber, fmt::format("{}", slice.number));
+    put_whole(data, DCM_Rows, slice.rows);
+    put_whole(data, DCM_Columns, slice.columns);
     put_whole(data, DCM_BitsAllocated, 16);
     put_whole(data, DCM_BitsStored, slice.bits_stored);
     put_whole(data, DCM_HighBit, slice.bits_stored - 1);
@@ -74,6 +75,7 @@ E_TransferSyntax transfer_of(DicomPacking packing)
     case DicomPacking::big_endian: return EXS_BigEndianExplicit;
     case DicomPacking::implicit: return EXS_LittleEndianImplicit;
     case DicomPacking::rle: return EXS_RLELossless;
+    case DicomPacking::deflated: return EXS_DeflatedLittleEndianExplicit;
     case DicomPacking::jpeg_lossless: return EXS_JPEGProcess14SV1;
     case DicomPacking::jpeg_ls: return EXS_JPEGLSLossless;
     default: return EXS_LittleEndianExplicit;
@@ -113,6 +115,7 @@ std::string file_bytes(DcmFileFormat& file, DicomPacking packing)
     DcmOutputBufferStream stream(out.data(), static_cast<offile_off_t>(out.size()));
     file.transferInit();
     const OFCondition written = file.write(stream, transfer, EET_ExplicitLength, nullptr);
+    stream.flush(); // what is deflated
     file.transferEnd();
     if (written.bad()) throw std::logic_error(written.text());
     void* from = nullptr;

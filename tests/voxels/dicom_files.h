@@ -14,6 +14,7 @@ enum class DicomPacking {
     big_endian,
     implicit,
     rle,
+    deflated,
     jpeg_lossless,
     jpeg_ls,
     jpeg2000_claimed
@@ -24,6 +25,8 @@ struct DicomSlice {
     glm::dvec3 position{0};
     glm::dvec3 along_row{1, 0, 0}, along_column{0, 1, 0};
     std::vector<std::int16_t> samples = std::vector<std::int16_t>(30);
+    int rows = 5, columns = 6;
+    int number = 0; // InstanceNumber; 0: none
     std::string series = "1.2.3.1", description = "phantom";
     double slope = 1, intercept = -1024;
     int bits_stored = 16;

@@ -167,7 +167,12 @@ TEST(Nifti, RefusesWhatIsNoVolume)
         return refusal(bytes, "a.nii");
     };
     EXPECT_THAT(with([](auto& b) { set(b, 40, std::int16_t{4}), set(b, 48, std::int16_t{7}); }),
-                HasSubstr("7 values at each point"));
+                HasSubstr("its 7 volumes need 120 each"));
+    EXPECT_THAT(with([](auto& b) {
+                    set(b, 40, std::int16_t{5});
+                    set(b, 48, std::int16_t{1}), set(b, 50, std::int16_t{3});
+                }),
+                HasSubstr("3 values at each point"));
     EXPECT_THAT(with([](auto& b) { set(b, 70, std::int16_t{128}); }), HasSubstr("colours"));
     EXPECT_THAT(with([](auto& b) { set(b, 70, std::int16_t{32}); }), HasSubstr("complex"));
     EXPECT_THAT(with([](auto& b) { set(b, 72, std::int16_t{8}); }), HasSubstr("8 bits for each"));

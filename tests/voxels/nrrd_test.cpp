@@ -139,17 +139,50 @@ TEST(Nrrd, TurnsSpacesToThePatientsLeftBackAndHead)
                                testing::upright_mm({1, -2, 3}, {5, -6, 7}));
 }
 
-TEST(Nrrd, RefusesColoursVectorsAndTimes)
+TEST(Nrrd, RefusesColoursAndVectors)
 {
     EXPECT_THAT(refusal("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 5 4 3\nencoding: raw\n"
                         "kinds: RGB-color domain domain domain\n\n" +
                             std::string(180, 'a'),
                         "a.nrrd"),
                 HasSubstr("one number at each point"));
-    EXPECT_THAT(refusal("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 5 4 3 3\nencoding: raw\n\n" +
+    EXPECT_THAT(refusal("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 5 4 3\nencoding: raw\n\n" +
                             std::string(180, 'a'),
                         "a.nrrd"),
                 HasSubstr("4 dimensions"));
+}
+
+TEST(Nrrd, SaysWhereADistanceOfOneMayBeNone)
+{
+    const std::string plain = "space: left-posterior-superior\n"
+                              "space directions: (1,0,0) (0,1,0) (0,0,1)\n";
+    const auto notices = [&](const std::string& lines) {
+        return read_volume_bytes(nrrd_head(lines) + "\n" + small_bytes(), "a.nrrd", "")
+            .grid.notices;
+    };
+    EXPECT_THAT(notices(plain),
+                ::testing::ElementsAre(HasSubstr("its samples are 1 apart along each axis, without "
+                                                 "a unit, so it may not know their distance")));
+    EXPECT_THAT(notices(plain + "space units: \"mm\" \"mm\" \"mm\"\n"), ::testing::IsEmpty());
+}
+
+TEST(Nrrd, SaysInItsOwnWordsWhatIsWrongInAHead)
+{
+    const auto why = [](const std::string& lines) {
+        return refusal("NRRD0004\n" + lines + "\n" + small_bytes(), "a.nrrd");
+    };
+    const std::string front = "a.nrrd: the head of this NRRD file is damaged: ";
+    EXPECT_EQ(why("type: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 5 4 3\nspace "
+                  "directions: (1,0,0 (0,1,0) (0,0,1)\nendian: little\nencoding: raw\n"),
+              front + "its line 'space directions: (1,0,0 (0,1,0) (0,0,1)' cannot be read");
+    EXPECT_EQ(why("type: banana\ndimension: 3\nsizes: 5 4 3\nencoding: raw\n"),
+              front + "its line 'type: banana' cannot be read");
+    EXPECT_EQ(why("type: short\ndimension: 3\nsizes: 5 4 3\ngarbage\nencoding: raw\n"),
+              front + "its line 'garbage' is not 'field: value'");
+    EXPECT_THAT(why("type: short\ndimension: 3\nsizes: 5 4 3\nencoding: raw\n"),
+                HasSubstr("does not say the order of bytes"));
+    EXPECT_THAT(why("type: short\ndimension: 3\nencoding: raw\nendian: little\n"),
+                HasSubstr("a line is missing: type, dimension, sizes and encoding are needed"));
 }
 
 TEST(Nrrd, RefusesDirectionsInAPlane)
@@ -168,7 +201,7 @@ TEST(Nrrd, RoundsDoublesToFloatsAndSaysHowMany)
     std::memcpy(bytes.data(), &tenth, 8);
     std::memcpy(bytes.data() + 8, &nan, 8);
     const VoxelGrid read =
-        read_volume_bytes(nrrd_head("spacings: 1 1 1\n", "raw", "double") + "\n" + bytes, "a.nrrd",
+        read_volume_bytes(nrrd_head("spacings: 2 1 1\n", "raw", "double") + "\n" + bytes, "a.nrrd",
                           "")
             .grid;
     EXPECT_EQ(std::get<std::vector<float>>(read.samples)[0], 0.1f);
@@ -188,7 +221,7 @@ TEST(Nrrd, PlacesWithoutDataHaveTheLeastValue)
     samples[11] = 9.97e36f;
     const std::string bytes(reinterpret_cast<const char*>(samples.data()), 4 * samples.size());
     const VoxelGrid grid =
-        read_volume_bytes(nrrd_head("spacings: 1 1 1\n", "raw", "float") + "\n" + bytes, "a.nrrd",
+        read_volume_bytes(nrrd_head("spacings: 2 1 1\n", "raw", "float") + "\n" + bytes, "a.nrrd",
                           "")
             .grid;
     const auto& read = std::get<std::vector<float>>(grid.samples);

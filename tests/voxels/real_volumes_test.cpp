@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/voxels/segments.h"
 #include "core/voxels/volume_summary.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/reading.h"
@@ -68,6 +69,55 @@ TEST_F(RealDataVolumes, OtherFormatsGiveSizesAndSums)
         EXPECT_EQ(summary_of(grid).type, each.type) << each.name;
         EXPECT_GT(sum(grid), 0) << each.name;
     }
+}
+
+// Small files of kinds that other programs write and that were refused or misread once.
+class RealDataOddVolumes : public RealDataVolumes {
+protected:
+    static ReadVolume read_odd(const std::string& name, int time = 1)
+    {
+        return read_volume(testing::real_data_folder() + "/found3/" + name, {}, {}, time);
+    }
+};
+
+TEST_F(RealDataOddVolumes, SeriesAreReadWithoutTheirScout)
+{
+    for (const char* name : {"42_scout_direction", "42_scout_size"}) {
+        const VoxelGrid grid = read_odd(name).grid;
+        EXPECT_EQ(grid.size.z, 6) << name;
+        EXPECT_THAT(grid.notices,
+                    ::testing::Contains(::testing::HasSubstr("was left out: scout.dcm")))
+            << name;
+    }
+}
+
+TEST_F(RealDataOddVolumes, DeflatedSlicesAreRead)
+{
+    const VoxelGrid grid = read_odd("39_deflated").grid;
+    EXPECT_EQ(grid.size.z, 3);
+    EXPECT_GT(sum(grid), 0);
+}
+
+TEST_F(RealDataOddVolumes, EachOfThreeTimesIsRead)
+{
+    const VoxelGrid first = read_odd("37_three_times.nii").grid;
+    EXPECT_EQ(read_odd("37_three_times.nii", 1).grid.samples, first.samples);
+    EXPECT_EQ(read_odd("37_three_times.nii", 3).grid.size, first.size);
+    EXPECT_THROW(read_odd("37_three_times.nii", 4), Rejected);
+}
+
+TEST_F(RealDataOddVolumes, TwoPlacesThatDifferAreTold)
+{
+    EXPECT_THAT(read_odd("35_q_and_s_differ.nii").grid.notices,
+                ::testing::Contains(::testing::HasSubstr("its two places differ")));
+}
+
+TEST_F(RealDataOddVolumes, SegmentsHaveTheirNames)
+{
+    const auto segments = segments_of(testing::real_data_folder() + "/found3/38_labels.seg.nrrd");
+    ASSERT_EQ(segments.size(), 2u);
+    EXPECT_EQ(segments[0].name, "bone");
+    EXPECT_EQ(segments[1].name, "marrow");
 }
 
 } // namespace
