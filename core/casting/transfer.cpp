@@ -55,12 +55,8 @@ std::vector<TransferPoint> usual_transfer(const VolumeSummary& summary, const Vo
 {
     constexpr glm::vec3 skin{0.93f, 0.66f, 0.50f}, flesh{0.80f, 0.36f, 0.28f},
         bone{0.97f, 0.93f, 0.85f};
-    const double lower = usual_level(summary, grid), range = summary.greatest - summary.least;
-    VolumeSummary dense = summary; // what is above the level
-    for (std::size_t i = 0; i < dense.histogram.size(); ++i)
-        if (summary.least + range * static_cast<double>(i) / 256 < lower) dense.histogram[i] = 0;
-    const double upper = std::max(usual_level(dense, grid), lower + range / 16);
-    const double soft = std::min(0.03 * range, 0.2 * (upper - lower));
+    const auto [lower, upper] = usual_levels(summary, grid);
+    const double soft = std::min(0.03 * (summary.greatest - summary.least), 0.2 * (upper - lower));
     return {{lower, skin, 0},
             {lower + 2 * soft, skin, 0.05},
             {lower + 3.5 * soft, flesh, 0.01},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/usual_level.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trivar {
@@ -29,6 +30,15 @@ double usual_level(const VolumeSummary& summary, const VoxelGrid& grid)
                                              static_cast<double>(summary.histogram.size());
     if (std::holds_alternative<std::vector<float>>(grid.samples)) return value;
     return grid.value(std::floor(grid.sample(value)) + 0.5);
+}
+
+std::array<double, 2> usual_levels(const VolumeSummary& summary, const VoxelGrid& grid)
+{
+    const double lower = usual_level(summary, grid), range = summary.greatest - summary.least;
+    VolumeSummary dense = summary; // what is above the level
+    for (std::size_t i = 0; i < dense.histogram.size(); ++i)
+        if (summary.least + range * static_cast<double>(i) / 256 < lower) dense.histogram[i] = 0;
+    return {lower, std::max(usual_level(dense, grid), lower + range / 16)};
 }
 
 } // namespace trivar

@@ -243,9 +243,11 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
 CLI::App* add_info(CLI::App& app, InfoOptions& o)
 {
     CLI::App* info = app.add_subcommand("info", "describe what is in a file");
-    info->description("Describes what is in models, images and scenes.");
-    info->footer("Example:\n  trivar info bunny.obj photo.png snake.trivar --json");
-    info->add_option("FILE", o.files, "models, images, scenes")->required()->type_name("");
+    info->description("Describes what is in models, volume data, images and scenes.");
+    info->footer("Example:\n  trivar info bunny.obj head.nii.gz ct/ photo.png snake.trivar --json");
+    info->add_option("FILE", o.files, "models, volume data or folders of it, images, scenes")
+        ->required()
+        ->type_name("");
     info->add_flag("--json", o.json, "as JSON, for programs");
     return info;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/info.h"
 
+#include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
@@ -12,9 +13,16 @@
 #include "core/mesh/extent.h"
 #include "core/mesh/pose.h"
 #include "core/scene/log.h"
+#include "core/voxels/dicom_series.h"
+#include "core/voxels/image_stack.h"
+#include "core/voxels/read_volume.h"
+#include "core/voxels/segments.h"
+#include "core/voxels/usual_level.h"
+#include "editor/files/volume_names.h"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -71,6 +79,48 @@ Facts model_facts(const std::string& path)
     return facts;
 }
 
+Facts three(const glm::dvec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+// Of one that does not fit into half of the memory what its head says alone.
+Facts volume_facts(const std::string& path)
+{
+    constexpr double millimetres = 1e3;
+    ReadVolumeOptions options;
+    options.memory_bytes = std::max(physical_bytes() / 2, std::uint64_t{1} << 28);
+    options.if_too_large = TooLarge::head;
+    const ReadVolume read = read_volume(path, options);
+    const VoxelGrid& grid = read.grid;
+    const VolumeSummary summary = summary_of(grid);
+    Facts directions = Facts::array();
+    for (int k = 0; k < 3; ++k)
+        directions.push_back(three(glm::normalize(glm::dvec3(grid.to_metres[k]))));
+    Facts facts{{"kind", "volume data"},
+                {"size", {grid.size.x, grid.size.y, grid.size.z}},
+                {"type", summary.type},
+                {"spacing_mm", three(summary.spacing_mm)},
+                {"size_mm", three(summary.spacing_mm * glm::dvec3(grid.size))},
+                {"directions", directions},
+                {"origin_mm", three(millimetres * glm::dvec3(grid.to_metres[3]))},
+                {"files", read.companions.size() + 1}};
+    if (!grid.value_unit.empty()) facts["unit"] = grid.value_unit;
+    if (grid.bytes() > 0) {
+        facts["range"] = {summary.least, summary.greatest};
+        facts["suggested_levels"] = usual_levels(summary, grid);
+        facts["bytes"] = summary.bytes;
+    }
+    for (const VolumeSegment& segment : segments_of(path))
+        facts["segments"].push_back(fmt::format("{} ({})", segment.name, segment.value));
+    if (std::filesystem::is_directory(path)) {
+        facts["files"] = read.companions.size();
+        if (const auto series = dicom_series_in(path); !series.empty()) facts["series"] = series;
+    }
+    if (!grid.notices.empty()) facts["notices"] = grid.notices;
+    return facts;
+}
+
 Facts image_facts(const std::string& path, PictureReader& pictures)
 {
     const Image image = pictures.read(path);
@@ -107,8 +157,19 @@ Facts facts_of(const std::string& path, PictureReader& pictures)
     static constexpr std::array<std::string_view, 6> models{".obj", ".ply",  ".stl",
                                                             ".off", ".gltf", ".glb"};
     if (extension == ".trivar") return scene_facts(path);
-    return std::ranges::find(models, extension) != models.end() ? model_facts(path)
-                                                                : image_facts(path, pictures);
+    if (std::ranges::find(models, extension) != models.end()) return model_facts(path);
+    if (may_be_slice(path)) return image_facts(path, pictures);
+    if (is_volume(path)) return volume_facts(path);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return image_facts(path, pictures);
+    try {
+        return image_facts(path, pictures);
+    } catch (const Rejected&) {
+        throw Rejected(path + ": this is no file that Trivar reads: a scene (.trivar), a model "
+                              "(glTF, OBJ, PLY, STL, OFF), volume data (NRRD, NIfTI, MetaImage, "
+                              "VTK, DICOM, raw, a folder of slices) or a picture (PNG, JPEG, WebP, "
+                              "TIFF, EXR and others)");
+    }
 }
 
 std::string plain(const Facts& value)
@@ -146,7 +207,10 @@ Status run_info(const InfoOptions& options, const Streams& streams)
                 std::string words = name;
                 std::ranges::replace(words, '_', ' ');
                 // Sentences have a line each
-                for (const Facts& line : name == "repaired" ? value : Facts::array({value}))
+                for (const Facts& line : name == "repaired" || name == "notices" ||
+                                                 name == "series" || name == "directions"
+                                             ? value
+                                             : Facts::array({value}))
                     streams.out << fmt::format("{:<16} {}\n", std::exchange(words, ""),
                                                plain(line));
             }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/silhouette.h"
 
-#include "core/base/box.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
@@ -13,8 +12,10 @@
 #include "core/files/sample_models.h"
 #include "core/silhouette/slab_drawing.h"
 #include "core/voxels/read_volume.h"
+#include "core/voxels/segments.h"
 #include "core/voxels/usual_level.h"
 #include "editor/command_line/drawing.h"
+#include "editor/command_line/silhouette_view.h"
 
 #include <algorithm>
 #include <charconv>
@@ -35,19 +36,22 @@ Choice choice_of(const std::string& text, const std::array<std::string_view, N>&
     return static_cast<Choice>(found - names.begin());
 }
 
-// The styles that have a name: four of the thesis (chapter 7), and two hands.
+// The styles that have a name: four of the thesis (chapter 7), and two hands. Their lines have no
+// taper, so that those of one width are strokes in the file; but for ink, whose width varies
+// anyway.
 constexpr std::array<std::string_view, 7> style_names{"plain",  "gradient", "fans", "grey",
                                                       "chroma", "pencil",   "ink"};
 LineStyle named_style(const std::string& name)
 {
     switch (choice_of<std::size_t>(name, style_names, "style")) {
-    case 1: return {.color_by = LineColor::hue_by_slope};
-    case 2: return {.width = 1.2f, .fan_step = 24, .fan_length = 22};
-    case 3: return {.width_by = LineWidth::by_slope, .color_by = LineColor::grey_by_slope};
-    case 4: return {.color_by = LineColor::hue_by_depth};
+    case 1: return {.color_by = LineColor::hue_by_slope, .taper = 0};
+    case 2: return {.width = 1.2f, .taper = 0, .fan_step = 24, .fan_length = 22};
+    case 3:
+        return {.width_by = LineWidth::by_slope, .color_by = LineColor::grey_by_slope, .taper = 0};
+    case 4: return {.color_by = LineColor::hue_by_depth, .taper = 0};
     case 5: return {.width = 1.6f, .color = {0.17f, 0.17f, 0.19f}, .wobble = 0.6f, .pencil = 0.8f};
     case 6: return {.width = 2.6f, .finest = 0.2f, .width_by = LineWidth::by_bend, .taper = 28};
-    default: return {};
+    default: return {.taper = 0};
     }
 }
 
@@ -67,6 +71,7 @@ LineStyle style_of(const SilhouetteCommand& command, std::size_t level)
 {
     LineStyle out = named_style(command.style);
     if (command.width) out.width = static_cast<float>(*command.width);
+    if (command.taper) out.taper = static_cast<float>(*command.taper);
     if (command.width_by)
         out.width_by = choice_of<LineWidth>(*command.width_by, choice_names<LineWidth>, "width-by");
     if (command.color_by)
@@ -88,50 +93,6 @@ std::optional<glm::vec3> paper_of(const SilhouetteCommand& command)
     if (command.paper == "white") return glm::vec3(1);
     if (command.paper == "black") return glm::vec3(0);
     return color_of(command.paper, "paper");
-}
-
-glm::dvec3 direction_of(const std::vector<double>& numbers, const char* option)
-{
-    if (numbers.size() != 3)
-        throw WrongUsage(fmt::format("--{}: a direction is three numbers, X,Y,Z", option));
-    const glm::dvec3 out(numbers[0], numbers[1], numbers[2]);
-    if (!(glm::length(out) > 0))
-        throw WrongUsage(fmt::format("--{}: a direction cannot be 0,0,0", option));
-    return glm::normalize(out);
-}
-
-// A camera that sees the whole grid.
-Camera camera_of(const SilhouetteCommand& command, const VoxelGrid& grid)
-{
-    constexpr double margin = 1.05, steep = 0.95; // a sight so near to Z has Y upward
-    const glm::dvec3 forward = direction_of(command.view, "view");
-    const auto place = [&](const glm::dvec3& p) {
-        return glm::dvec3(grid.to_metres * glm::dvec4(p, 1));
-    };
-    Camera out;
-    out.size_px = picture_size(command.size);
-    out.target = place(glm::dvec3(grid.size - 1) / 2.0);
-    out.up = !command.up.empty()           ? direction_of(command.up, "up")
-             : std::abs(forward.z) > steep ? glm::dvec3(0, 1, 0)
-                                           : glm::dvec3(0, 0, 1);
-    const glm::dvec3 right = glm::cross(forward, out.up);
-    if (!(glm::length(right) > 1e-6)) throw WrongUsage("--up: it is the direction of sight");
-    const glm::dvec3 across = glm::normalize(right), upward = glm::cross(across, forward);
-    glm::dvec3 half(0); // of what is seen, across, upward and along
-    for (const glm::dvec3& corner : Box{glm::dvec3(0), glm::dvec3(grid.size - 1)}.corners()) {
-        const glm::dvec3 d = place(corner) - out.target;
-        half = glm::max(half, glm::abs(glm::dvec3(glm::dot(d, across), glm::dot(d, upward),
-                                                  glm::dot(d, forward))));
-    }
-    const double height =
-        margin * std::max(half.y, half.x * out.size_px.y / out.size_px.x); // half of it
-    out.perspective = command.fov_deg > 0;
-    out.height_world = 2 * height;
-    out.fov_y = glm::radians(command.fov_deg);
-    const double distance =
-        out.perspective ? half.z + height / std::tan(out.fov_y / 2) : 4 * glm::length(half);
-    out.eye = out.target - distance * forward;
-    return out;
 }
 
 MoreLines more_lines_of(const SilhouetteCommand& command)
@@ -176,6 +137,25 @@ std::vector<std::string> layer_names(const SilhouetteCommand& command, std::size
     return names_apart(std::move(out));
 }
 
+// The bodies of these levels that hold the others, of samples.
+SampleBody outermost(const SilhouetteCommand& command, const VoxelGrid& grid,
+                     const std::vector<double>& values)
+{
+    const double value = command.below ? std::ranges::max(values) : std::ranges::min(values);
+    return {grid.sample(value), command.below != (grid.slope > 0)};
+}
+
+SilhouetteAim aim_of(const SilhouetteCommand& command)
+{
+    return {command.view, command.up, command.fov_deg, picture_size(command.size),
+            command.whole_grid};
+}
+
+std::size_t per_slice(const glm::ivec3& size)
+{
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
 // `volume` is the box of the samples of `all`; no box: it is all of it.
 LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
                         const VoxelField& all, const std::optional<SampleBox>& box,
@@ -206,9 +186,13 @@ LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volu
                           .more = more,
                           .further = more.any() ? &further[i] : nullptr,
                           .nearby = nearby[i]});
+    SilhouetteView view(aim_of(command), grid.to_metres, grid.size);
+    for (int z = 0; z < grid.size.z; ++z)
+        view.see(grid.samples, static_cast<std::size_t>(z) * per_slice(grid.size), z,
+                 outermost(command, grid, values));
     EditedLineIds ids(edits);
     return draw_levels(volume.field(), volume.hulls(), levels,
-                       drawing_view(camera_of(command, grid), grid.to_metres, grid.size),
+                       drawing_view(view.camera(), grid.to_metres, grid.size),
                        {.hide_each_other = command.hide_each_other,
                         .certified_depth = command.certified,
                         .dash_rows = command.dashes,
@@ -230,6 +214,15 @@ struct Drawn {
     std::vector<double> values;
 };
 
+glm::dvec3 spacing_of(const SilhouetteCommand& command)
+{
+    const std::vector<double>& mm = command.spacing;
+    if (mm.empty()) return glm::dvec3(1);
+    if (mm.size() != 3 || !(std::ranges::min(mm) > 0))
+        throw WrongUsage("--spacing takes three distances above 0 in mm, such as 0.5,0.5,2");
+    return {mm[0], mm[1], mm[2]};
+}
+
 // Reads volume data and draws them: as a whole, a box of them, or slab by slab.
 class Drawer {
 public:
@@ -244,13 +237,14 @@ public:
         reading_.memory_bytes = memory_of(command);
         reading_.bytes_beside = field_bytes(widest_sample, field_) - widest_sample;
         reading_.coarsen = command.coarsen;
+        reading_.spacing = spacing_of(command);
         reading_.if_too_large = TooLarge::head;
     }
 
     Drawn operator()()
     {
         const auto crop = crop_of(command_);
-        ReadVolume read = read_volume(command_.volume, reading_);
+        ReadVolume read = this->read(reading_);
         const bool fits = read.grid.bytes() > 0;
         std::optional<SampleBox> box;
         if (crop) box = sample_box(read.grid.size, crop->first, crop->second);
@@ -277,7 +271,12 @@ private:
     std::vector<double> values_of(const VoxelGrid& grid) const
     {
         if (!command_.levels.empty()) return command_.levels;
-        return {usual_level(summary_of(grid), grid)};
+        const double usual = usual_level(summary_of(grid), grid);
+        streams_.talk << fmt::format("trivar: {}: level {} was taken, which parts the values best; "
+                                     "--level takes others\n",
+                                     command_.volume,
+                                     number_text(usual, {.digits = 6, .commas = false}));
+        return {usual};
     }
 
     // Reads a box of samples of the grid, with as many round it as its function depends on; `box`
@@ -291,7 +290,11 @@ private:
         reading.box = SampleBox{first * step, last * step + step - 1};
         reading.if_too_large = TooLarge::refuse;
         box = {box.first - first, box.last - first};
-        return read_volume(command_.volume, reading);
+        return read(reading);
+    }
+    ReadVolume read(const ReadVolumeOptions& reading) const
+    {
+        return read_volume(command_.volume, reading, {}, command_.time);
     }
 
     Drawn by_slabs(const ReadVolume& head)
@@ -310,7 +313,7 @@ private:
         if (values.empty()) {
             ReadVolumeOptions coarse = reading_;
             coarse.if_too_large = TooLarge::coarsen;
-            values = values_of(read_volume(command_.volume, coarse).grid);
+            values = values_of(read(coarse).grid);
         }
         const bool above = command_.below != (grid.slope > 0);
         const std::vector<std::string> names = layer_names(command_, values.size());
@@ -330,12 +333,18 @@ private:
             reading.each_slice = each;
             reading.if_too_large = TooLarge::refuse;
             reading.bytes_beside = 0;
-            read_volume(command_.volume, reading);
+            read(reading);
         };
+        SilhouetteView view(aim_of(command_), grid.to_metres, grid.size);
+        if (!command_.whole_grid) {
+            const SampleBody body = outermost(command_, grid, values);
+            slices(
+                [&](int z, const VoxelGrid::Samples& samples) { view.see(samples, 0, z, body); });
+        }
         EditedLineIds ids(edits_);
         return {draw_levels_by_slabs(
                     plan, field_, slices, levels,
-                    drawing_view(camera_of(command_, grid), grid.to_metres, grid.size),
+                    drawing_view(view.camera(), grid.to_metres, grid.size),
                     {.hide_each_other = command_.hide_each_other, .ids = std::ref(ids)}),
                 grid.to_metres, values};
     }
@@ -356,6 +365,22 @@ HandEdits edits_in(const std::string& path)
     }
 }
 
+// Of a label map with named segments, and without levels: a level for each, smooth.
+SilhouetteCommand with_segments(SilhouetteCommand command, const Streams& streams)
+{
+    const std::vector<VolumeSegment> segments = segments_of(command.volume);
+    if (segments.empty() || !command.levels.empty()) return command;
+    for (const VolumeSegment& each : segments) {
+        command.levels.push_back(each.level);
+        if (command.names.size() < command.levels.size()) command.names.push_back(each.name);
+    }
+    command.smooth = true;
+    streams.talk << "trivar: " << command.volume
+                 << ": its segments are drawn as levels, each with those of higher labels in it: "
+                 << fmt::format("{}", fmt::join(command.names, ", ")) << "\n";
+    return command;
+}
+
 void say_proof(const SilhouetteCommand& command, const ProofGaps& gaps, const Streams& streams)
 {
     streams.talk << fmt::format(
@@ -367,14 +392,16 @@ void say_proof(const SilhouetteCommand& command, const ProofGaps& gaps, const St
 
 } // namespace
 
-Status run_silhouette(const SilhouetteCommand& command, const Streams& streams)
+Status run_silhouette(const SilhouetteCommand& typed, const Streams& streams)
 {
+    const SilhouetteCommand command = with_segments(typed, streams);
     // Says what is wrong of the options before anything is read.
     for (std::size_t i = 0; i <= command.colors.size(); ++i) style_of(command, i);
     direction_of(command.view, "view");
     direction_of(command.light, "light");
     const std::optional<glm::vec3> paper = paper_of(command);
     crop_of(command);
+    spacing_of(command);
     const DrawingFormat format = drawing_format(command.out);
     if (command.certified >= 0 && command.dashes > 0)
         throw WrongUsage("--certified: lines in dashes (--dashes) have no proof; leave one out");

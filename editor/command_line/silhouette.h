@@ -23,9 +23,12 @@ struct SilhouetteCommand {
     int coarsen = 1;              // see coarsened()
     int blur = 0;                 // see blurred()
     int memory_mb = 0;            // that may be used; 0: half of the machine's
+    std::vector<double> spacing;  // mm between samples of files that do not say it; none: 1
+    int time = 1;                 // of several volumes in the file, from 1
+    bool whole_grid = false;      // is framed, whatever is drawn
     bool hide_each_other = false; // bodies of levels hide what is behind them of others
     std::string style = "plain";  // what the following ones change
-    std::optional<double> width, wobble, pencil, fans;
+    std::optional<double> width, taper, wobble, pencil, fans;
     std::optional<std::string> width_by, color_by;
     std::string hidden = "none", paper = "white";
     std::vector<std::string> colors; // by level, the last for all that follow

@@ -47,6 +47,22 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->check(CLI::Range(1.0, 120.0));
     silhouette->add_option("--size", o.size, "of the drawing in pixels; 1000x1000 by default")
         ->type_name("WxH");
+    silhouette->add_flag("--frame-grid", o.whole_grid,
+                         "frame the whole grid, the same for any level; by default what is drawn");
+    silhouette
+        ->add_option(
+            "--spacing", o.spacing,
+            "mm between samples along each axis, of files that do not say it; 1 by default")
+        ->delimiter(',')
+        ->type_name("X,Y,Z")
+        ->allow_extra_args(false);
+    silhouette
+        ->add_option(
+            "--time", o.time,
+            "which of the volumes in a file, or of the slices at one place, from 1: times,\n"
+            "echoes, layers; the first by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000));
     silhouette->add_flag("--below", o.below, "the body is where values are below the level");
     silhouette->add_flag("--smooth", o.smooth,
                          "take the samples as control points: smoother, less exact");
@@ -86,6 +102,13 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->type_name("W")
         ->check(CLI::Range(0.05, 100.0));
     silhouette
+        ->add_option(
+            "--taper", o.taper,
+            "pixels over which loose ends become fine; 0 by default, which keeps lines of\n"
+            "one width strokes that a hand can edit")
+        ->type_name("W")
+        ->check(CLI::Range(0.0, 1000.0));
+    silhouette
         ->add_option("--width-by", o.width_by, "what the width follows: even, slope, depth, bend")
         ->type_name("HOW");
     silhouette
@@ -101,7 +124,10 @@ CLI::App* add_silhouette(CLI::App& app, SilhouetteCommand& o)
         ->add_option("--wobble", o.wobble, "greatest distance of a line from its place, in pixels")
         ->type_name("W")
         ->check(CLI::Range(0.0, 100.0));
-    silhouette->add_option("--pencil", o.pencil, "how far lines are like a pencil's, 0 to 1")
+    silhouette
+        ->add_option("--pencil", o.pencil,
+                     "how far lines are like a pencil's, 0 to 1; 0.8 is 80 % in the\n"
+                     "window")
         ->type_name("S")
         ->check(CLI::Range(0.0, 1.0));
     silhouette

@@ -2,6 +2,7 @@
 #include "editor/files/volume_names.h"
 
 #include "core/files/file_bytes.h"
+#include "core/voxels/read_volume.h"
 #include "ui/file_entries.h"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ bool is_volume(const std::string& path)
 {
     std::error_code ignored;
     return fs::is_directory(path, ignored) ||
-           ui::has_extension(fs::path(path).filename().string(), volume_extensions());
+           ui::has_extension(fs::path(path).filename().string(), volume_extensions()) ||
+           is_volume_file(path);
 }
 
 bool is_raw_volume(const std::string& path)

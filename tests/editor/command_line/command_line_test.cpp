@@ -7,6 +7,7 @@
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"
+#include "tests/voxels/volume_writers.h"
 
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -270,6 +271,46 @@ TEST(Replay, DrawsAPictureWithoutADisplay)
                 HasSubstr("a.fbx: models are written"));
     EXPECT_EQ(run({"replay", path, "--image", folder.file("b.png"), "--camera", "moon"}).status,
               Status::rejected);
+}
+
+TEST(Info, DescribesVolumeData)
+{
+    const TemporaryFolder folder;
+    VoxelGrid grid;
+    grid.size = {6, 5, 4};
+    std::vector<std::uint8_t> samples;
+    for (int i = 0; i < 120; ++i) samples.push_back(i < 60 ? 10 : 200);
+    grid.samples = samples;
+    grid.to_metres = {{0.001, 0, 0, 0}, {0, 0.002, 0, 0}, {0, 0, 0.003, 0}, {0.01, 0.02, 0.03, 1}};
+    write_file(folder.file("1.2.840"), write_nrrd(grid)); // known by its first bytes
+    const auto facts =
+        nlohmann::json::parse(run({"info", folder.file("1.2.840"), "--json"}).out)[0];
+    EXPECT_EQ(facts.at("kind"), "volume data");
+    EXPECT_EQ(facts.at("size"), nlohmann::json({6, 5, 4}));
+    EXPECT_EQ(facts.at("type"), "unsigned 8-bit whole numbers");
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(facts.at("spacing_mm")[k], k + 1, 1e-9);
+        EXPECT_NEAR(facts.at("origin_mm")[k], 10 * (k + 1), 1e-9);
+        EXPECT_NEAR(facts.at("directions")[k][k], 1, 1e-9);
+    }
+    EXPECT_EQ(facts.at("range"), nlohmann::json({10, 200}));
+    const double level = facts.at("suggested_levels")[0];
+    EXPECT_GT(level, 10);
+    EXPECT_LT(level, 200);
+    EXPECT_THAT(run({"info", folder.file("1.2.840")}).out, HasSubstr("spacing mm       1, 2, 3\n"));
+}
+
+TEST(Info, NamesAllKindsOfFilesWhereOneIsNone)
+{
+    const TemporaryFolder folder;
+    write_file(folder.file("notes"), "neither a mesh nor a picture");
+    const Ran ran = run({"info", folder.file("notes")});
+    EXPECT_EQ(ran.status, Status::rejected);
+    for (const char* kind : {"a scene (.trivar)", "glTF", "NIfTI", "DICOM", "PNG"})
+        EXPECT_THAT(ran.talk, HasSubstr(kind));
+    std::filesystem::create_directory(folder.file("empty"));
+    EXPECT_THAT(run({"info", folder.file("empty")}).talk,
+                HasSubstr("no DICOM files and no pictures"));
 }
 
 TEST(Info, DescribesScenesAndGoesOnAfterAFileItCannotRead)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/box.h"
 #include "core/base/text.h"
 #include "editor/command_line/command_line.h"
 #include "tests/support/fixtures.h"
@@ -106,6 +107,108 @@ TEST_F(SilhouetteCommandLine, FindsALevelItself)
     const Drawn drawn = draw({"--view", "0,0,1", "--fov", "40", "--hidden", "dashed"});
     EXPECT_EQ(drawn.status, Status::done) << drawn.talk;
     EXPECT_THAT(drawn.talk, HasSubstr(" of 1 level,"));
+}
+
+TEST_F(SilhouetteCommandLine, SaysWhichLevelItTook)
+{
+    const std::string said = "trivar: " + volume_ + ": level ";
+    const Drawn drawn = draw({});
+    ASSERT_THAT(drawn.talk, HasSubstr(said));
+    EXPECT_THAT(drawn.talk, HasSubstr(" was taken, which parts the values best"));
+    EXPECT_THAT(draw({"--level", "30.5"}).talk, Not(HasSubstr(said)));
+}
+
+// The box round the points of all paths of a drawing.
+Box ink_of(const std::string& svg)
+{
+    Box out;
+    for (std::size_t at = svg.find(" d=\"M"); at != svg.npos; at = svg.find(" d=\"M", at + 1)) {
+        std::istringstream numbers(svg.substr(at + 5, svg.find('"', at + 5) - at - 5));
+        for (glm::dvec3 p(0); numbers >> p.x >> p.y;) out.add(p);
+    }
+    return out;
+}
+
+TEST_F(SilhouetteCommandLine, FillsTheSheetWithWhatIsDrawn)
+{
+    // A ball of radius 4 in a corner of the grid.
+    VoxelGrid grid;
+    grid.size = glm::ivec3(40);
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 40; ++k)
+        for (int j = 0; j < 40; ++j)
+            for (int i = 0; i < 40; ++i)
+                samples.push_back(static_cast<std::uint8_t>(
+                    std::max(0.0, 100 - 10 * glm::length(glm::dvec3(i, j, k) - 8.0))));
+    grid.samples = samples;
+    testing::write_file(volume_, write_nrrd(grid));
+    for (const char* fov : {"", "40"}) {
+        std::vector<std::string> options{"--level", "60.5", "--size", "400x400"};
+        if (*fov) options.insert(options.end(), {"--fov", fov});
+        ASSERT_EQ(draw(options).status, Status::done);
+        const Box ink = ink_of(drawing());
+        EXPECT_NEAR(ink.center().x, 200, 15) << fov;
+        EXPECT_NEAR(ink.center().y, 200, 15) << fov;
+        EXPECT_GT(ink.size().x, *fov ? 60 : 230);
+        options.emplace_back("--frame-grid");
+        ASSERT_EQ(draw(options).status, Status::done);
+        EXPECT_LT(ink_of(drawing()).size().x, 100);
+    }
+}
+
+TEST_F(SilhouetteCommandLine, DrawsStrokesThatAHandCanEditUnlessTheyTaper)
+{
+    draw({"--level", "30.5", "--crop", "0,0,0,0.6,1,1", "--hidden", "dashed"});
+    EXPECT_THAT(drawing(), Not(HasSubstr("fill=\"#0")));
+    draw({"--level", "30.5", "--crop", "0,0,0,0.6,1,1", "--taper", "12"});
+    EXPECT_THAT(drawing(), HasSubstr("fill=\"#0"));
+    draw({"--level", "30.5", "--crop", "0,0,0,0.6,1,1", "--taper", "0"});
+    EXPECT_THAT(drawing(), Not(HasSubstr("fill=\"#0")));
+    EXPECT_EQ(draw({"--taper", "-1"}).status, Status::usage);
+}
+
+TEST_F(SilhouetteCommandLine, TakesDistancesThatAFileWithoutAHeadDoesNotSay)
+{
+    volume_ = folder_.file("ball_24x24x24_u8.raw");
+    std::string samples;
+    for (int k = 0; k < 24; ++k)
+        for (int j = 0; j < 24; ++j)
+            for (int i = 0; i < 24; ++i)
+                samples.push_back(static_cast<char>(
+                    std::max(0.0, 100 - 10 * glm::length(glm::dvec3(i, j, k) - 11.5))));
+    testing::write_file(volume_, samples);
+    const Drawn plain = draw({"--level", "30.5", "--view", "0,1,0"});
+    EXPECT_THAT(plain.talk,
+                HasSubstr("it does not say how far its samples are apart; 1 mm was taken"));
+    EXPECT_NEAR(ink_of(drawing()).size().x, ink_of(drawing()).size().y, 5);
+    const Drawn told = draw({"--level", "30.5", "--view", "0,1,0", "--spacing", "0.5,0.5,2"});
+    EXPECT_EQ(told.status, Status::done);
+    EXPECT_THAT(told.talk, Not(HasSubstr("1 mm was taken")));
+    EXPECT_NEAR(ink_of(drawing()).size().y / ink_of(drawing()).size().x, 4, 0.1);
+    EXPECT_EQ(draw({"--spacing", "1,2"}).status, Status::usage);
+    EXPECT_EQ(draw({"--spacing", "1,0,1"}).status, Status::usage);
+}
+
+TEST_F(SilhouetteCommandLine, DrawsALevelForEachSegmentOfALabelMap)
+{
+    std::string labels;
+    for (int k = 0; k < 12; ++k)
+        for (int j = 0; j < 12; ++j)
+            for (int i = 0; i < 12; ++i) {
+                const double far = glm::length(glm::dvec3(i, j, k) - 5.5);
+                labels.push_back(far < 2.5 ? '\2' : far < 4.5 ? '\1' : '\0');
+            }
+    volume_ = folder_.file("a.seg.nrrd");
+    testing::write_file(volume_, "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 12 12 12\n"
+                                 "spacings: 1 1 1\nencoding: raw\nSegment0_Name:=bone\n"
+                                 "Segment0_LabelValue:=1\nSegment1_Name:=marrow\n"
+                                 "Segment1_LabelValue:=2\n\n" +
+                                     labels);
+    const Drawn drawn = draw({"--hidden", "dashed"});
+    EXPECT_THAT(drawn.talk, HasSubstr(" lines of 2 levels"));
+    EXPECT_THAT(drawn.talk, HasSubstr("its segments are drawn as levels"));
+    EXPECT_THAT(drawing(), HasSubstr("bone"));
+    EXPECT_THAT(drawing(), HasSubstr("marrow"));
 }
 
 TEST_F(SilhouetteCommandLine, KeepsWhatAHandDidThroughManyDrawings)
