@@ -4,7 +4,9 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/inside_material.h"
+#include "core/voxels/usual_level.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -76,6 +78,9 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     const AssetStore::LoadedVolume loaded = timed(timings, "import", [&] {
         return assets.load_volume(source.path, source.hash, progress, source.reading);
     });
+    std::vector<VoxelLevel> levels = source.levels;
+    if (levels.empty() && loaded.grid && !source.casting.shown) // a log by hand need not name one
+        levels.push_back({.value = usual_level(*loaded.summary, *loaded.grid)});
     Model model;
     ShownVolume shown;
     Ref<VoxelField> all;
@@ -97,19 +102,19 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
         shown.summary = loaded.summary;
         shown.side = shown.field->side(source.body);
         shown.to_model = glm::dmat4(glm::dmat3(source.scale)) * shown.field->grid().to_metres;
-        levels_.keep(kept_changes * (source.levels.size() + 1));
-        nearby_.keep(source.levels.size() + 1);
-        further_.keep(kept_changes * (source.levels.size() + 1));
-        surfaces_.keep(kept_changes * (source.levels.size() + 1));
-        fitted_.keep(kept_changes * (source.levels.size() + 1));
+        levels_.keep(kept_changes * (levels.size() + 1));
+        nearby_.keep(levels.size() + 1);
+        further_.keep(kept_changes * (levels.size() + 1));
+        surfaces_.keep(kept_changes * (levels.size() + 1));
+        fitted_.keep(kept_changes * (levels.size() + 1));
     }
     // Keys may close the box.
     const bool some = all && glm::all(glm::lessThan(source.crop_low, source.crop_high));
     const Fit fitted = some ? fit(shown.field, source.fit, timings) : Fit{};
-    for (std::size_t i = 0; i < source.levels.size() && some; ++i) {
-        const VoxelLevel& level = source.levels[i];
+    for (std::size_t i = 0; i < levels.size() && some; ++i) {
+        const VoxelLevel& level = levels[i];
         if (level.hidden) continue;
-        report(progress, static_cast<double>(i) / static_cast<double>(source.levels.size()),
+        report(progress, static_cast<double>(i) / static_cast<double>(levels.size()),
                name_of(level));
         const Ref<LevelMesh>& mesh = levels_({shown.field, level.value}, [&] {
             return timed(timings, "level",
@@ -162,6 +167,16 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     out.notices = loaded.notices;
     if (!fitted.refused.empty())
         out.notices.push_back("it is not fitted by tetrahedra: " + fitted.refused);
+    if (fitted.volume) {
+        const double off = fitted.volume->rms * std::abs(loaded.grid->slope),
+                     share = off / (loaded.summary->greatest - loaded.summary->least);
+        constexpr double told_from = 0.02;
+        if (share > told_from)
+            out.notices.push_back(fmt::format(
+                "its tetrahedra are off the data by {} on average, {} of the range; more of them "
+                "come nearer",
+                number_text(off), percent_text(share)));
+    }
     if (!loaded.grid) out.lacks = loaded.notices;
     if (shown.field) out.volume = make_ref(std::move(shown));
     return out;

@@ -8,6 +8,7 @@
 #include "core/scene/scene_file.h"
 #include "core/voxels/coarsened.h"
 #include "core/voxels/read_volume.h"
+#include "core/voxels/usual_level.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/volume_writers.h"
 
@@ -98,6 +99,23 @@ TEST_F(CoarselyRead, ScenesFromBeforeAreReadWhole)
     const Document before = replay(read_log(log_header() + line, "a.trivar")).document();
     EXPECT_EQ(digest(before), digest(after({}, command(1))));
     EXPECT_NE(digest(before), digest(after({}, command(2))));
+}
+
+TEST_F(CoarselyRead, ShowTheUsualLevelWhereALogNamesNone)
+{
+    const auto surface_of = [&](const AddVoxels& add) {
+        Document document = after({}, add);
+        const Evaluation shown = Evaluator(assets_)(document);
+        EXPECT_TRUE(std::get<VoxelShape>(object(document, 1).source).levels.size() ==
+                    add.shape.levels.size());
+        return shown.objects.at(1)->shape->model->meshes.at(0)->positions;
+    };
+    AddVoxels none = command(1), usual = none;
+    none.shape.levels.clear();
+    const AssetStore::LoadedVolume loaded = assets_->load_volume("ball.nrrd", {});
+    usual.shape.levels = {{.value = usual_level(*loaded.summary, *loaded.grid)}};
+    EXPECT_EQ(surface_of(none), surface_of(usual));
+    EXPECT_GT(surface_of(none).size(), 100u);
 }
 
 TEST_F(CoarselyRead, TakesOneToSixtyFourForOne)

@@ -142,7 +142,8 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         if (ui::section(theme, "Chosen level", true, name)) {
             ImGui::PushID(chosen);
             chosen_rows(rows, of, s, chosen);
-            if (wide_button(theme, "Remove level", ui::icon::trash)) {
+            const bool spare = s.levels.size() > 1 || s.casting.shown; // else one is shown anyway
+            if (spare && wide_button(theme, "Remove level", ui::icon::trash)) {
                 at_once = s;
                 at_once->levels.erase(at_once->levels.begin() + chosen);
                 chosen = std::max(0, chosen - 1);
@@ -190,6 +191,9 @@ void draw_volume_data(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PushID("fit"); // the section has the name of a row
         FieldRows<TetrahedraFit> fields(rows, s.fit, "shape.fit");
         fields(&TetrahedraFit::coefficients);
+        const bool begun = s.fit.coefficients > 0 && now->fit.coefficients == 0;
+        if (begun && s.fit.boundary == 0 && chosen >= 0)
+            s.fit.boundary = s.levels[static_cast<std::size_t>(chosen)].value;
         ui::rows_if(theme, s.fit.coefficients > 0, "No tetrahedra are fitted.", [&] {
             fields(&TetrahedraFit::degree);
             fields(&TetrahedraFit::boundary);
