@@ -6,6 +6,7 @@
 #include "ui/keys.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -122,7 +123,12 @@ std::optional<std::string> FileDialog::take(const std::string& typed, bool repla
         problem_ = "There is no such folder.";
         return std::nullopt;
     }
-    if (!has_extension(path.filename().string(), request_.extensions)) {
+    // Scanners name files by numbers, such as 1.2.840.7; what these are their readers find.
+    const std::string ending = path.extension().string();
+    const bool named = request_.saving || std::ranges::any_of(ending, [](unsigned char c) {
+                           return std::isalpha(c) != 0;
+                       });
+    if (named && !has_extension(path.filename().string(), request_.extensions)) {
         problem_ = "The name must end in ";
         for (const std::string& e : request_.extensions)
             problem_ += (&e == &request_.extensions.front() ? "" : ", ") + e;

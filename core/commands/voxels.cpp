@@ -57,7 +57,8 @@ void check(const VoxelShape& shape)
 
 std::string size_words(const VoxelShape& shape)
 {
-    return excerpt(std::filesystem::path(shape.path).filename().string());
+    const std::filesystem::path path(shape.path); // the object is called as a folder is
+    return path.has_extension() ? excerpt(path.filename().string()) : "";
 }
 
 Document applied(Document document, const SetVoxels& command)

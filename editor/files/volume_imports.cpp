@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/volume_imports.h"
 
+#include "editor/files/volume_slices.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
@@ -59,6 +60,7 @@ void VolumeImports::read_again()
                  offer->up = was.up;
                  offer->scale = was.scale;
                  offer->centered = was.centered;
+                 if (offer->grid) offer->slices = turned_slices(*offer);
                  offers_.front() = std::move(*offer);
                  ++number_;
              };

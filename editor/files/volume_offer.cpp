@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/silhouette/field_slabs.h"
 #include "core/voxels/dicom_file.h"
+#include "core/voxels/segments.h"
 #include "editor/files/volume_names.h"
 #include "editor/session/volume_levels.h"
 
@@ -186,9 +187,16 @@ VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
     }
     out.slices = middle_slices(*out.grid, *out.summary);
     VoxelShape& shape = out.command.shape;
-    const double value = shape.levels.front().value;
+    std::vector<VolumeSegment> segments = segments_of(path);
+    if (segments.empty())
+        segments.push_back({.level = shape.levels.front().value});
+    else
+        shape.spline = FieldSpline::smoothing; // between labels nothing rings
     shape.levels.clear();
-    shape.levels.push_back(new_level(shape, value));
+    for (const VolumeSegment& each : segments) {
+        shape.levels.push_back(new_level(shape, each.level));
+        shape.levels.back().name = each.name;
+    }
     return out;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/files/volume_offer.h"
+#include "editor/files/volume_slices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,14 +110,31 @@ VolumeSlice slice_of(const VoxelGrid& grid, const GridAxes& axes, const SlicePla
 
 } // namespace
 
-std::array<VolumeSlice, 3> middle_slices(const VoxelGrid& grid, const VolumeSummary& summary)
+namespace {
+
+std::array<VolumeSlice, 3> slices_along(const glm::dmat4& to_space, const VoxelGrid& grid,
+                                        const VolumeSummary& summary)
 {
-    const GridAxes axes = axes_of(grid.to_metres);
+    const GridAxes axes = axes_of(to_space);
     const std::array<double, 2> range = shown_range(summary);
     // y goes to the back, which is below in a picture from above; z goes to the head.
     return {slice_of(grid, axes, {0, 1, 2, false}, range),
             slice_of(grid, axes, {0, 2, 1, true}, range),
             slice_of(grid, axes, {1, 2, 0, true}, range)};
+}
+
+} // namespace
+
+std::array<VolumeSlice, 3> middle_slices(const VoxelGrid& grid, const VolumeSummary& summary)
+{
+    return slices_along(grid.to_metres, grid, summary);
+}
+
+std::array<VolumeSlice, 3> turned_slices(const VolumeOffer& offer)
+{
+    Transform turn;
+    turn.rotation_deg = command_of(offer).transform.rotation_deg;
+    return slices_along(turn.matrix() * offer.grid->to_metres, *offer.grid, *offer.summary);
 }
 
 } // namespace trivar

@@ -64,6 +64,7 @@ VoxelLevel new_level(const VoxelShape& shape, double value)
     }
     VoxelLevel level;
     level.value = value;
+    level.ink.taper = 0; // so that lines are strokes in files, which a hand can edit
     set_color(level, {level_colors[at][0], level_colors[at][1], level_colors[at][2]});
     level.look.roughness = 0.7f;
     return level;

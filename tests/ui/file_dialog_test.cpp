@@ -116,6 +116,24 @@ TEST(FileDialog, IsLeftByTheButtonThatSaysSo)
     EXPECT_FALSE(d.dialog.is_open());
 }
 
+TEST(FileDialog, TakesNamesOfScannersThatHaveNoEnding)
+{
+    const auto chosen = [](const std::string& name) {
+        Dialog d({.title = "Import", .action = "Import", .extensions = {".dcm"}, .name = {}});
+        for (const char* each : {"1.2.840.7", "IM0001", "notes.txt"})
+            testing::write_file(d.folder.file(each), "x");
+        for (const char letter : name)
+            d.screen.input().push(type_text(static_cast<unsigned char>(letter)));
+        d.frames();
+        d.key(key_enter);
+        return d.chosen.has_value();
+    };
+    EXPECT_TRUE(chosen("1.2.840.7"));
+    EXPECT_TRUE(chosen("IM0001"));
+    EXPECT_FALSE(chosen("notes.txt"));
+    EXPECT_FALSE(chosen("missing"));
+}
+
 TEST(FileDialog, HasACheckBoxThatTabReachesWhereTheRequestNamesOne)
 {
     FileRequest request = saving;

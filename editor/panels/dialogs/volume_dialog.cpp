@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
 #include "core/voxels/volume_summary.h"
+#include "editor/files/volume_slices.h"
 #include "editor/panels/dialogs/raw_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/session/volume_levels.h"
@@ -43,7 +44,8 @@ void draw_slices(Editor& editor, const ui::Theme& theme, const VolumeOffer& offe
             if (size.x > box.width()) size = {box.width(), box.width() / shape};
             const glm::vec2 lo = glm::round(box.center() - size / 2.0f);
             const gpu::Texture2D& texture = editor.stored_pictures.given(
-                fmt::format("slice {}", k), editor.files.volumes.number(), slice.image);
+                fmt::format("slice {} {}", k, static_cast<int>(offer.up)),
+                editor.files.volumes.number(), slice.image);
             ImGui::GetWindowDrawList()->AddImage(
                 reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name())),
                 {lo.x, lo.y}, {lo.x + size.x, lo.y + size.y});
@@ -66,22 +68,27 @@ void draw_facts(const ui::Theme& theme, const VolumeOffer& offer)
     ui::fact_row(theme, "Memory", bytes_words(s.bytes), 0, "What the samples take in memory.");
 }
 
-void draw_histogram(const ui::Theme& theme, const VolumeOffer& offer, float width, float height)
+void draw_histogram(const ui::Theme& theme, VolumeOffer& offer, float width, float height)
 {
     const VolumeSummary& s = *offer.summary;
+    std::vector<VoxelLevel>& levels = offer.command.shape.levels;
     std::vector<ui::LevelMark> marks;
-    for (const VoxelLevel& level : offer.command.shape.levels)
+    for (const VoxelLevel& level : levels)
         marks.push_back({level.value, theme.color.accent_text,
                          value_words(level.value, offer.grid->value_unit)});
     int none = -1;
-    ui::level_field(theme, "histogram", marks, none,
-                    {.counts = s.histogram,
-                     .lo = s.least,
-                     .hi = s.greatest,
-                     .ends = {ui::short_number(s.least), ui::short_number(s.greatest)},
-                     .height = height / theme.scale,
-                     .fixed = true},
-                    width);
+    const ui::Edit edit =
+        ui::level_field(theme, "histogram", marks, none,
+                        {.counts = s.histogram,
+                         .lo = s.least,
+                         .hi = s.greatest,
+                         .ends = {ui::short_number(s.least), ui::short_number(s.greatest)},
+                         .height = height / theme.scale},
+                        width);
+    if (edit == ui::Edit::changed)
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            if (marks[i].value != levels[i].value)
+                levels[i].value = readable_value(marks[i].value, s);
 }
 
 void draw_stand(const ui::Theme& theme, VolumeOffer& offer)
@@ -89,14 +96,22 @@ void draw_stand(const ui::Theme& theme, VolumeOffer& offer)
     int up = static_cast<int>(offer.up);
     const ui::Row row =
         ui::label_row(theme, "Up", false, "Which direction of the data points up in the scene.");
-    ui::choice(
+    const ui::Edit turned = ui::choice(
         theme, "up", up,
         {"Z, as in the file", "Z, upside down", "Y", "Y, upside down", "X", "X, upside down"},
         row.width);
     offer.up = static_cast<DataUp>(up);
+    if (turned == ui::Edit::changed) offer.slices = turned_slices(offer);
     ui::number_field(
         theme, "scale", offer.scale, {.lo = 1e-6, .hi = 1e6, .unit = "×"},
         ui::label_row(theme, "Scale", false, "Metres in the scene per metre of the data.").width);
+    double& level = offer.command.shape.levels.front().value;
+    ui::number_field(
+        theme, "level", level,
+        {.lo = offer.summary->least, .hi = offer.summary->greatest, .unit = offer.grid->value_unit},
+        ui::label_row(theme, "Level", false,
+                      "The value of the first surface; drag it in the histogram, too.")
+            .width);
     ui::fact_row(theme, "In the scene", triple_words(size_of(offer), "m"));
     ui::label_row(theme, "Place", false,
                   "Else it lies where its file says, beside other data of the same body.");
@@ -164,7 +179,7 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
     const bool keeps = asks_what_is_kept(*offer);
     const float facts = std::round((keeps ? 6 : 5) * rowed),
                 form = std::round(rowed * static_cast<float>(raw_rows));
-    const float stand = std::round(4 * rowed), slices = theme.px(190);
+    const float stand = std::round(5 * rowed), slices = theme.px(190);
     const std::string title = "Import " + offer->command.name;
     const ui::Rect r =
         ui::begin_dialog(theme, "volume data",
@@ -208,7 +223,7 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
                        {{left, y + high + theme.px(2)}, {r.hi.x - pad, y + high + theme.px(20)}},
                        theme.color.text_3,
                        imports.reading_again() ? "Reading again..."
-                                               : "How often values occur, and the first level");
+                                               : "How often values occur; drag the level");
     }
     if (notes > 0)
         draw_notes(theme, *offer, {{r.lo.x + pad, y1 - notes}, {r.hi.x - pad, y1 - theme.px(4)}});

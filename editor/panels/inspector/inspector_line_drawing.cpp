@@ -10,6 +10,7 @@ namespace trivar {
 void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
 {
     Session& session = editor.session;
+    const LineStyle pen{.taper = 0}; // so that lines are strokes in files, which a hand can edit
     const std::optional<LineDrawing> now = object(session.document(), id).line_drawing;
     if (!ui::section(theme, "Line drawing", now.has_value())) return;
     bool on = now.has_value();
@@ -18,7 +19,7 @@ void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
     if (turned == ui::Edit::copied)
         copy_command(editor, on ? Command(SetLineDrawing{{id}, *now}) : ClearLineDrawing{{id}});
     else if (turned == ui::Edit::changed) {
-        session.run(on ? Command(SetLineDrawing{{id}, {}}) : ClearLineDrawing{{id}});
+        session.run(on ? Command(SetLineDrawing{{id}, {.ink = pen}}) : ClearLineDrawing{{id}});
         return;
     }
     LineDrawing drawing = now.value_or(LineDrawing{});
@@ -35,7 +36,7 @@ void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
         fields(&LineDrawing::surface);
         ui::rows_if(theme, drawing.surface, "The surface is not drawn.",
                     [&] { fields(&LineDrawing::paper); });
-        draw_ink_rows(rows, drawing.ink, {}, own + ".ink");
+        draw_ink_rows(rows, drawing.ink, pen, own + ".ink");
         draw_more_line_rows(rows, drawing.more, own + ".more");
     });
     ui::gap(theme, 8);

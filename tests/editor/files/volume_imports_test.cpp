@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/shown_volume.h"
 #include "editor/files/volume_names.h"
+#include "editor/files/volume_slices.h"
 #include "editor/session/session_facts.h"
 #include "tests/editor/volume_rig.h"
 
@@ -67,6 +68,60 @@ TEST(VolumeImports, StandAsTheOfferSays)
     }
     offer.centered = false;
     EXPECT_EQ(command_of(offer).transform.translation, glm::dvec3(0));
+}
+
+TEST(VolumeImports, ShowTheirSlicesAsTheyWillStand)
+{
+    VolumeRig rig;
+    VoxelGrid grid = testing::ball_grid(); // with a bright slab at its top
+    auto& samples = std::get<std::vector<std::uint8_t>>(grid.samples);
+    for (std::size_t k = 20; k < 24; ++k)
+        for (std::size_t j = 0; j < 24; ++j)
+            for (std::size_t i = 0; i < 24; ++i) samples[i + 24 * (j + 24 * k)] = 250;
+    testing::write_file(rig.folder.file("marked.nrrd"), write_nrrd(grid));
+    rig.drop({rig.folder.file("marked.nrrd")});
+    VolumeOffer& offer = *rig.editor.files.volumes.offered();
+    // The share of bright pixels in the upper and in the lower quarter of the front.
+    const auto bright = [&] {
+        const Image image = turned_slices(offer)[1].image;
+        std::array<int, 2> out{};
+        for (int y = 0; y < image.size_px.y; ++y)
+            for (int x = 0; x < image.size_px.x; ++x) {
+                const auto at = static_cast<std::size_t>(4 * (x + image.size_px.x * y));
+                if (image.rgba[at] > 200 && y < image.size_px.y / 4) ++out[0];
+                if (image.rgba[at] > 200 && y >= image.size_px.y * 3 / 4) ++out[1];
+            }
+        return out;
+    };
+    offer.up = DataUp::z;
+    EXPECT_GT(bright()[0], 50);
+    EXPECT_EQ(bright()[1], 0);
+    offer.up = DataUp::minus_z;
+    EXPECT_EQ(bright()[0], 0);
+    EXPECT_GT(bright()[1], 50);
+    offer.up = DataUp::z;
+    EXPECT_EQ(turned_slices(offer)[1].image.rgba,
+              middle_slices(*offer.grid, *offer.summary)[1].image.rgba);
+}
+
+TEST(VolumeImports, HaveALevelForEachSegmentOfALabelMap)
+{
+    VolumeRig rig;
+    std::string labels;
+    for (int i = 0; i < 512; ++i) labels.push_back(static_cast<char>(i / 171));
+    testing::write_file(rig.folder.file("a.seg.nrrd"),
+                        "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nencoding: raw\n"
+                        "Segment0_Name:=bone\nSegment0_LabelValue:=1\nSegment1_Name:=marrow\n"
+                        "Segment1_LabelValue:=2\n\n" +
+                            labels);
+    rig.drop({rig.folder.file("a.seg.nrrd")});
+    const VoxelShape& shape = rig.editor.files.volumes.offered()->command.shape;
+    ASSERT_EQ(shape.levels.size(), 2u);
+    EXPECT_EQ(shape.levels[0].name, "bone");
+    EXPECT_EQ(shape.levels[0].value, 0.5);
+    EXPECT_EQ(shape.levels[1].name, "marrow");
+    EXPECT_EQ(shape.levels[1].value, 1.5);
+    EXPECT_EQ(shape.spline, FieldSpline::smoothing);
 }
 
 TEST(VolumeImports, TakeFoldersOfPictures)
@@ -189,6 +244,11 @@ TEST(VolumeImports, KnowTheirFilesByName)
     for (const char* name : {"a.obj", "b.gz", "c.png", "d"}) EXPECT_FALSE(is_volume(name)) << name;
     EXPECT_EQ(volume_name("x/anatomical.nii.gz"), "anatomical");
     EXPECT_TRUE(is_raw_volume("head.RAW"));
+    const testing::TemporaryFolder folder;
+    testing::write_file(folder.file("IM0001"), write_nrrd(testing::ball_grid(4)));
+    testing::write_file(folder.file("readme"), "no volume");
+    EXPECT_TRUE(is_volume(folder.file("IM0001")));
+    EXPECT_FALSE(is_volume(folder.file("readme")));
 }
 
 } // namespace
