@@ -231,8 +231,8 @@ std::string words_of(const TetrahedraEdit& edit, int degree)
     if (edit.refinement) return fmt::format("Refine to {} m", number_text(edit.refinement->edge));
     if (!edit.crease) return "Nothing";
     if (edit.crease->depth >= degree) return "Cut";
-    return fmt::format("{}, C{}", edit.crease->depth == 0 ? "Smooth" : "Crease",
-                       degree - 1 - edit.crease->depth);
+    if (edit.crease->depth == 0) return "Smooth";
+    return edit.crease->depth == degree - 1 ? "Crease" : "Soft crease";
 }
 
 StepTitle title(const EditTetrahedra& c, const StepDocuments& step)

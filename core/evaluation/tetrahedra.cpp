@@ -56,8 +56,8 @@ Ref<Stage> TetrahedraStep::operator()(const Ref<Stage>& before, const StepInput&
         }
         if (const std::size_t whole = cuts_passed_over(shaped->volume->layers.front()->domain()))
             stage.notices.push_back(
-                fmt::format("What stands in it is cut along {} planes at most: {} of its cut faces "
-                            "lie in others and do not part it.",
+                fmt::format("its cuts lie in more than {} planes: {} of their faces part nothing; "
+                            "cut along straighter strokes, or fewer",
                             most_cut_planes, with_commas(whole)));
         for (std::size_t i = 0; i < shaped->outcomes.size(); ++i)
             if (const std::string& notice = shaped->outcomes[i].notice; !notice.empty())

@@ -32,8 +32,9 @@ TetrahedraOutcome take(SimplexVolume& volume, std::span<const glm::dvec3> change
     for (std::size_t i = 0; i < change.size(); ++i)
         volume.displacements[i] += change[i] * out.share;
     if (out.share < 1)
-        out.notice =
-            fmt::format("It is done to {}: more would fold at a sample.", percent_text(out.share));
+        out.notice = fmt::format("only {} of it is done, since more would fold what stands there; "
+                                 "reduce it, or widen its ball",
+                                 percent_text(out.share));
     return out;
 }
 

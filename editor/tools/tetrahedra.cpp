@@ -5,6 +5,7 @@
 #include "core/commands/edits.h"
 #include "core/mesh/nearest_face.h"
 #include "core/simplex/pulled_layer.h"
+#include "core/simplex/pulling.h"
 #include "core/simplex/tetrahedra_layers.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_picture.h"
@@ -18,6 +19,24 @@
 #include <imgui.h>
 
 namespace trivar {
+namespace {
+
+// How far a pull by 1 moves the point in its middle. The functions there mix control points of
+// which the ball moves some less, so that it is less than 1.
+double carried_by(TetrahedraPull pull, const TetrahedraShape& shape, const SimplexVolume& volume)
+{
+    constexpr double least = 0.2; // what hangs on less is not forced along
+    const TetrahedraRefinement* refinement = nullptr;
+    int number = 0;
+    for (const TetrahedraEdit& edit : shape.edits)
+        if (edit.refinement && ++number == pull.layer) refinement = &*edit.refinement;
+    pull.by = {1, 0, 0};
+    SimplexVolume moved = volume;
+    moved.displacements = change_by(pull, volume, refinement);
+    return std::clamp(evaluate(moved, pull.at).position.x - pull.at.x, least, 1.0);
+}
+
+} // namespace
 
 const char* TetrahedraTool::icon() const
 {
@@ -111,6 +130,15 @@ void TetrahedraTool::start(Session& session, const ViewportInput& input)
     const TetrahedraShape& shape = *tetrahedra_shape(session.document(), volume.id);
     gesture_ = Gesture{volume.id, edit_at(shape, *at_, session), at_->world,
                        glm::inverse(glm::dmat3(volume.tetrahedra_to_world)), input.mouse};
+    take_hold(session);
+}
+
+void TetrahedraTool::take_hold(const Session& session)
+{
+    const EvaluatedObject* volume = shown_tetrahedra(session, gesture_->object);
+    const TetrahedraShape* shape = tetrahedra_shape(session.committed(), gesture_->object);
+    if (gesture_->edit.pull && volume && shape)
+        gesture_->carried = carried_by(*gesture_->edit.pull, *shape, *volume->tetrahedra->volume);
 }
 
 void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
@@ -118,9 +146,11 @@ void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
     Gesture& g = *gesture_;
     const TetrahedraEdit before = g.edit;
     g.moved = g.moved || glm::length(input.mouse - g.from_px) >= click_slip_px * input.scale;
-    if (input.wheel != 0 && g.edit.pull)
+    if (input.wheel != 0 && g.edit.pull) {
         g.edit.pull->radius = radius_ =
             rounded(g.edit.pull->radius * std::pow(radius_step, input.wheel), 3);
+        take_hold(session);
+    }
     if (g.edit.pull && g.moved) {
         // in the plane through the grabbed point that the camera faces
         const Camera& camera = session.view.camera;
@@ -130,7 +160,7 @@ void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
                          right = glm::normalize(glm::cross(ahead, camera.up)),
                          up = glm::cross(right, ahead);
         const glm::dvec2 by = (input.mouse - g.from_px) * pixel;
-        g.edit.pull->by = g.to_volume * (right * by.x - up * by.y);
+        g.edit.pull->by = g.to_volume * (right * by.x - up * by.y) / g.carried;
     }
     if (!g.edit.pull)
         if (const std::optional<Place> place = place_under(session, input)) {

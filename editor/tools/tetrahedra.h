@@ -59,10 +59,12 @@ private:
         glm::dmat3 to_volume{1};
         glm::dvec2 from_px{0};
         bool moved = false, proposed = false;
+        double carried = 1; // how far a pull by 1 moves what was grabbed
     };
     std::optional<Place> place_under(const Session& session, const ViewportInput& input) const;
     double radius(const Session& session) const; // metres in the volume
     void start(Session& session, const ViewportInput& input);
+    void take_hold(const Session& session); // so that what a pull grabs goes with the mouse
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     TetrahedraEdit edit_at(const TetrahedraShape& shape, const Place& place,

@@ -26,6 +26,13 @@ void paint_words(const ui::Theme& theme, float field, const std::string& words)
                   theme.color.text_2, words);
 }
 
+// How faces meet, from as they are on: of the third degree there is one between.
+const char* crease_word(int depth, int degree)
+{
+    if (depth == 0) return "Smooth";
+    return depth == degree - 1 ? "Crease" : "Soft";
+}
+
 } // namespace
 
 void TetrahedraTool::around_options(Session& session, const ui::Theme& theme, float width)
@@ -43,8 +50,10 @@ void TetrahedraTool::around_options(Session& session, const ui::Theme& theme, fl
              ui::choice(theme, "around", around, {"Box", "Fitted", "Hull", "Cage"}, field);
              around_ = static_cast<Around>(around);
          },
-         "A box; about 2,000 tetrahedra that follow the shape, or fill its convex hull; or those "
-         "that fill the active object, a closed mesh, exactly."});
+         "Tetrahedra bend objects as a lattice does, and can be fine in one place alone, have "
+         "creases and open along cuts. A box; about 2,000 that follow the shape, or fill its "
+         "convex "
+         "hull; or those that fill the active object, a closed mesh, exactly."});
     options.push_back({"", 190,
                        [&](float field) {
                            if (ui::button(theme, tetrahedra_action, ui::ButtonKind::plain,
@@ -122,18 +131,18 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
                            [&](float field) { paint_words(theme, field, points_.words()); },
                            "Control points, of those that can be moved."});
     if (by_ == By::crease)
-        options.push_back({"Meet", 88 + 44 * static_cast<float>(shape->degree),
+        options.push_back({"Meet", 64 + 64 * static_cast<float>(shape->degree),
                            [&](float field) {
                                std::vector<std::string> names;
                                for (int depth = 0; depth < shape->degree; ++depth)
-                                   names.push_back(fmt::format("C{}", shape->degree - 1 - depth));
+                                   names.push_back(crease_word(depth, shape->degree));
                                names.emplace_back("Cut");
                                int depth = std::min(depth_, shape->degree);
                                ui::segments(theme, "depth", depth, names, field);
                                depth_ = depth;
                            },
-                           "C0: faces meet with a crease. Cut: they part where you pull. The "
-                           "first takes away creases and cuts."});
+                           "Crease: faces meet with an edge. Cut: they part where you pull. Smooth "
+                           "takes away creases and cuts."});
     if (const auto room = clouds_.room(); by_ == By::knots && room)
         options.push_back(
             {"Room", 56, [&, room](float field) { paint_words(theme, field, percent_text(*room)); },
@@ -166,7 +175,7 @@ void TetrahedraTool::overlay(const Session& session, const ui::Theme& theme,
     if (!out) return;
     const TetrahedraEdit& edit = gesture_->edit;
     if (edit.pull) {
-        const double metres = glm::length(edit.pull->by) * out->share;
+        const double metres = glm::length(edit.pull->by) * gesture_->carried * out->share;
         ui::paint_chip(theme, at,
                        {fmt::format("{} m", number_text(metres)) +
                             (out->share < 1 ? fmt::format(", held at {}: it would fold",

@@ -86,6 +86,18 @@ TEST(TetrahedraTool, PullsWhatTheBallHoldsInOneStep)
     EXPECT_TRUE(rig.shape().edits.empty());
 }
 
+TEST(TetrahedraTool, APullCarriesWhatWasGrabbedWithTheMouse)
+{
+    TetrahedraRig rig;
+    const glm::vec2 by{24, 0};
+    const glm::vec2 before = rig.seen_in({0.1, -0.48, 0.1});
+    rig.drag(by);
+    const TetrahedraPull& pull = *rig.shape().edits.at(0).pull;
+    const glm::vec2 now = rig.seen_in(evaluate(rig.volume(), pull.at).position);
+    EXPECT_NEAR(now.x - before.x, by.x, 2);
+    EXPECT_NEAR(now.y - before.y, by.y, 2);
+}
+
 TEST(TetrahedraTool, IsCancelledWithoutATrace)
 {
     TetrahedraRig rig;
