@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/depth_jumps.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/placement/creases.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 // Of the way that the stroke would have across the view.
 constexpr double least_jump = 0.15;
+constexpr double over_width = 0.6;   // share of that which counts over the width
 constexpr double longest_end = 0.15; // share of the way that may overshoot an edge
 constexpr int halvings = 12;         // a steep surface keeps less than a thousandth of its step
 
@@ -35,7 +37,7 @@ std::vector<std::size_t> DepthJumps::taken(RayGrid& grid, const std::vector<Seen
     return out;
 }
 
-bool DepthJumps::jumps(Seen a, Seen b) const
+bool DepthJumps::jumps(Seen a, Seen b, double least) const
 {
     for (int i = 0; i < halvings; ++i) {
         Seen middle{(a.p_px + b.p_px) / 2.0, 0, 0, false};
@@ -46,10 +48,11 @@ bool DepthJumps::jumps(Seen a, Seen b) const
             std::abs(middle.distance - a.distance) > std::abs(middle.distance - b.distance);
         (first ? b : a) = middle;
     }
-    return std::abs(a.distance - b.distance) > least_ / 2;
+    return std::abs(a.distance - b.distance) > least / 2;
 }
 
-std::vector<std::pair<std::size_t, double>> DepthJumps::follow(std::vector<Seen>& line) const
+std::vector<std::pair<std::size_t, double>> DepthJumps::follow(std::vector<Seen>& line,
+                                                               double least) const
 {
     std::vector<std::pair<std::size_t, double>> out;
     std::size_t on = 0, before = 0; // the last two places on the surface
@@ -59,7 +62,8 @@ std::vector<std::pair<std::size_t, double>> DepthJumps::follow(std::vector<Seen>
         const double depth = line[i].distance - line[on].distance;
         // Beyond a gap the surface goes on where the way over it is no steeper than it is wide.
         const double gap = beyond ? gap_px * view_.pixel_size(line[on].distance) : 0;
-        const bool jump = std::abs(depth) >= least_ + gap && (beyond || jumps(line[on], line[i]));
+        const bool jump =
+            std::abs(depth) >= least + gap && (beyond || jumps(line[on], line[i], least));
         if (jump && (!beyond || depth < 0)) out.emplace_back(i, depth);
         if (jump && depth > 0) out.back().second = std::max(out.back().second, depth);
         line[i].beyond = jump && depth > 0;
@@ -73,10 +77,12 @@ std::vector<std::pair<std::size_t, double>> DepthJumps::follow(std::vector<Seen>
     const double last = line[on].distance;
     const double way_px = glm::distance(line[before].p_px, line[on].p_px);
     for (std::size_t k = on + 1; k < line.size(); ++k) {
-        const double share = way_px > 0 ? glm::distance(line[k].p_px, line[on].p_px) / way_px : 0;
+        const double gone_px = glm::distance(line[k].p_px, line[on].p_px);
+        const double share = way_px > 0 ? gone_px / way_px : 0;
         const double inverse = 1 / last + share * (1 / last - 1 / line[before].distance);
-        line[k].distance =
-            std::clamp(inverse > 0 ? 1 / inverse : 1e300, last - least_, last + least_);
+        // A surface that is seen from the side at its edge goes on no steeper than it is wide.
+        const double most = std::min(least, gone_px * view_.pixel_size(last));
+        line[k].distance = std::clamp(inverse > 0 ? 1 / inverse : 1e300, last - most, last + most);
     }
     return out;
 }
@@ -97,7 +103,7 @@ std::vector<std::size_t> DepthJumps::bridge(RayGrid& line, const std::vector<glm
     const auto at = [&](std::size_t i) { return walked[seen[i].node] / walked.back(); };
     found_.clear();
     std::size_t first = 0; // on the surface before all others
-    for (const auto& [i, depth] : follow(seen)) {
+    for (const auto& [i, depth] : follow(seen, least_)) {
         found_.push_back({at(i), depth});
         if (depth < 0) first = i;
     }
@@ -107,11 +113,12 @@ std::vector<std::size_t> DepthJumps::bridge(RayGrid& line, const std::vector<glm
     // Not of what it passes in the air
     if (at(first) - at(0) > longest_end || at(seen.size() - 1) - at(last) > longest_end)
         throw Rejected(fmt::format(
-            "{:.0f} % along the stroke it jumps {:.2g} m in depth, from one surface to another; "
-            "draw it on one of them, or look from where the way between them is seen",
-            100 * deepest(found_).at, std::abs(deepest(found_).depth)));
+            "{} along the stroke it jumps {} m in depth, from one surface to another; draw it on "
+            "one of them, or look from where the way between them is seen",
+            percent_text(deepest(found_).at),
+            number_text(std::abs(deepest(found_).depth), {.digits = 2})));
     std::vector<Seen> begin(seen.rend() - static_cast<std::ptrdiff_t>(first) - 1, seen.rend());
-    follow(begin);
+    follow(begin, least_);
     std::ranges::reverse_copy(begin, seen.begin());
     return taken(line, seen);
 }
@@ -132,7 +139,8 @@ std::vector<std::size_t> DepthJumps::bridge(RayGrid& grid, const Strip& strip, c
             for (int j = way > 0 ? half : half - 1; j >= 0 && j < grid.columns; j += way)
                 if (const std::size_t n = grid.index(i, j); grid.hit[n])
                     seen.push_back({across.at(grid.v[n]), grid.distance[n], n});
-            for (const auto& jump : follow(seen)) found_.push_back({a, jump.second});
+            for (const auto& jump : follow(seen, over_width * least_))
+                found_.push_back({a, jump.second});
             const std::vector<std::size_t> beyond = taken(grid, seen);
             out.insert(out.end(), beyond.begin(), beyond.end());
         }

@@ -45,9 +45,9 @@ private:
         bool beyond = false; // an edge
     };
     static std::vector<std::size_t> taken(RayGrid& grid, const std::vector<Seen>& line);
-    bool jumps(Seen a, Seen b) const;
+    bool jumps(Seen a, Seen b, double least) const;
     // Follows the surface from the first place; returns the places and depths of the jumps.
-    std::vector<std::pair<std::size_t, double>> follow(std::vector<Seen>& line) const;
+    std::vector<std::pair<std::size_t, double>> follow(std::vector<Seen>& line, double least) const;
 
     const View view_;
     const RayScene& scene_;

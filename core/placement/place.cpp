@@ -44,7 +44,10 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
     if (r.missed_share > 0)
         out.push_back(percent_text(std::max(0.01, r.missed_share)) +
                       " of the model has no surface beneath it");
-    if (!jumps.empty())
+    constexpr double at_end = 0.01;
+    if (!jumps.empty() && std::abs(deepest(jumps).at - 0.5) > 0.5 - at_end)
+        out.emplace_back("it reaches over the edge of the surface at an end of the stroke");
+    else if (!jumps.empty())
         out.push_back(fmt::format("the surface ends {} along the stroke; the model spans the gap",
                                   percent_text(deepest(jumps).at)));
     else if (p.springs && r.largest_gap > far_off * r.length_world)
@@ -186,7 +189,8 @@ std::vector<std::string> PlacementReport::all_notices() const
 
 namespace {
 
-constexpr double most_stretch = 4; // of a strip that goes down a cliff
+constexpr double most_stretch = 4;  // of a strip that goes down a cliff
+constexpr double most_folds = 0.05; // of the nodes: so few can be repaired
 
 // Whether the volume is torn, as by surfaces of different depth.
 bool torn(const PlacementReport& r)
@@ -204,12 +208,14 @@ std::optional<Placement> bridged(const Sketch& sketch, PlacementParameters param
     if (layout.jumps.empty()) return {};
     const DepthJump& jump = deepest(layout.jumps);
     Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
-    if (!out.report.folds.empty() || out.report.largest_stretch > 2 * most_stretch)
+    const auto folds = std::ranges::count(out.nodes, true, &StripNode::folds);
+    if (static_cast<double>(folds) > most_folds * static_cast<double>(out.nodes.size()) ||
+        out.report.largest_stretch > 2 * most_stretch)
         throw Rejected(
-            fmt::format("{:.0f} % along the stroke the edge of another surface, {:.2g} m {} it, "
-                        "lies within the "
-                        "model's width; draw further from it, or make the model narrower",
-                        100 * jump.at, std::abs(jump.depth), jump.depth > 0 ? "behind" : "before"));
+            fmt::format("{} along the stroke the edge of another surface, {} m {} it, lies within "
+                        "the model's width; draw further from it, or make the model narrower",
+                        percent_text(jump.at), number_text(std::abs(jump.depth), {.digits = 2}),
+                        jump.depth > 0 ? "behind" : "before"));
     return out;
 }
 
