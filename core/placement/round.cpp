@@ -9,6 +9,7 @@
 #include "core/placement/profile.h"
 #include "core/spline/fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -209,6 +210,18 @@ Standing on_contact(const Surface<glm::dvec3>& contact, glm::dvec2 uv)
     return {jet.value, glm::normalize(glm::cross(jet.u, jet.v))};
 }
 
+// Says which nodes stand off the body.
+void tell_gaps(Placement& out, const std::vector<double>& gaps, double height)
+{
+    constexpr double least = 0.05; // of the height: less is not seen
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        if (!(gaps[k] > least * height)) continue;
+        out.nodes[k].contact = Contact::bridges;
+        out.report.largest_gap = std::max(out.report.largest_gap, gaps[k]);
+        out.report.contact_share -= 1 / static_cast<double>(gaps.size());
+    }
+}
+
 // Adds to the control points of the contact surface others along the normals above them.
 Trivariate<glm::dvec3> raised(const Surface<glm::dvec3>& contact, const Sizes& sizes,
                               const std::array<Knots, 3>& axes)
@@ -225,11 +238,16 @@ Trivariate<glm::dvec3> raised(const Surface<glm::dvec3>& contact, const Sizes& s
     return out;
 }
 
+struct DrawnRound {
+    Surface<glm::dvec3> contact;
+    std::vector<double> gaps; // of its nodes: metres down to the section
+    double left = 0;          // metres by which the section still protrudes
+};
+
 // Makes the surface with the places of the section as control points, so that it is concave only
-// where the section is, moved outward until the body protrudes by no more than the tolerance;
-// `left` is the part that still protrudes.
-Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
-                                const std::array<Knots, 2>& axes, double tolerance, double& left)
+// where the section is, moved outward until the body protrudes by no more than the tolerance.
+DrawnRound drawn_round(const Section& section, const Sizes& sizes, const std::array<Knots, 2>& axes,
+                       double tolerance)
 {
     constexpr int looks = 4;  // per node along each axis
     constexpr int rounds = 8; // of lifting: each leaves a fraction of the rest
@@ -243,7 +261,8 @@ Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
         }
         return out;
     };
-    std::vector<glm::dvec3> through = places_of(us, vs);
+    const std::vector<glm::dvec3> nodes = places_of(us, vs);
+    std::vector<glm::dvec3> through = nodes;
     std::vector<double> fine_u, fine_v;
     const std::size_t nu = us.size() * looks, nv = (vs.size() - 1) * looks;
     for (std::size_t i = 0; i < nu; ++i)
@@ -256,7 +275,7 @@ Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
     for (int round = 0;; ++round) {
         const Surface<glm::dvec3> contact{axes, through};
         std::vector<double> missing(through.size(), 0);
-        left = 0;
+        double left = 0;
         for (std::size_t i = 0; i < fine_u.size(); ++i)
             for (std::size_t j = 0; j < fine_v.size(); ++j) {
                 const Standing on = on_contact(contact, {fine_u[i], fine_v[j]});
@@ -270,7 +289,15 @@ Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
                             missing[a * vs.size() + b] = std::max(missing[a * vs.size() + b], out);
                 }
             }
-        if (left <= tolerance || round == rounds) return contact;
+        if (left <= tolerance || round == rounds) {
+            std::vector<double> gaps;
+            for (const double u : us)
+                for (const double v : vs) {
+                    const Standing on = on_contact(contact, {u, v});
+                    gaps.push_back(glm::dot(on.p - nodes[gaps.size()], on.normal));
+                }
+            return {contact, std::move(gaps), left};
+        }
         for (std::size_t k = 0; k < through.size(); ++k)
             if (missing[k] > 0)
                 through[k] +=
@@ -335,11 +362,12 @@ Placement place_round(Section section, const PlacementParameters& p, const Box& 
     const Sizes sizes =
         sizes_of(p, axes[2], measures.width_world, measures.height_world, p.contact_level);
     section.widen(sizes.width * sizes.width_factor.largest() / 2);
-    double left = 0;
-    const Surface<glm::dvec3> contact =
-        drawn_round(section, sizes, {axes[0], axes[1]}, p.lift_tolerance * sizes.height, left);
-    measures.penetration = left / sizes.height;
-    Placement out = standing_on(contact, raised(contact, sizes, axes), sizes, axes, measures, p);
+    const DrawnRound drawn =
+        drawn_round(section, sizes, {axes[0], axes[1]}, p.lift_tolerance * sizes.height);
+    measures.penetration = drawn.left / sizes.height;
+    Placement out =
+        standing_on(drawn.contact, raised(drawn.contact, sizes, axes), sizes, axes, measures, p);
+    tell_gaps(out, drawn.gaps, sizes.height);
     out.embedding.to_uvw = model_to_uvw(frame, p);
     out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
     return out;

@@ -6,6 +6,7 @@
 #include "core/placement/round.h"
 #include "tests/placement/scenes.h"
 
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
@@ -88,6 +89,30 @@ TEST(Section, APlacementRoundACylinderIsThatRoundItsBand)
     EXPECT_THROW(place_round(Section({{&cylinder, somewhere}}, plane_at(0.2)), p, snake_box()),
                  Rejected)
         << "the cylinder is three high";
+}
+
+TEST(Section, SaysWhereAWideModelStandsOffTheBody)
+{
+    const Mesh ball = sphere_mesh(1, 96, 48);
+    const auto laid = [&](double width) {
+        return place_round(Section({{&ball, somewhere}}, plane_at(0)),
+                           {.width = width, .height = 0.1, .grid = {33, 4, 4}}, snake_box());
+    };
+    EXPECT_EQ(laid(0.2).report.contact_share, 1);
+    const Placement wide = laid(2);
+    const glm::dmat4 to_own = glm::inverse(somewhere);
+    double furthest = 0;
+    for (int i = 0; i < 33; ++i)
+        for (int j = 0; j <= 20; ++j) {
+            const glm::dvec3 p = evaluate(wide.contact, {i / 33.0, j / 20.0}).value;
+            furthest = std::max(furthest, glm::length(glm::dvec3(to_own * glm::dvec4(p, 1))) - 1);
+        }
+    EXPECT_GT(furthest, 0.02) << "the test means something";
+    EXPECT_NEAR(wide.report.largest_gap, furthest, 0.2 * furthest);
+    const auto off = std::ranges::count(wide.nodes, Contact::bridges, &StripNode::contact);
+    EXPECT_GT(off, 0);
+    EXPECT_NEAR(wide.report.contact_share,
+                1 - static_cast<double>(off) / static_cast<double>(wide.nodes.size()), 1e-9);
 }
 
 TEST(Section, NothingOfABodyWithEdgesStandsOutOfTheContactSurface)
