@@ -122,10 +122,11 @@ std::pair<SamplePlaces, glm::dmat4> met_by_samples(const PlacementStep& before,
     return {met, best_motion(from, to)};
 }
 
-// Returns the length of the way of the middle, which bends as much as the motion turns.
+// Returns the length of the way of the middle sample, which bends as much as the motion turns.
 double way_of(const SamplePlaces& met, const glm::dmat4& by)
 {
-    const double gone = glm::distance(middle_of(met.now), middle_of(met.then));
+    const std::size_t middle = met.now.size() / 2;
+    const double gone = glm::distance(met.now[middle], met.then[middle]);
     const double half =
         std::acos(std::clamp((by[0][0] + by[1][1] + by[2][2] - 1) / 2, -1.0, 1.0)) / 2;
     return half > 1e-6 ? gone * half / std::sin(half) : gone;
@@ -157,6 +158,10 @@ std::optional<StepTitle> stroke_title(const PlacementStep& before, const Placeme
     if (before.sketch.samples == after.sketch.samples) {
         by = between(before.sketch.camera, after.sketch.camera);
         met = met_by_camera(before, by);
+        if (met.then.empty()) { // of older strokes it is not known what their samples met
+            met = met_by_camera(after, glm::inverse(by));
+            std::swap(met.then, met.now);
+        }
     } else
         std::tie(met, by) = met_by_samples(before, after);
     const double factor = glm::length(glm::dvec3(by[0]));

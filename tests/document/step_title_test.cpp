@@ -122,6 +122,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Lay flap 1 of snail back",
         "Draw Table in lines",
         "Draw Table without lines",
+        "Bind Cylinder to Table",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
@@ -212,6 +213,9 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     moved.camera.target.x += 1;
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = moved, .onto = {}}),
               "Slide Pot");
+    Attachment met{{attached_host(1, glm::dmat4(1), true)}};
+    met.samples.assign(moved.samples.size(), {.host = 0, .normal = {0, 0, 1}});
+    EXPECT_EQ(said(EditPlacement{3, {}, moved, {}, met}), "Slide Pot 1 m");
     Sketch grown = testing::small_sketch();
     grown.camera.eye += grown.camera.eye - grown.camera.target;
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = grown, .onto = {}}),
