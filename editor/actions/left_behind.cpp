@@ -33,6 +33,28 @@ bool carried_object(const std::optional<PlacementStep>& step)
     return step && step->attach && carries(*step->attach);
 }
 
+bool lost_what_it_was_on(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    if (found == document.objects.end()) return false;
+    const Object& o = *found->second;
+    return (o.stroke && o.stroke->onto.empty()) || (o.tiles && o.tiles->base == 0);
+}
+
+// Whether the last of so many steps is in force, and nothing was done after it.
+bool deletion_is_last(const Session& session, std::size_t step)
+{
+    const History& history = session.scene().history();
+    return step > 0 && history.position() == step &&
+           std::holds_alternative<Delete>(history.steps()[step - 1].command);
+}
+
+void say_too_late(Session& session)
+{
+    session.notices.say(ui::NoticeKind::warning, "Other steps were made since the deletion",
+                        "Go back to before it in the history.", of_a_step);
+}
+
 void add_once(std::vector<Id>& list, Id id)
 {
     if (std::ranges::find(list, id) == list.end()) list.push_back(id);
@@ -82,11 +104,14 @@ LeftBehind left_behind(const Document& before, const Document& after,
             out.lines.push_back(said_of(after, laid[k]) + fates[k][laid[k].size() == 1 ? 0 : 1]);
     std::vector<Id> bent;
     for (const auto& [id, ref] : before.objects)
-        if (!after.objects.contains(id) && is_lattice(before, ref->parent)) bent.push_back(id);
+        if (!after.objects.contains(id) && is_lattice(before, ref->parent) &&
+            !after.objects.contains(ref->parent))
+            bent.push_back(id);
     if (!bent.empty()) out.lines.push_back(said_of(before, bent) + " went with the lattice.");
     for (const auto& [words, loss] : lost)
-        out.lines.push_back(fmt::format("{}: not {} {} any more.", said_of(after, loss.users),
-                                        words, said_of(before, loss.used)));
+        out.lines.push_back(fmt::format("{} {} no longer {} {}.", said_of(after, loss.users),
+                                        loss.users.size() == 1 ? "is" : "are", words,
+                                        said_of(before, loss.used)));
     return out;
 }
 
@@ -112,10 +137,8 @@ void delete_objects(Editor& editor, const std::vector<Id>& ids)
     choice = {std::move(left.dependents), std::move(left.gone), step};
     std::vector<ui::Notices::Action> remedies;
     remedies.push_back({"Undo", [&session, step] {
-                            if (session.scene().history().position() == step) return session.undo();
-                            session.notices.say(ui::NoticeKind::warning,
-                                                "Other steps were made since the deletion",
-                                                "Go back to before it in the history.", of_a_step);
+                            if (deletion_is_last(session, step)) return session.undo();
+                            say_too_late(session);
                         }});
     if (!choice.dependents.empty())
         remedies.push_back({"Bind to...", [&choice] { choice.asked = true; }});
@@ -139,13 +162,16 @@ std::vector<Id> can_be_bound_to(const Editor& editor, const std::vector<Id>& dep
 void bind_to(Editor& editor, const BindChoice& choice, Id to)
 {
     Session& session = editor.session;
-    const History& history = session.scene().history();
-    const bool last = history.position() == choice.step && choice.step > 0;
-    const Command deletion = last ? history.steps()[choice.step - 1].command : Command(Delete{});
-    if (!last || !std::holds_alternative<Delete>(deletion)) {
-        session.run(Bind{choice.dependents, {}, to});
+    if (!deletion_is_last(session, choice.step)) {
+        std::vector<Id> ids = choice.dependents;
+        std::erase_if(ids, [&](Id id) { return !lost_what_it_was_on(session.committed(), id); });
+        if (!ids.empty())
+            session.run(Bind{ids, {}, to});
+        else
+            say_too_late(session);
         return;
     }
+    const Command deletion = session.scene().history().steps()[choice.step - 1].command;
     session.undo();
     if (session.run(Bind{choice.dependents, choice.gone, to}))
         session.run(deletion);

@@ -4,6 +4,7 @@
 #include "core/commands/command.h"
 #include "editor/actions/actions.h"
 #include "tests/editor/laid.h"
+#include "tests/editor/notice_buttons.h"
 
 #include <gmock/gmock.h>
 
@@ -11,6 +12,7 @@ namespace trivar {
 namespace {
 
 using ::testing::ElementsAre, ::testing::IsEmpty;
+using testing::press_button;
 
 // On boxes 1 and 2, of which 2 is merely passed, and with a box 4 below, lies 3.
 Document laid_on_a_box(bool both_touched)
@@ -99,11 +101,11 @@ TEST(LeftBehind, NamesEveryKindOfDependence)
 {
     const Document document = all_kinds();
     const auto said = [&](Id id) { return said_when_deleted(document, {id}); };
-    EXPECT_THAT(said(1), ElementsAre("Scale: not painted on Ball any more."));
-    EXPECT_THAT(said(3), ElementsAre("Scale: not mixed with Leaf any more."));
-    EXPECT_THAT(said(4), ElementsAre("Scale: not turned into Flower any more."));
-    EXPECT_THAT(said(5), ElementsAre("Ball: not opened by Knife any more."));
-    EXPECT_THAT(said(7), ElementsAre("Wall: not split by Bar any more."));
+    EXPECT_THAT(said(1), ElementsAre("Scale is no longer painted on Ball."));
+    EXPECT_THAT(said(3), ElementsAre("Scale is no longer mixed with Leaf."));
+    EXPECT_THAT(said(4), ElementsAre("Scale is no longer turned into Flower."));
+    EXPECT_THAT(said(5), ElementsAre("Ball is no longer opened by Knife."));
+    EXPECT_THAT(said(7), ElementsAre("Wall is no longer split by Bar."));
     EXPECT_THAT(said(6), IsEmpty());
     const LeftBehind both = left_when_deleted(document, {1, 7});
     EXPECT_THAT(both.dependents, ElementsAre(2, 6));
@@ -115,16 +117,6 @@ TEST(LeftBehind, SaysWhatGoesWithALattice)
     Document document = after(after(Document{}, AddBox{}), AddLattice{.objects = {1}});
     EXPECT_THAT(said_when_deleted(document, {2}), ElementsAre("Box went with the lattice."));
     EXPECT_THAT(said_when_deleted(document, {1}), IsEmpty());
-}
-
-// One of a notice's buttons.
-void press_button(Editor& editor, const std::string& words)
-{
-    const std::vector<ui::Notices::Notice> all = editor.session.notices.all();
-    for (const auto& each : all)
-        for (const auto& action : each.actions)
-            if (action.words == words) return action.act();
-    ADD_FAILURE() << "no button " << words;
 }
 
 TEST(LeftBehind, IsBoundToAnotherObjectBesideTheDeletion)
@@ -161,13 +153,15 @@ TEST(LeftBehind, IsBoundAfterOtherStepsWhereItLiesOnNothing)
     session.run(AddSphere{.name = "Ball", .shape = {.radius = 0.4}, .transform = {}});
     session.run(AddBox{.name = "Scale", .shape = {.size = {0.1, 0.1, 0.1}}, .transform = {}});
     session.run(PaintTiles{.object = 2, .base = 1, .stroke = scales()});
+    session.run(AddBox{.name = "Wall", .shape = {}, .transform = {}});
+    session.run(Split{{3}, {.obstacles = {{1}}}});
     session.selected = 1;
     action(rig.editor, "Delete").run(rig.editor);
     session.run(AddSphere{.name = "Other", .shape = {.radius = 0.4}, .transform = {}});
     press_button(rig.editor, "Undo");
-    EXPECT_TRUE(session.committed().objects.contains(3)) << "no step is lost";
-    bind_to(rig.editor, rig.editor.memory.of<BindChoice>(), 3);
-    EXPECT_EQ(object(session.committed(), 2).tiles->base, 3);
+    EXPECT_TRUE(session.committed().objects.contains(4)) << "no step is lost";
+    bind_to(rig.editor, rig.editor.memory.of<BindChoice>(), 4);
+    EXPECT_EQ(object(session.committed(), 2).tiles->base, 4);
 }
 
 TEST(LeftBehind, IsSaidInTheWindowInOneStep)

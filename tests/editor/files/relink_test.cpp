@@ -2,6 +2,7 @@
 #include "editor/files/relink.h"
 
 #include "core/files/image.h"
+#include "tests/editor/notice_buttons.h"
 #include "tests/editor/volume_rig.h"
 #include "tests/support/fixtures.h"
 
@@ -49,6 +50,33 @@ TEST(Relink, FindsWhatIsMissingBesideTheFileThatWasShown)
     EXPECT_THAT(missing_files(session), IsEmpty());
     EXPECT_EQ(rig.steps(), 6u);
     for (const Id id : {1, 2, 3}) EXPECT_TRUE(rig.has_shape(id));
+}
+
+TEST(Relink, IsOfferedInTheNoticeOfWhatCannotBeShown)
+{
+    for (const bool by_notice : {true, false}) {
+        const TemporaryFolder folder;
+        const std::string scene = folder.file("a.trivar");
+        std::ofstream(scene) << "{\"trivar\": 1, \"units\": \"m\", \"up\": \"z\"}\n"
+                             << "{\"do\": \"import\", \"path\": \"a.obj\", \"name\": \"A\"}\n";
+        Rig rig;
+        Session& session = rig.editor.session;
+        rig.editor.files.open_scene(scene);
+        rig.wait();
+        ASSERT_THAT(session.not_shown(), ElementsAre(1));
+        testing::press_button(rig.editor, "Find...");
+        EXPECT_TRUE(rig.editor.files.asking());
+        rig.key({ui::key_escape});
+        write_triangle(folder.file("a.obj"), 1);
+        if (by_notice)
+            testing::press_button(rig.editor, "Reload");
+        else
+            rig.editor.files.ask_missing(); // reads it instead of saying that nothing is missing
+        rig.wait();
+        EXPECT_THAT(session.not_shown(), IsEmpty());
+        const auto offers = [](const ui::Notices::Notice& each) { return !each.actions.empty(); };
+        EXPECT_TRUE(std::ranges::none_of(session.notices.all(), offers)) << "it is told no more";
+    }
 }
 
 TEST(Relink, RefusesWhatCannotBeRead)
