@@ -135,7 +135,9 @@ void Input::begin_frame(double time_s, const ClickManners& manners)
         const bool button = next.kind == Event::Kind::button;
         const bool press = button || (next.kind == Event::Kind::key && !is_typing(next));
         if (pressed && (press || next.kind == Event::Kind::move)) break;
-        const bool begins = next.down ? press : next.kind == Event::Kind::text;
+        // The view is turned meanwhile, and modifiers alone begin nothing.
+        const bool looks = is_modifier(next) || (button && next.code == int(Button::middle));
+        const bool begins = next.down ? press && !looks : next.kind == Event::Kind::text;
         if (begins && (button ? held == Held::keys_and_buttons : held != Held::nothing)) break;
         if (button && next.down && strayed) break; // what is there must be known first
         const bool let_go = button && (!next.down || hold_.on);

@@ -162,9 +162,25 @@ TEST(Input, HoldsPressesBackTillTheyHaveAnObject)
     all.all_at_once({press(Button::left), press(Button::left, false)});
     EXPECT_EQ(all.picture, 0);
     EXPECT_FALSE(all.screen.input().pending()) << "an idle window waits for it";
+    all.screen.input().push(press(Button::middle));
+    all.screen.frames(2, all.body());
+    EXPECT_FALSE(ImGui::IsMouseDown(ImGuiMouseButton_Middle)) << "each in its turn";
     all.wait = false;
     all.screen.frames(6, all.body());
     EXPECT_EQ(all.picture, 1);
+}
+
+TEST(Input, LetsTheViewBeTurnedWhileItHoldsPressesBack)
+{
+    BesideAButton all;
+    all.wait = true;
+    all.screen.frames(1, all.body());
+    for (const Event& each : {press_key(key_left_shift), press(Button::middle), press_key('1')})
+        all.screen.input().push(each);
+    all.screen.frames(4, all.body());
+    EXPECT_TRUE(ImGui::IsMouseDown(ImGuiMouseButton_Middle));
+    EXPECT_TRUE(ImGui::GetIO().KeyShift);
+    EXPECT_FALSE(ImGui::GetIO().KeysDown['1']);
 }
 
 TEST(Input, HoldsNothingBackFromEsc)

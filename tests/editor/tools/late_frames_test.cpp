@@ -12,6 +12,7 @@ struct LateRig : Rig {
     LateRig()
     {
         two_objects();
+        editor.preferences.hints = false; // their cards take clicks
         key({'D'});
         move(layout().outliner.center());
         wait();
