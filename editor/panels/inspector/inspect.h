@@ -30,8 +30,8 @@ void shape_rows(const Session& session, const ui::Theme& theme, const std::vecto
 // A row for an object whose host was deleted, with the choice of another one.
 void bind_row(Editor& editor, const ui::Theme& theme, const char* label, Id id);
 
-// Whether far parts of the volume meet, as far as that is proven.
-void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject& placed);
+// Whether far parts of the volume meet, as far as that is proven; null: it has none now.
+void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject* placed);
 
 // Commits the proposal once no field is held any more; called every frame, after all panels.
 void finish_edit(Editor& editor);

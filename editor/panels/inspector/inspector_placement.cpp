@@ -19,9 +19,9 @@ namespace {
 
 using PlacementRows = FieldRows<PlacementParameters>;
 
-void report_rows(const ui::Theme& theme, const Placement& placement)
+void report_rows(const ui::Theme& theme, const Placement* placement)
 {
-    const PlacementReport& r = placement.report;
+    const PlacementReport r = placement ? placement->report : PlacementReport{};
     const auto row = [&](const char* label, const std::string& value, const char* help,
                          ui::Color color = 0) { ui::fact_row(theme, label, value, color, help); };
     row("Length", ui::short_number(r.length_world) + " m", "of the middle of the strip");
@@ -43,21 +43,20 @@ void report_rows(const ui::Theme& theme, const Placement& placement)
     const bool through = r.penetration > 1e-3;
     row("Penetration", r.penetration <= 0 ? "none" : percent_text(r.penetration) + " of height",
         "how deep the scene reaches into the volume at most", through ? theme.color.warn : 0);
-    const auto folds = std::ranges::count(placement.nodes, true, &StripNode::folds);
+    const auto folds =
+        placement ? std::ranges::count(placement->nodes, true, &StripNode::folds) : 0;
     row("Folds", folds == 0 ? "none" : fmt::format("{} {}", folds, folds == 1 ? "place" : "places"),
         "places where the volume is turned inside out",
         folds == 0 ? theme.color.good : theme.color.bad);
 }
 
-// What carries it, or that nothing does, with the remedy.
-void carried_rows(Editor& editor, const ui::Theme& theme, Id id, const PlacementStep& step)
+// One row: what carries it, or that nothing does, with the remedy.
+void carried_row(Editor& editor, const ui::Theme& theme, Id id, const PlacementStep& step)
 {
     const Document& document = editor.session.document();
-    if (step.onto.empty()) {
-        if (!step.parameters.on_ground) bind_row(editor, theme, "Lies on", id);
-        return;
-    }
-    if (!step.attach) {
+    if (step.onto.empty() && !step.parameters.on_ground)
+        return bind_row(editor, theme, "Lies on", id);
+    if (!step.onto.empty() && !step.attach) {
         const ui::Row at = ui::label_row(theme, "Not attached", false,
                                          "it stays in the world where the objects under it move");
         if (ui::button(theme, "Attach", ui::ButtonKind::plain, {at.width, theme.size.row}))
@@ -65,8 +64,9 @@ void carried_rows(Editor& editor, const ui::Theme& theme, Id id, const Placement
         return;
     }
     std::vector<Id> hosts;
-    for (const AttachedHost& host : step.attach->hosts)
-        if (host.touched) hosts.push_back(host.object);
+    if (step.attach)
+        for (const AttachedHost& host : step.attach->hosts)
+            if (host.touched) hosts.push_back(host.object);
     ui::fact_row(theme, "Attached",
                  hosts.empty() ? "to the ground" : "to " + names_in(document, hosts),
                  theme.color.text_2, "it goes with what carries it");
@@ -109,7 +109,7 @@ void volume_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p,
     fields(&P::contact_level);
     if (!round) { // else there is no view to rise toward
         fields(&P::offset);
-        ends_row(rows.theme, "toward the view", "along the normals");
+        ends_row(rows.theme, "toward view", "along normals");
     }
     fields(&P::grid);
     fields(&P::orders);
@@ -207,7 +207,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         }
         ImGui::PopID();
     };
-    if (!round) carried_rows(editor, theme, id, *each.stroke);
+    if (!round) carried_row(editor, theme, id, *each.stroke);
     part("Volume", true, [&] {
         if (round) level_row(editor, rows, id);
         volume_rows(rows, fields, p, round, placement ? &placement->report : nullptr, editor);
@@ -217,11 +217,12 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     if (!round) part("Contact", false, [&] { contact_rows(fields); });
     draw_travel(editor, theme, {id});
     draw_refinement(editor, theme, {id});
-    if (placement)
-        part("Checks", true, [&] {
-            report_rows(theme, *placement);
-            overlap_row(editor, theme, *effects->second);
+    part("Checks", true, [&] {
+        ui::rows_if(theme, placement, "It is not laid.", [&] {
+            report_rows(theme, placement);
+            overlap_row(editor, theme, placement ? effects->second.get() : nullptr);
         });
+    });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
 }
 

@@ -15,7 +15,8 @@ void draw_shading(Editor& editor, const ui::Theme& theme, const std::vector<Id>&
     ValueRows rows{theme};
     FieldRows<FaceShading> fields(rows, active, "", all);
     fields(&FaceShading::way);
-    if (active.way == ShadingWay::by_angle) fields(&FaceShading::angle_deg);
+    ui::rows_if(theme, active.way == ShadingWay::by_angle, "Only for shading by angle.",
+                [&] { fields(&FaceShading::angle_deg); });
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] { return Shade{ids, active}; });
 }

@@ -81,30 +81,27 @@ void verdict_row(const ui::Theme& theme, const CellVerdicts* verdicts)
 // In how many parts it may fold, with a button that takes that back.
 void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t parts)
 {
-    ui::label_row(theme, "May fold");
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float side = theme.size.row, width = ImGui::GetContentRegionAvail().x;
-    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {width - side, side}),
-                   theme.color.text, fmt::format("in {} {}", parts, parts == 1 ? "part" : "parts"));
-    ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
-    if (ui::icon_button(theme, "fold nowhere", ui::icon::trash, {side, side},
-                        {"Allow folds nowhere", {}, "Edits made so far stay."}))
+    const std::string words =
+        fmt::format("May fold in {} {}", parts, parts == 1 ? "part" : "parts");
+    if (ui::list_row(theme, {.name = words},
+                     {{"fold nowhere",
+                       ui::icon::trash,
+                       {"Allow folds nowhere", {}, "Edits made so far stay."}}}))
         session.run(AllowFolds{id, {}});
-    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
-    ImGui::Dummy({1, 0});
 }
 
 } // namespace
 
-void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject& placed)
+void overlap_row(Editor& editor, const ui::Theme& theme, const EvaluatedObject* placed)
 {
     const auto tell = [&](const std::string& words, ui::Color color) {
         ui::fact_row(theme, "Crosses itself", words, color,
                      "whether far parts of the volume meet, as far as that is proven");
     };
     // Not of every moment of a drag.
-    const Overlap* overlap =
-        editor.session.proposing() ? nullptr : editor.viewport.volume_facts().overlap(placed);
+    const Overlap* overlap = !placed || editor.session.proposing()
+                                 ? nullptr
+                                 : editor.viewport.volume_facts().overlap(*placed);
     if (!overlap) return tell("being looked for", theme.color.text_2);
     if (overlap->verdict == Verdict::proven_good) return tell("nowhere, proven", theme.color.good);
     if (overlap->verdict == Verdict::unknown) return tell("not known", theme.color.warn);
@@ -116,14 +113,14 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
 {
     Session& session = editor.session;
     const auto found = session.evaluated().objects.find(id);
-    if (found == session.evaluated().objects.end() || !found->second->placement) return;
     const bool box = std::holds_alternative<LatticeShape>(object(session.document(), id).source);
     if (!ui::section(theme, box ? "Control points" : "Lattice", box)) return;
+    if (found == session.evaluated().objects.end() || !found->second->placement) return;
     const Ref<Placement> placement = found->second->placement;
     VolumeFacts& facts = editor.viewport.volume_facts();
     const CellVerdicts* verdicts = facts.verdicts(*found->second);
     verdict_row(theme, verdicts);
-    if (box) overlap_row(editor, theme, *found->second); // of a stroke it is among the checks
+    if (box) overlap_row(editor, theme, found->second.get()); // of a stroke it is among the checks
     if (const Ref<ShapedVolume>& shaped = found->second->shaped;
         shaped && !shaped->volume->may_fold.empty())
         allowance_row(session, theme, id, shaped->volume->may_fold.size());
