@@ -28,7 +28,7 @@ Sequence sequence_of(const RenderOptions& options)
 {
     Sequence out;
     if (!options.sheet.empty()) return out; // one picture
-    out.names = frame_names(options.out);
+    out.names = option_value([&] { return frame_names(options.out); });
     out.size_px = picture_size(options.drawing.size);
     out.depth = options.depth.value_or(8);
     if (out.names.extension() == ".exr" && options.depth)
@@ -51,7 +51,7 @@ public:
     {
         if (!options.sheet.empty()) {
             const glm::ivec2 grid = option_value([&] { return sheet_grid(options.sheet); });
-            check_picture_name(options.out);
+            option_value([&] { check_picture_name(options.out); });
             share_ = evenly_chosen(frames_, grid.x * grid.y);
         }
         const std::string text = log_text(options.scene);

@@ -2,6 +2,7 @@
 #include "editor/command_line/replay.h"
 #include "editor/picture/line_sheet.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
@@ -127,8 +128,8 @@ void tell_of_walks(const ReplayResult& replayed, const Streams& streams)
     for (const auto& [id, ref] : replayed.evaluated.objects)
         if (ref->walk && ref->walk->trouble.empty())
             streams.talk << fmt::format(
-                "trivar: {}: its planted feet slide by {:.2f} % of a stride at most\n",
-                object(replayed.document, id).name, 100 * *ref->walk->slide);
+                "trivar: {}: its planted feet slide by {} of a stride at most\n",
+                object(replayed.document, id).name, percent_text(*ref->walk->slide));
 }
 
 // Says why an object is not shown whole; empty: it is. Tiles that have not grown yet are whole.
@@ -198,6 +199,7 @@ ReplayResult replay(const ReplayOptions& options, const Streams& streams,
         tell_of_volumes(result, streams);
         tell_of_walks(result, streams);
         check_result(result, options, streams);
+        result.same &= log.notice.empty(); // else its end is lost, as was said
     }
     return result;
 }

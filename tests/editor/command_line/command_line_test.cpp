@@ -139,6 +139,17 @@ TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)
     }
 }
 
+TEST(Replay, ChecksThatTheFileIsWhole)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write_file(path, scene_text() + "{\"do\": \"add_b");
+    EXPECT_EQ(run({"replay", path}).status, Status::done);
+    const Ran checked = run({"replay", path, "--check"});
+    EXPECT_EQ(checked.status, Status::check_failed);
+    EXPECT_THAT(checked.talk, HasSubstr("the last line is incomplete"));
+}
+
 TEST(Replay, StoresTheDigestOfTheResultInAFrame)
 {
     const TemporaryFolder folder;

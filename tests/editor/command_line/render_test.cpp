@@ -218,11 +218,11 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
     refused(arguments(good, {}, "0:3"), "no frame 0");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "-1/4", "1/4/2", "x/y", "1/4x", "/"})
         refused(arguments(good, {"--shard", shard}), "--shard", Status::usage);
-    refused(arguments(folder.file("a.png")), "needs ####");
-    refused(arguments(folder.file("a#b/c.png")), "needs ####");
-    refused(arguments(folder.file("a.##.##.png")), "stand together");
-    refused(arguments(folder.file("a.####.jpg")), ".png or .exr");
-    refused(arguments(folder.file("a.####")), ".png or .exr");
+    refused(arguments(folder.file("a.png")), "needs ####", Status::usage);
+    refused(arguments(folder.file("a#b/c.png")), "needs ####", Status::usage);
+    refused(arguments(folder.file("a.##.##.png")), "stand together", Status::usage);
+    refused(arguments(folder.file("a.####.jpg")), ".png or .exr", Status::usage);
+    refused(arguments(folder.file("a.####")), ".png or .exr", Status::usage);
     refused(arguments(folder.file("a.####.exr"), {"--depth", "16"}), "--depth", Status::usage);
     for (const char* sheet : {"3", "0x2", "3x-2", "3x2x1"})
         refused(arguments(folder.file("a.png"), {"--sheet", sheet}), "--sheet", Status::usage);
