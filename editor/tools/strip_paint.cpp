@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/strip_paint.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <map>
 
 namespace trivar {
@@ -115,10 +116,9 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
         if (count.at(i) == 0) continue;
         const NodeLook state = shown(theme, static_cast<NodeState>(i));
         const double share =
-            100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
-        ui::paint_chip(
-            theme, at,
-            {fmt::format("{:.0f} % {}", std::max(1.0, share), state.words), state.color});
+            static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
+        ui::paint_chip(theme, at,
+                       {percent_text(std::max(0.01, share)) + " " + state.words, state.color});
         at.y += theme.px(28);
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/tile_hand.h"
 
+#include "core/base/number_text.h"
+#include "core/commands/field_words.h"
 #include "core/limit/tangent.h"
 #include "core/patches/tile_ray.h"
 #include "ui/paint.h"
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
 
 namespace trivar {
@@ -220,8 +221,8 @@ std::string TileHand::amount() const
 {
     const std::optional<TileStroke> now = stroke(SurfaceHit{});
     if (!now || *motion_ == MotionKind::move) return {};
-    return *motion_ == MotionKind::rotate ? fmt::format("Turn {:.0f} deg", now->turn_deg)
-                                          : fmt::format("Scale {:.2f} x", now->factor);
+    return *motion_ == MotionKind::rotate ? "Turn " + in_degrees(now->turn_deg)
+                                          : "Scale × " + number_text(now->factor);
 }
 
 void TileHand::paint_rim(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <optional>
 
 namespace trivar {
@@ -57,7 +57,7 @@ Ref<Walk> walk_of(const Evaluation& evaluated, Id id)
 
 std::string of_stride(double share)
 {
-    return fmt::format("{:.2f} % of a stride", 100 * share);
+    return percent_text(share) + " of a stride";
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/commands/command.h"
 #include "core/scene/tries.h"
 #include "editor/panels/panels.h"
@@ -194,16 +195,18 @@ void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const ui::Palette& c = theme.color;
     const SceneFile& scene = editor.session.scene();
     const std::size_t count = scene.history().steps().size(), now = scene.history().position();
-    std::string words = now < count ? fmt::format("{} of {} steps", now, count)
-                                    : fmt::format("{} step{}", count, count == 1 ? "" : "s");
+    const std::string number = (now < count ? with_commas(now) + " of " : "") + with_commas(count);
     const char* save = "Save without undone steps...";
     const float width = ui::text_width(theme.font.body, save) + theme.px(24);
     const ui::Rect inside = {r.lo + glm::vec2(theme.size.padding, 0),
                              {r.hi.x - width - theme.px(8), r.hi.y}};
+    const auto fits = [&](const std::string& words) {
+        return ui::text_width(theme.font.small, words) <= inside.width();
+    };
+    std::string words = number + (count == 1 ? " step" : " steps");
+    if (!fits(words)) words = number;
     const std::string where = words + "  ·  in the scene file";
-    if (!scene.path().empty() && scene.trouble().empty() &&
-        ui::text_width(theme.font.small, where) <= inside.width())
-        words = where;
+    if (!scene.path().empty() && scene.trouble().empty() && fits(where)) words = where;
     ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line);
     ui::paint_text(theme.font.small, inside, c.text_3,
                    ui::elided(theme.font.small, words, inside.width()));
