@@ -2,6 +2,7 @@
 #include "editor/actions/all_actions.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/chords.h"
 #include "editor/actions/edit_actions.h"
 #include "editor/actions/file_actions.h"
 #include "editor/actions/help_actions.h"
@@ -69,6 +70,12 @@ std::vector<Action> all_actions()
     a.push_back(add_action<AddText>("Text"));
     add_lattice_actions(a);
     add_placement_actions(a);
+    a.push_back({"Edit",
+                 preferences_action,
+                 {ctrl(ui::key_comma)},
+                 [](Editor& e) { e.preferences_dialog.open = true; },
+                 {},
+                 true});
     add_model_actions(a);
     add_view_actions(a);
     add_window_actions(a);

@@ -283,12 +283,6 @@ void add_edit_actions(std::vector<Action>& a)
          {{ui::key_f1 + 8}},
          [](Editor& e) { e.adjustment.open = !e.adjustment.open; },
          {[](const Editor& e) { return e.adjustment.step != 0; }, "the last step has no numbers"}});
-    a.push_back({"Edit",
-                 preferences_action,
-                 {ctrl(ui::key_comma)},
-                 [](Editor& e) { e.preferences_dialog.open = true; },
-                 {},
-                 true});
 }
 
 } // namespace trivar

@@ -104,6 +104,7 @@ const std::vector<Synonym>& synonyms()
         {"sun", {"Picture settings"}},
         {"svg", {"Export..."}},
         {"texture", {"Set material", "Import model...", "Unwrap"}},
+        {"theme", {"Preferences..."}},
         {"tooltip", {"Show hints again"}},
         {"transparency", {"Set material", "X-ray"}},
         {"transparent", {"Set material", "X-ray"}},
