@@ -117,6 +117,26 @@ TEST(Ground, StaysWhereItIsWhenAStrokeGoesWithItsHost)
     EXPECT_NEAR(lowest, 0, on_it);
 }
 
+TEST(Ground, AloneKeepsWhatLiesOnItWhateverIsMovedUnderTheStroke)
+{
+    const AddBox beside{.name = "Box",
+                        .shape = {.size = {0.5, 4, 0.1}},
+                        .transform = {.translation = {0, 50, 0.05}}};
+    Place place = on_ground(1);
+    place.onto = {2};
+    Document document = after(after(pot_alone(), beside), place);
+    const Evaluation before = new_evaluator()(document);
+    const auto attachment = attachment_of(*before.objects.at(1), small_sketch(), false);
+    ASSERT_TRUE(attachment);
+    EXPECT_FALSE(attachment->hosts.at(0).touched);
+    document = after(document, Attach{1, attachment});
+    document =
+        after(document, SetTransform{.object = 2, .transform = {.translation = {0, 0, 0.05}}});
+    const Evaluation now = new_evaluator()(document);
+    for (const StripNode& node : laid(now, 1).nodes) EXPECT_NEAR(node.p_world.z, 0, on_it);
+    EXPECT_EQ(laid(now, 1).volume.displacement.points, laid(before, 1).volume.displacement.points);
+}
+
 TEST(Ground, CannotBeTakenFromUnderWhatLiesOnItAlone)
 {
     const Document document = after(pot_alone(), on_ground(1));

@@ -45,9 +45,9 @@ std::map<std::string, std::string> models_made_here()
 const std::string scenes_folder = TRIVAR_SOURCE_DIR "/assets/scenes";
 using testing::every_scene;
 
-Document document_of(const std::string& name)
+Document document_of(const std::string& name, const std::string& folder = scenes_folder)
 {
-    const std::string path = scenes_folder + "/" + name + ".trivar";
+    const std::string path = folder + "/" + name + ".trivar";
     return replay(read_log(read_text_file(path), path)).document();
 }
 
@@ -227,6 +227,16 @@ TEST(LockedFeet, AreWhereTheirExportHasThemWhileTheyHurryAndGoBack)
             EXPECT_LE(found[p].furthest, claim.bound + 1e-6) << claim.name;
         }
     }
+}
+
+TEST(GalleryScenes, AndTutorialsHaveTheirStrokesAttachedToWhatTheyLieOn)
+{
+    for (const std::string folder : {"scenes", "tutorials"})
+        for (const std::string& name : every_scene(folder))
+            for (const auto& [id, object] :
+                 document_of(name, TRIVAR_SOURCE_DIR "/assets/" + folder).objects)
+                EXPECT_TRUE(!object->stroke || object->stroke->round || object->stroke->attach)
+                    << name << ": " << object->name;
 }
 
 TEST(GalleryPage, ShowsEverySceneAndNoPictureThatIsNotThere)

@@ -96,12 +96,10 @@ TEST(ViewKeys, LookFromSixSidesWithoutPerspectiveUntilTheViewIsTurned)
     EXPECT_FALSE(flat) << "it was chosen by hand";
 }
 
-TEST(ViewKeys, ATurnThatBeginsOverNothingKeepsWhatIsLookedAtInTheMiddle)
+// Turns the view by a drag from there; what was in the middle stays there.
+void turn_from(Rig& rig, glm::vec2 corner)
 {
-    Boxes rig;
-    rig.wait();
     const glm::dvec3 before = rig.editor.session.view.camera.target;
-    const glm::vec2 corner = rig.layout().view.lo + glm::vec2(30, 250);
     rig.move(corner);
     rig.screen.input().push(ui::press(ui::Button::middle));
     rig.frames();
@@ -109,6 +107,26 @@ TEST(ViewKeys, ATurnThatBeginsOverNothingKeepsWhatIsLookedAtInTheMiddle)
     rig.screen.input().push(ui::press(ui::Button::middle, false));
     rig.frames();
     EXPECT_LT(glm::distance(rig.seen_at(before), rig.layout().view.center()), 2);
+}
+
+TEST(ViewKeys, ATurnThatBeginsOverNothingKeepsWhatIsLookedAtInTheMiddle)
+{
+    Boxes rig;
+    rig.wait();
+    turn_from(rig, rig.layout().view.lo + glm::vec2(30, 250));
+}
+
+TEST(ViewKeys, ATurnThatBeginsOverAFarGroundKeepsWhatIsLookedAtInTheMiddle)
+{
+    Boxes rig;
+    ASSERT_TRUE(rig.editor.session.run(AddPlane{.shape = {.size = {400, 400}}}));
+    Camera& camera = rig.editor.session.view.camera;
+    camera.eye = {0, -6, 1.5};
+    camera.target = {0, 0, 0.5};
+    rig.wait();
+    const glm::vec2 far = rig.seen_at({5, 60, 0});
+    ASSERT_TRUE(rig.layout().view.contains(far));
+    turn_from(rig, far);
 }
 
 TEST(Isolate, ShowsOnlyWhatIsSelectedTillTheSameKeyIsPressed)

@@ -55,6 +55,7 @@ TEST(Keeping, ACopyOfASceneThatIsOpenElsewhereOffersToBeSaved)
     other.run(AddBox{});
     other.save_as(folder.file("a.trivar"));
     Rig rig;
+    rig.editor.session.notices.say(ui::NoticeKind::good, "Said of the scene before", {});
     rig.editor.files.open_scene(folder.file("a.trivar"));
     rig.wait();
     ASSERT_TRUE(rig.editor.files.asking());
