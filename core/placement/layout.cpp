@@ -154,10 +154,9 @@ private:
         return timed(timings_, "rays", [&] {
             RayGrid line = center_line(curve, 4 * parameters_.grid.x + 1, camera_, scene_,
                                        parameters_.skip_back_faces);
-            if (!jumps_) return line;
             std::vector<glm::dvec2> points_px;
             for (const double a : line.a) points_px.push_back(evaluate(curve, a).value);
-            jumps_->bridge(line, points_px);
+            if (jumps_) jumps_->bridge(line, points_px);
             return line;
         });
     }
@@ -191,8 +190,7 @@ private:
             for (std::size_t i = 0; i < profile_steps; ++i)
                 half_px_[i] *= width_.at(
                     length_share(static_cast<double>(i) / static_cast<double>(profile_steps - 1)));
-            const double picture = glm::length(camera_.size_px);
-            if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
+            if (!(*std::ranges::max_element(half_px_) < glm::length(camera_.size_px)))
                 throw Rejected(fmt::format("a width of {} m is more than the picture shows; "
                                            "reduce the width or zoom out",
                                            number_text(out.width)));
@@ -202,8 +200,8 @@ private:
             for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
             out.strip = strip_round(curve, half_px_);
             out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);
-            std::vector<std::size_t> beyond;
-            if (jumps_) beyond = jumps_->bridge(out.grid, out.strip, center_);
+            const auto beyond =
+                jumps_ ? jumps_->bridge(out.grid, out.strip, center_) : std::vector<std::size_t>{};
             if (out.grid.missed_share() < 1)
                 out.grid = filled(std::move(out.grid), parameters_.misses);
             for (const std::size_t k : beyond) out.grid.hit[k] = 0;
@@ -442,8 +440,7 @@ StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
                     const ModelFrame& frame, const RayScene& scene, Timings& timings, Jumps jumps)
 {
     check(parameters);
-    Curve<glm::dvec2> center =
-        timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
+    auto center = timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
     if (!parameters.skip_back_faces && sketch.camera.perspective)
         check_enclosed(sketch.camera, scene);
     return Builder(sketch.camera, parameters, frame, scene, timings, jumps)

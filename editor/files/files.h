@@ -109,8 +109,7 @@ private:
     void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
                      const std::function<void()>& then);
     void show(SceneFile scene); // where it is a copy, its notice offers to save it
-    void
-    ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
+    void ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // its file is open elsewhere
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
     void read_model_of(const std::string& path, bool frame_all,

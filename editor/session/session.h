@@ -83,7 +83,6 @@ public:
     void save_compact(const std::string& path);        // may throw Rejected
     std::string make_shapes_folder() { return scene_.make_shapes_folder(); } // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
-
     void poll(); // takes in what other threads finished, once a frame; throws their mistakes
     void try_to_write(double time_s); // again every few seconds while steps are not on disk
     void follow_file(double time_s);  // takes up lines that others add to it, once per second
@@ -99,8 +98,7 @@ public:
     ChosenLevel level;       // likewise
     LevelScouts level_scouts;
     std::vector<Id> hidden_here; // ascending: while the person works on others
-    // selects all objects from that id up, without those in groups among them
-    void select_new(Id first);
+    void select_new(Id first);   // all from that id up, without those in groups among them
     SceneView view;
     bool deform_on_processor = true; // false: parts are left for the graphics card to deform
     bool warnings_beside = false;    // the window shows the selected object's beside the picture
