@@ -29,7 +29,7 @@ std::vector<std::size_t> counts(const Object& o)
 }
 
 struct Rows : testing::VolumeRig {
-    Rows() : VolumeRig({760, 2600}) {}
+    Rows() : VolumeRig({760, 3400}) {} // all rows above what notices cover
 
     void select(const std::vector<Id>& ids)
     {
@@ -54,8 +54,9 @@ struct Rows : testing::VolumeRig {
                 if (a.uv.x == atlas.TexUvWhitePixel.x && a.uv.y == atlas.TexUvWhitePixel.y)
                     continue;
                 if (a.pos.x < lo - 1 || b.pos.x > hi) continue;
-                const float top = std::clamp(std::min(a.pos.y, b.pos.y), 0.0f, 2599.0f),
-                            end = std::clamp(std::max(a.pos.y, b.pos.y), 0.0f, 2599.0f);
+                const float last = static_cast<float>(size_px.y) - 1;
+                const float top = std::clamp(std::min(a.pos.y, b.pos.y), 0.0f, last),
+                            end = std::clamp(std::max(a.pos.y, b.pos.y), 0.0f, last);
                 for (auto y = static_cast<std::size_t>(top); y <= static_cast<std::size_t>(end);
                      ++y)
                     ink[y] = true;
