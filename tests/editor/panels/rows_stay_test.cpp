@@ -29,7 +29,7 @@ std::vector<std::size_t> counts(const Object& o)
 }
 
 struct Rows : testing::VolumeRig {
-    Rows() : VolumeRig({760, 3400}) {} // all rows above what notices cover
+    Rows() : VolumeRig({760, 2600}) {}
 
     void select(const std::vector<Id>& ids)
     {
@@ -37,7 +37,8 @@ struct Rows : testing::VolumeRig {
         wait();
     }
     float label_x() const { return layout().inspector.lo.x + screen.theme().size.padding; }
-    // The middle of each line of letters where rows have their labels.
+    // The middle of each line of letters where rows have their labels, above the foot of the panel,
+    // which notices may cover.
     std::vector<int> lines()
     {
         frames(1);
@@ -62,8 +63,9 @@ struct Rows : testing::VolumeRig {
                     ink[y] = true;
             }
         }
+        constexpr std::size_t foot = 200;
         std::vector<int> out;
-        for (std::size_t y = 0; y < ink.size(); ++y) {
+        for (std::size_t y = 0; y + foot < ink.size(); ++y) {
             if (!ink[y]) continue;
             std::size_t end = y;
             while (end < ink.size() && ink[end]) ++end;
