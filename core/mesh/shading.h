@@ -14,11 +14,12 @@ inline constexpr float usual_edge_deg = 35;
 // everywhere if it has no normals. Given normals are made unit and stay. At a point the faces that
 // hang together over smooth edges share one normal, their mean weighted by area: an edge is smooth
 // between two faces that meet there at no more than `smooth_up_to_deg` degrees, or, if `smoothing`
-// has a group for each face, #F, between two faces of one group; group 0 is none. From 180 degrees
-// on all faces at a point share one; with 0 every face is flat. A vertex whose corners get several
-// normals is split; `points`, faces and their order stay. If no normal was given, tangents are
-// dropped, because they belong to other normals. O(#C log valence); the same bits for any number of
-// threads.
+// has a group for each face, #F, between two faces of one group; group 0 is none. Where no face
+// differs from the mean of all at the point by more than half of the angle, they share one, too.
+// From 180 degrees on all faces at a point do; with 0 every face is flat. A vertex whose corners
+// get several normals is split; `points`, faces and their order stay. If no normal was given,
+// tangents are dropped, because they belong to other normals. O(#C log valence); the same bits for
+// any number of threads.
 Mesh with_normals_of_faces(Mesh mesh, float smooth_up_to_deg,
                            const std::vector<std::uint32_t>& smoothing = {});
 
