@@ -94,14 +94,12 @@ Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
 
 // Simplifies a mesh whose normals follow from its faces as if it were smooth: edges of noise, as of
 // a scan, must not stay because normals differ there, which says nothing that the faces do not.
-SimplifiedMesh simplified_as_smooth(const Mesh& mesh, float shaded_by,
-                                    const SimplifyOptions& options, const Progress& progress)
+SimplifiedMesh simplified_as_smooth(const Mesh& mesh, const SimplifyOptions& options,
+                                    const Progress& progress)
 {
     Mesh smooth = mesh;
     smooth.normals = smooth_normals(mesh);
-    SimplifiedMesh out = simplified(make_ref(std::move(smooth)), options, progress);
-    out.mesh = make_ref(shaded(*out.mesh, shaded_by));
-    return out;
+    return simplified(make_ref(std::move(smooth)), options, progress);
 }
 
 } // namespace
@@ -132,11 +130,14 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
             out.error = proven_error(fans, left, places, rounding_of(*mesh));
         out.mesh = make_ref(kept_mesh(*mesh, fans, left));
     }
-    const bool short_of_goal = out.triangles > triangles + fans.left_out;
-    const std::optional<float> by = short_of_goal ? shading_of(*mesh) : std::nullopt;
+    const std::optional<float> by = shading_of(*mesh);
     if (!by) return out;
-    SimplifiedMesh other = simplified_as_smooth(*mesh, *by, options, progress);
-    return other.triangles < out.triangles ? other : out;
+    if (out.triangles > triangles + fans.left_out)
+        if (SimplifiedMesh other = simplified_as_smooth(*mesh, options, progress);
+            other.triangles < out.triangles)
+            out = std::move(other);
+    if (out.mesh != mesh) out.mesh = make_ref(shaded(*out.mesh, *by));
+    return out;
 }
 
 } // namespace trivar
