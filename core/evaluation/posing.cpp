@@ -46,7 +46,8 @@ std::string stillness(const Clip& clip)
         return fmt::format("\"{}\" has no length: it shows the pose of its only keys",
                            excerpt(clip.name));
     if (std::ranges::all_of(clip.channels, is_still))
-        return fmt::format("nothing moves in \"{}\": all its keys are equal", excerpt(clip.name));
+        return fmt::format("nothing moves in \"{}\", which holds one pose: all its keys are equal",
+                           excerpt(clip.name));
     return {};
 }
 

@@ -49,6 +49,12 @@ Facts model_facts(const std::string& path)
         creases = creases || !mesh->creases.empty();
         targets += mesh->morph_targets.size();
     }
+    std::size_t shown = 0; // triangles of all instances of the meshes
+    for (const Node& node : model.nodes)
+        if (node.mesh >= 0) {
+            const Mesh& mesh = *model.meshes[static_cast<std::size_t>(node.mesh)];
+            shown += mesh.corners.size() - 2 * mesh.face_count();
+        }
     for (const Material& m : model.materials)
         for (const Texture* texture :
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
@@ -64,6 +70,7 @@ Facts model_facts(const std::string& path)
                 {"vertices", vertices},
                 {"faces", faces},
                 {"triangles", triangles},
+                {"triangles_shown", shown},
                 {"curves", line_count(model)},
                 {"materials", model.materials.size()},
                 {"textures", images},
