@@ -229,11 +229,11 @@ void Files::measure_imported()
     Session& s = *session_;
     if (to_measure_.empty() || !s.up_to_date() || s.proposing()) return;
     const std::vector<Id> fresh = std::exchange(to_measure_, {});
+    tell_of_facets(fresh);
     for (auto each = fresh.begin(); each != fresh.end(); ++each) {
         const Id id = *each;
         const auto& objects = s.document().objects;
         if (!objects.contains(id)) continue;
-        tell_of_facets(id);
         if (objects.at(id)->tiles) continue; // tiles have their own size
         std::vector<Id> others;              // those that were there before
         for (const auto& [other, ref] : objects)
@@ -279,19 +279,25 @@ bool Files::tell_of_sizes(Id id, double own_m, double scene_m)
     return true;
 }
 
-void Files::tell_of_facets(Id id)
+void Files::tell_of_facets(std::vector<Id> fresh)
 {
-    const auto effects = session_->evaluated().objects.find(id);
-    if (effects == session_->evaluated().objects.end()) return;
-    const auto& meshes = effects->second->shape->meshes;
-    if (std::ranges::none_of(meshes, [](const auto& hung) { return looks_smooth(*hung.rest); }))
-        return;
+    std::erase_if(fresh, [&](Id id) {
+        const auto effects = session_->evaluated().objects.find(id);
+        return effects == session_->evaluated().objects.end() ||
+               std::ranges::none_of(effects->second->shape->meshes,
+                                    [](const auto& hung) { return looks_smooth(*hung.rest); });
+    });
+    if (fresh.empty()) return;
+    const std::string names = names_in(session_->document(), fresh);
     session_->notices.say(
-        ui::NoticeKind::warning, name_of(session_->document(), id) + " is shaded flat",
-        "Its file has no normals. Its faces are many and meet at small angles, as in a scan.",
-        "facets of a model", {{"Shade by angle", [this, id] {
-                                   if (session_->committed().objects.contains(id))
-                                       session_->run(Shade{{id}, {ShadingWay::by_angle}});
+        ui::NoticeKind::warning, names + (fresh.size() == 1 ? " is" : " are") + " shaded flat",
+        "A file without normals. Its faces are many and meet at small angles, as in a scan.",
+        "facets of a model", {{"Shade by angle", [this, fresh]() mutable {
+                                   std::erase_if(fresh, [&](Id id) {
+                                       return !session_->committed().objects.contains(id);
+                                   });
+                                   if (!fresh.empty())
+                                       session_->run(Shade{fresh, {ShadingWay::by_angle}});
                                }}});
 }
 

@@ -42,6 +42,7 @@ const std::vector<std::string_view> with_objects{"Frame selection",
 const std::vector<std::string_view> with_lattices{add_to_lattice_action, take_out_of_lattice_action,
                                                   back_to_rest_action, keep_shape_action};
 const std::vector<std::string_view> with_laid{plain_copy_action, apply_shape_action};
+const std::vector<std::string_view> with_surfaces{"Shade smooth", "Shade by angle", "Shade flat"};
 const std::vector<std::string_view> with_nothing{
     "Frame all", "Select all", "Show all", rule, "Paste", add_action_name, "Import model..."};
 
@@ -91,7 +92,7 @@ void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name)
             entries.push_back(&action(editor, std::string(entry)));
             menu_item(editor, *entries.back());
         }
-        for (const auto& some : {with_lattices, with_laid}) {
+        for (const auto& some : {with_lattices, with_laid, with_surfaces}) {
             bool first = true;
             for (const std::string_view entry : some) {
                 const Action& each = action(editor, std::string(entry));
