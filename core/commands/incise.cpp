@@ -106,8 +106,9 @@ void check(const NamedIncision& incision)
                                    with_commas(stroke.size()), with_commas(most_incision_points)));
     for (const SurfacePoint& each : stroke)
         if (const double length = glm::length(each.normal); !(std::abs(length - 1) < 0.01))
-            throw Rejected(fmt::format(
-                "field \"normal\" has the length {} but must have the length 1", length));
+            throw Rejected(
+                fmt::format("field \"normal\" has the length {} but must have the length 1",
+                            number_text(length)));
     check_profile("depth_profile", incision.cut.depth_profile);
     check_profile("opening_profile", incision.cut.opening_profile);
 }

@@ -60,7 +60,8 @@ void check_cell(std::string_view field, double from, double to)
     if (!(to - from >= least_cell))
         throw Rejected(fmt::format("field \"{}\" is {} but must be at least {}: the cell begins "
                                    "at {}",
-                                   field, to, from + least_cell, from));
+                                   field, number_text(to), number_text(from + least_cell),
+                                   number_text(from)));
 }
 
 // The name of a tile that may have come with the step.
@@ -104,8 +105,9 @@ void check(const TileStroke& stroke)
                                    with_commas(most_tile_samples)));
     for (const TileSample& each : stroke.samples)
         if (const double length = glm::length(each.at.normal); !(std::abs(length - 1) < 0.01))
-            throw Rejected(fmt::format(
-                "field \"normal\" has the length {} but must have the length 1", length));
+            throw Rejected(
+                fmt::format("field \"normal\" has the length {} but must have the length 1",
+                            number_text(length)));
 }
 
 Document with_tiling(Document document, Id id, Tiling tiling)

@@ -356,11 +356,11 @@ TEST(Covers, SayWhyThereIsNone)
         return covering_in(all).notices;
     };
     EXPECT_THAT(notices(after(on_torus_cage(2), cover_by(TilePattern::grid, 1e-4))),
-                ::testing::Contains(::testing::HasSubstr("tiles to cover it; at most 200000")));
+                ::testing::Contains(::testing::HasSubstr("tiles to cover it; at most 200,000")));
     CoverWithTiles crowded = cover_by(TilePattern::brick);
     crowded.cover.per_face = 1000;
     EXPECT_THAT(notices(after(on_torus_cage(2), crowded)),
-                ::testing::Contains(::testing::HasSubstr("60000000 tiles to cover it")));
+                ::testing::Contains(::testing::HasSubstr("60,000,000 tiles to cover it")));
     ImportModel missing;
     missing.file.path = "nowhere.obj";
     EXPECT_THAT(notices(after(with_tile(missing), cover_by(TilePattern::grid))),

@@ -221,7 +221,7 @@ TEST_F(AnimatedExports, OfNothingAreRefused)
 {
     Document empty;
     EXPECT_THROW(animated_export({empty, {1, 2}, 1e-3, ""}, assets_), Rejected);
-    EXPECT_THROW(exported(laid(), 0), Rejected);
+    EXPECT_THROW(exported(laid(), -1), Rejected);
     EXPECT_THROW(exported(laid(), NAN), Rejected);
     EXPECT_THROW(frame_range("0:3", laid().time), Rejected);
     EXPECT_THROW(frame_range("3:2", laid().time), Rejected);

@@ -136,9 +136,8 @@ TEST(Instances, MakeFilesSmallAndLeaveOthersAsTheyWere)
     EXPECT_LT(with.size(), without.size());
     EXPECT_TRUE(holds(with, R"("extensionsUsed":["EXT_mesh_gpu_instancing"])"));
     EXPECT_FALSE(holds(without, "EXT_mesh_gpu_instancing"));
-    // The nodes of all else are the same; that of the layer is the last one.
+    // The nodes of all else are the same; those of the layer are the last ones.
     GlbContent a = glb_content_of(with, "a"), b = glb_content_of(without, "b");
-    ASSERT_EQ(a.nodes.size(), b.nodes.size());
     EXPECT_EQ(a.nodes.back().name, "Stud");
     const auto is_stud = [](const GlbContent::Node& node) { return node.name == "Stud"; };
     std::erase_if(a.nodes, is_stud);
