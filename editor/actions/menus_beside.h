@@ -19,7 +19,8 @@ inline constexpr std::array menus_beside{MenuBeside{"View", "Viewpoint", "Frame 
                                          MenuBeside{"View", "Detail", "Frame all"},
                                          MenuBeside{"View", "Interface", "Frame all"},
                                          MenuBeside{"Edit", "Reset", "Duplicate"},
-                                         MenuBeside{"Edit", "Lattice", "Remove from stroke"}};
+                                         MenuBeside{"Edit", "Lattice", "Remove from stroke"},
+                                         MenuBeside{"Tools", "Surface", "Clear cuts"}};
 
 // "View > Detail": how a hand gets to the action.
 inline std::string menu_path(const Action& action)

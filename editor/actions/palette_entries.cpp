@@ -119,7 +119,8 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
                            is_enabled(editor, each) ? "" : each.enabled.otherwise,
                            [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
         PaletteEntry& entry = entries.back();
-        if (each.menu == "Tools" && each.name != "Place") continue; // their values come from a hand
+        if (menu_path(each).starts_with("Tools") && each.name != "Place")
+            continue; // their values come from a hand
         const auto command = command_called(entry.name, commands);
         if (command && why_not(*command, editor) != empty_scene)
             entry.fill = about_selection(*command, editor);

@@ -43,7 +43,7 @@ void add_surface_actions(std::vector<Action>& actions)
                                     {"Shade by angle", ShadingWay::by_angle},
                                     {"Shade flat", ShadingWay::flat},
                                     {"Clear shading", ShadingWay::own}})
-        actions.push_back({"Tools",
+        actions.push_back({"Surface",
                            name,
                            {},
                            [way = way](Editor& e) {
@@ -51,7 +51,7 @@ void add_surface_actions(std::vector<Action>& actions)
                            },
                            {[way = way](const Editor& e) { return !to_shade(e, way).empty(); },
                             "select an object with a surface that is not shaded so yet"}});
-    actions.push_back({"Tools",
+    actions.push_back({"Surface",
                        "Unwrap",
                        {},
                        [](Editor& e) {
@@ -59,7 +59,7 @@ void add_surface_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) { return !to_unwrap(e).empty(); },
                         "select an object with a surface that is not unwrapped yet"}});
-    actions.push_back({"Tools",
+    actions.push_back({"Surface",
                        "Clear unwrap",
                        {},
                        [](Editor& e) { e.session.run(ClearUnwrap{unwrapped(e)}); },
