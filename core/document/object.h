@@ -3,6 +3,7 @@
 
 #include "core/animation/track.h"
 #include "core/base/ref.h"
+#include "core/document/face_shading.h"
 #include "core/document/incising.h"
 #include "core/document/source.h"
 #include "core/placement/attachment.h"
@@ -94,15 +95,6 @@ struct Unwrapping {
     double seam_angle_deg = 60, spread_deg = 60;
     double margin = 0.002; // as a share of the square
     bool operator==(const Unwrapping&) const = default;
-};
-
-// A FaceShading says where a shape looks smooth and where it shows edges: as its file has it
-// (`own`), or by its faces (core/mesh/shading.h).
-enum class ShadingWay { own, smooth, by_angle, flat };
-struct FaceShading {
-    ShadingWay way = ShadingWay::own;
-    double angle_deg = 35; // by_angle: faces that meet at more have an edge between them
-    bool operator==(const FaceShading&) const = default;
 };
 
 // A MixedTile is another object whose copies stand among the tiles of a layer.

@@ -2,7 +2,7 @@
 #include "core/files/formats.h"
 #include "core/files/glb_accessors.h"
 #include "core/files/glb_chunks.h"
-#include "core/files/image.h"
+#include "core/files/glb_materials.h"
 #include "core/files/repeated_nodes.h"
 #include "core/mesh/node_parts.h"
 
@@ -21,10 +21,7 @@ public:
     std::string write()
     {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Trivar"}};
-        for (const Material& material : model_.materials) {
-            Json entry = written(material); // adds to other lists, so its own is looked up after
-            json_["materials"].push_back(std::move(entry));
-        }
+        materials_.add_all();
         skinned_.resize(model_.meshes.size());
         for (const Node& node : model_.nodes)
             if (node.mesh >= 0 && node.skin >= 0) skinned_[static_cast<std::size_t>(node.mesh)] = 1;
@@ -41,7 +38,7 @@ public:
         // Without it a viewer would show one tile in place of all.
         for (const char* list : {"extensionsRequired", "extensionsUsed"})
             if (!groups_.empty()) json_[list].push_back(instancing);
-        if (emissive_strength_)
+        if (materials_.emissive_strength())
             json_["extensionsUsed"].push_back("KHR_materials_emissive_strength");
         return container();
     }
@@ -195,7 +192,7 @@ private:
         for (const auto& [material, indices] : by_material) {
             Json primitive{{"attributes", shared}, {"indices", add_indices(indices)}};
             if (material < model_.materials.size())
-                primitive["material"] = material_on(material, mesh.uvs.size());
+                primitive["material"] = materials_.on(material, mesh.uvs.size());
             if (!all_targets.empty()) primitive["targets"] = all_targets;
             primitives.push_back(std::move(primitive));
         }
@@ -210,7 +207,7 @@ private:
         if (primitives.empty()) return -1;
         for (Json& primitive : primitives)
             if (primitive.contains("material"))
-                primitive["material"] = material_on(primitive["material"], 0);
+                primitive["material"] = materials_.on(primitive["material"], 0);
         json_["meshes"].push_back({{"primitives", std::move(primitives)}});
         return static_cast<int>(json_["meshes"].size()) - 1;
     }
@@ -354,96 +351,6 @@ private:
                  {{"xmag", half * aspect}, {"ymag", half}, {"znear", near}, {"zfar", far}}}};
     }
 
-    // The number in the file of a material on vertices with that many sets of texture coordinates:
-    // textures that need others are left out there, as glTF allows none.
-    std::size_t material_on(std::size_t number, std::size_t uv_sets)
-    {
-        Material shown = model_.materials[number];
-        bool all = true;
-        for (Texture* texture :
-             {&shown.base_color_texture, &shown.metallic_roughness_texture, &shown.normal_texture,
-              &shown.occlusion_texture, &shown.emissive_texture})
-            if (texture->image && static_cast<std::size_t>(texture->uv_set) >= uv_sets) {
-                *texture = {};
-                all = false;
-            }
-        if (all) return number;
-        const Json entry = written(shown);
-        return index_of("materials", entry);
-    }
-
-    Json written(const Material& m)
-    {
-        Json result;
-        if (!m.name.empty()) result["name"] = m.name;
-        Json pbr{{"baseColorFactor",
-                  {plain(m.base_color.x), plain(m.base_color.y), plain(m.base_color.z),
-                   plain(m.base_color.w)}},
-                 {"metallicFactor", plain(m.metallic)},
-                 {"roughnessFactor", plain(m.roughness)}};
-        put_texture(pbr, "baseColorTexture", m.base_color_texture);
-        put_texture(pbr, "metallicRoughnessTexture", m.metallic_roughness_texture);
-        result["pbrMetallicRoughness"] = std::move(pbr);
-        put_texture(result, "normalTexture", m.normal_texture);
-        if (m.normal_texture.image && m.normal_scale != 1)
-            result["normalTexture"]["scale"] = plain(m.normal_scale);
-        put_texture(result, "occlusionTexture", m.occlusion_texture);
-        put_texture(result, "emissiveTexture", m.emissive_texture);
-        const float strongest = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
-        if (strongest > 0) {
-            const glm::vec3 color = m.emissive / std::max(strongest, 1.0f);
-            result["emissiveFactor"] = {plain(color.x), plain(color.y), plain(color.z)};
-        }
-        if (strongest > 1) {
-            emissive_strength_ = true;
-            result["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] =
-                plain(strongest);
-        }
-        if (m.alpha == Material::Alpha::mask) {
-            result["alphaMode"] = "MASK";
-            result["alphaCutoff"] = plain(m.alpha_cutoff);
-        }
-        if (m.alpha == Material::Alpha::blend) result["alphaMode"] = "BLEND";
-        if (m.double_sided) result["doubleSided"] = true;
-        return result;
-    }
-
-    void put_texture(Json& into, const char* key, const Texture& texture)
-    {
-        if (!texture.image) return;
-        const int clamp = 33071, repeat = 10497;
-        const Json sampler{{"wrapS", texture.repeat_u ? repeat : clamp},
-                           {"wrapT", texture.repeat_v ? repeat : clamp}};
-        const Json entry{{"sampler", index_of("samplers", sampler)},
-                         {"source", image_index(texture.image)}};
-        into[key]["index"] = index_of("textures", entry);
-        if (texture.uv_set != 0) into[key]["texCoord"] = texture.uv_set;
-    }
-
-    // Returns the index of an entry in one of the lists of the file; a new entry is added.
-    std::size_t index_of(const char* list, const Json& entry)
-    {
-        Json& entries = json_[list];
-        const auto at = std::find(entries.begin(), entries.end(), entry);
-        if (at != entries.end()) return static_cast<std::size_t>(at - entries.begin());
-        entries.push_back(entry);
-        return entries.size() - 1;
-    }
-
-    std::size_t image_index(const Ref<Image>& image)
-    {
-        const auto [at, added] = images_.emplace(image.get(), images_.size());
-        if (!added) return at->second;
-        const bool kept = as_it_came(*image);
-        const std::string bytes = kept ? image->source_bytes : encoded_image(*image, ".png");
-        Json entry;
-        if (!image->name.empty()) entry["name"] = image->name;
-        entry["bufferView"] = out_.add_view(bytes.data(), bytes.size(), 0);
-        entry["mimeType"] = kept ? image->mime : "image/png";
-        json_["images"].push_back(std::move(entry));
-        return at->second;
-    }
-
     std::string container()
     {
         binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
@@ -462,10 +369,9 @@ private:
     GlbAccessors out_;
     Json& json_ = out_.json;
     std::string& binary_ = out_.binary;
-    std::map<const Image*, std::size_t> images_; // only for lookup, never iterated
-    std::vector<char> skinned_;                  // by mesh: a node has a skin for it
+    GlbMaterials materials_{model_.materials, out_};
+    std::vector<char> skinned_; // by mesh: a node has a skin for it
     std::map<std::pair<std::string, std::vector<float>>, int> shared_; // accessors by content
-    bool emissive_strength_ = false;
 };
 
 } // namespace

@@ -39,4 +39,33 @@ void take_vertices(Mesh& mesh, const std::vector<std::uint32_t>& from)
     }
 }
 
+void renumber_points(std::vector<std::uint32_t>& points, std::size_t count_before)
+{
+    const std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> now(count_before, none);
+    std::uint32_t count = 0;
+    for (std::uint32_t& point : points) {
+        if (now[point] == none) now[point] = count++;
+        point = now[point];
+    }
+}
+
+Mesh without_loose_vertices(Mesh mesh)
+{
+    std::vector<bool> used(mesh.vertex_count(), false);
+    for (const std::uint32_t v : mesh.corners) used[v] = true;
+    std::vector<std::uint32_t> kept, now_at(mesh.vertex_count());
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+        now_at[v] = static_cast<std::uint32_t>(kept.size());
+        if (used[v]) kept.push_back(v);
+    }
+    if (kept.size() == mesh.vertex_count()) return mesh;
+    std::erase_if(mesh.creases, [&](const Mesh::Crease& c) { return !used[c.a] || !used[c.b]; });
+    const std::size_t points = point_count(mesh);
+    take_vertices(mesh, kept);
+    renumber_points(mesh.points, points);
+    for (std::uint32_t& v : mesh.corners) v = now_at[v];
+    return mesh;
+}
+
 } // namespace trivar

@@ -124,7 +124,6 @@ private:
     // what was there, and offers to scale it, or that it cannot be seen, and offers to frame it.
     void measure_imported();
     bool tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
-    void tell_of_facets(std::vector<Id> fresh); // where scans have no normals; offers to shade them
     // What fails is said in the dialog that asked for the file, which keeps the path; else in a
     // notice.
     void write_scene(const std::string& path, bool compact, bool from_dialog = false);
