@@ -49,10 +49,10 @@ void check_totals(const TetrahedraShape& shape)
     if (places > most_places)
         throw Rejected(
             fmt::format("the creases and refinements of a volume have at most {} places, not {}",
-                        most_places, places));
+                        with_commas(most_places), with_commas(places)));
     if (balls > most_balls)
-        throw Rejected(
-            fmt::format("the pulls of a volume have at most {} balls, not {}", most_balls, balls));
+        throw Rejected(fmt::format("the pulls of a volume have at most {} balls, not {}",
+                                   with_commas(most_balls), with_commas(balls)));
 }
 
 // Each refinement, and all together.

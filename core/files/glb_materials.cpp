@@ -2,13 +2,39 @@
 #include "core/files/glb_materials.h"
 
 #include "core/files/formats.h"
+#include "core/files/glb_accessors.h"
 #include "core/files/image.h"
 
 #include <algorithm>
+#include <map>
 
 namespace trivar {
 
-void GlbMaterials::add_all()
+class GlbMaterials::Written {
+public:
+    Written(const std::vector<Material>& materials, GlbAccessors& to)
+        : materials_(materials),
+          to_(to)
+    {
+    }
+    void add_all();
+    std::size_t on(std::size_t number, std::size_t uv_sets);
+    bool emissive_strength() const { return emissive_strength_; }
+
+private:
+    GlbEntries written(const Material& m);
+    void put_texture(GlbEntries& into, const char* key, const Texture& texture);
+    // The index of an entry in one of the lists of the file; a new entry is added.
+    std::size_t index_of(const char* list, const GlbEntries& entry);
+    std::size_t image_index(const Ref<Image>& image);
+
+    const std::vector<Material>& materials_;
+    GlbAccessors& to_;
+    std::map<const Image*, std::size_t> images_; // only for lookup, never iterated
+    bool emissive_strength_ = false;
+};
+
+void GlbMaterials::Written::add_all()
 {
     for (const Material& material : materials_) {
         GlbEntries entry = written(material); // adds to other lists, so its own is looked up after
@@ -16,7 +42,7 @@ void GlbMaterials::add_all()
     }
 }
 
-std::size_t GlbMaterials::on(std::size_t number, std::size_t uv_sets)
+std::size_t GlbMaterials::Written::on(std::size_t number, std::size_t uv_sets)
 {
     Material shown = materials_[number];
     bool all = true;
@@ -32,7 +58,7 @@ std::size_t GlbMaterials::on(std::size_t number, std::size_t uv_sets)
     return index_of("materials", entry);
 }
 
-GlbEntries GlbMaterials::written(const Material& m)
+GlbEntries GlbMaterials::Written::written(const Material& m)
 {
     GlbEntries result;
     if (!m.name.empty()) result["name"] = m.name;
@@ -68,7 +94,7 @@ GlbEntries GlbMaterials::written(const Material& m)
     return result;
 }
 
-void GlbMaterials::put_texture(GlbEntries& into, const char* key, const Texture& texture)
+void GlbMaterials::Written::put_texture(GlbEntries& into, const char* key, const Texture& texture)
 {
     if (!texture.image) return;
     const int clamp = 33071, repeat = 10497;
@@ -81,7 +107,7 @@ void GlbMaterials::put_texture(GlbEntries& into, const char* key, const Texture&
 }
 
 // Returns the index of an entry in one of the lists of the file; a new entry is added.
-std::size_t GlbMaterials::index_of(const char* list, const GlbEntries& entry)
+std::size_t GlbMaterials::Written::index_of(const char* list, const GlbEntries& entry)
 {
     GlbEntries& entries = to_.json[list];
     const auto at = std::find(entries.begin(), entries.end(), entry);
@@ -90,7 +116,7 @@ std::size_t GlbMaterials::index_of(const char* list, const GlbEntries& entry)
     return entries.size() - 1;
 }
 
-std::size_t GlbMaterials::image_index(const Ref<Image>& image)
+std::size_t GlbMaterials::Written::image_index(const Ref<Image>& image)
 {
     const auto [at, added] = images_.emplace(image.get(), images_.size());
     if (!added) return at->second;
@@ -102,6 +128,28 @@ std::size_t GlbMaterials::image_index(const Ref<Image>& image)
     entry["mimeType"] = kept ? image->mime : "image/png";
     to_.json["images"].push_back(std::move(entry));
     return at->second;
+}
+
+GlbMaterials::GlbMaterials(const std::vector<Material>& materials, GlbAccessors& to)
+    : written_(std::make_unique<Written>(materials, to))
+{
+}
+
+GlbMaterials::~GlbMaterials() = default;
+
+void GlbMaterials::add_all()
+{
+    written_->add_all();
+}
+
+std::size_t GlbMaterials::on(std::size_t number, std::size_t uv_sets)
+{
+    return written_->on(number, uv_sets);
+}
+
+bool GlbMaterials::emissive_strength() const
+{
+    return written_->emissive_strength();
 }
 
 } // namespace trivar

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/joined_borders.h"
 
-#include "core/mesh/split_vertices.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -18,6 +16,18 @@ float largest_coordinate(const Mesh& mesh)
     for (const glm::vec3& p : mesh.positions)
         for (int i = 0; i < 3; ++i) out = std::max(out, std::abs(p[i]));
     return out;
+}
+
+// Numbers points from 0 in the order of their first vertices.
+void renumber(std::vector<std::uint32_t>& points)
+{
+    constexpr std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> now(points.size(), none);
+    std::uint32_t count = 0;
+    for (std::uint32_t& p : points) {
+        if (now[p] == none) now[p] = count++;
+        p = now[p];
+    }
 }
 
 } // namespace
@@ -67,7 +77,7 @@ JoinedBorders with_joined_borders(Mesh mesh, std::vector<std::uint32_t> border)
         points[v] = joined[before];
         if (joined[before] != before) out.mesh.positions[v] = place[joined[before]];
     }
-    renumber_points(points, place.size());
+    renumber(points);
     out.mesh.points = std::move(points);
     return out;
 }

@@ -75,6 +75,10 @@ std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& posi
 // The largest point number + 1: the length of a table by point.
 std::size_t point_count(const Mesh& mesh);
 
+// Gives the mesh other vertices: v gets all that vertex from[v] had. Corners are left as they are,
+// creases name the first copies, and copies are one point.
+void take_vertices(Mesh& mesh, const std::vector<std::uint32_t>& from);
+
 // The mesh without the vertices that no face uses. The others keep their order and their points are
 // numbered anew, as if the removed ones had never been there.
 Mesh without_loose_vertices(Mesh mesh);

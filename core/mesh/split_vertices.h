@@ -9,14 +9,6 @@
 
 namespace trivar {
 
-// Gives the mesh other vertices: v gets all that vertex from[v] had. Corners are left as they are,
-// creases name the first copies, and copies are one point.
-void take_vertices(Mesh& mesh, const std::vector<std::uint32_t>& from);
-
-// Numbers points from 0 in the order of their first vertices, so that a mesh is the same as one
-// that was made without the points that were removed. All are below `count_before`.
-void renumber_points(std::vector<std::uint32_t>& points, std::size_t count_before);
-
 // Gives the vertices values of which some have several: one for each of their corners that are
 // listed, in ascending order, as all corners of a vertex are or none. Such a vertex becomes one
 // vertex for each of its values, which have all else in common and are one point; they follow each

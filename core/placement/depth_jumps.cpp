@@ -20,12 +20,6 @@ constexpr int halvings = 12;         // a steep surface keeps less than a thousa
 
 } // namespace
 
-const DepthJump& deepest(const std::vector<DepthJump>& jumps)
-{
-    return *std::ranges::max_element(jumps, {},
-                                     [](const DepthJump& each) { return std::abs(each.depth); });
-}
-
 std::vector<std::size_t> DepthJumps::taken(RayGrid& grid, const std::vector<Seen>& line)
 {
     std::vector<std::size_t> out;

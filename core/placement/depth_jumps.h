@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/placement/depth_jump.h"
 #include "core/placement/ray_grid.h"
 #include "core/placement/view.h"
 
 #include <vector>
 
 namespace trivar {
-
-// A DepthJump is a place of a stroke where what its rays meet changes from one surface to another
-// behind an edge, or before one.
-struct DepthJump {
-    double at = 0;    // share of the stroke's way in the picture
-    double depth = 0; // metres along the sight; positive: the other surface is behind
-};
-const DepthJump& deepest(const std::vector<DepthJump>& jumps); // of one at least
 
 // DepthJumps leaves out of a stroke what is seen beyond the edges of the surface that it lies on. A
 // jump is `least` metres deep or more. A steep surface is none: rays in ever shorter steps tell

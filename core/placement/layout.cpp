@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/placement/center_line.h"
 #include "core/placement/check.h"
 #include "core/placement/contact.h"
 #include "core/placement/depth_jumps.h"
@@ -90,6 +91,26 @@ Curve<glm::dvec2> piece(const Curve<glm::dvec2>& curve, const std::array<double,
     return fit_sketch(points, 0.1);
 }
 
+// Half of the strip's width in pixels at `steps` equal steps of the center line. The width in
+// metres is taken at the line's depth, which is smoothed so that a step of the scene makes no
+// notch.
+std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
+                                  std::size_t steps)
+{
+    const View view(camera);
+    std::vector<double> depth;
+    for (std::size_t k = 0; k < center.rays.size(); ++k)
+        depth.push_back(view.project(center.point(k)).depth_world);
+    const int passes = static_cast<int>(depth.size()) / 2;
+    depth = smoothed(std::move(depth), passes);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(steps - 1);
+        out.push_back(width / 2 / view.pixel_size(profile_at(depth, t)));
+    }
+    return out;
+}
+
 class Builder {
 public:
     Builder(const Camera& camera, const PlacementParameters& parameters, const ModelFrame& frame,
@@ -154,9 +175,10 @@ private:
         return timed(timings_, "rays", [&] {
             RayGrid line = center_line(curve, 4 * parameters_.grid.x + 1, camera_, scene_,
                                        parameters_.skip_back_faces);
+            if (!jumps_) return line;
             std::vector<glm::dvec2> points_px;
             for (const double a : line.a) points_px.push_back(evaluate(curve, a).value);
-            if (jumps_) jumps_->bridge(line, points_px);
+            jumps_->bridge(line, points_px);
             return line;
         });
     }
@@ -190,7 +212,8 @@ private:
             for (std::size_t i = 0; i < profile_steps; ++i)
                 half_px_[i] *= width_.at(
                     length_share(static_cast<double>(i) / static_cast<double>(profile_steps - 1)));
-            if (!(*std::ranges::max_element(half_px_) < glm::length(camera_.size_px)))
+            const double picture = glm::length(camera_.size_px);
+            if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
                 throw Rejected(fmt::format("a width of {} m is more than the picture shows; "
                                            "reduce the width or zoom out",
                                            number_text(out.width)));
@@ -200,8 +223,8 @@ private:
             for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
             out.strip = strip_round(curve, half_px_);
             out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);
-            const auto beyond =
-                jumps_ ? jumps_->bridge(out.grid, out.strip, center_) : std::vector<std::size_t>{};
+            std::vector<std::size_t> beyond;
+            if (jumps_) beyond = jumps_->bridge(out.grid, out.strip, center_);
             if (out.grid.missed_share() < 1)
                 out.grid = filled(std::move(out.grid), parameters_.misses);
             for (const std::size_t k : beyond) out.grid.hit[k] = 0;
@@ -407,40 +430,12 @@ private:
 
 } // namespace
 
-RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
-                    const RayScene& scene, bool skip_back_faces)
-{
-    std::vector<double> a, v(static_cast<std::size_t>(count), 0.5);
-    for (int i = 0; i < count; ++i) a.push_back(static_cast<double>(i) / (count - 1));
-    RayGrid line = shoot(strip_round(center, {0, 0}), std::move(a), std::move(v), camera, scene,
-                         skip_back_faces);
-    if (line.missed_share() == 1)
-        throw Rejected("the stroke meets nothing; draw it over an object");
-    return filled(std::move(line), Misses::membrane);
-}
-
-std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
-                                  std::size_t steps)
-{
-    const View view(camera);
-    std::vector<double> depth;
-    for (std::size_t k = 0; k < center.rays.size(); ++k)
-        depth.push_back(view.project(center.point(k)).depth_world);
-    const int passes = static_cast<int>(depth.size()) / 2;
-    depth = smoothed(std::move(depth), passes);
-    std::vector<double> out;
-    for (std::size_t i = 0; i < steps; ++i) {
-        const double t = static_cast<double>(i) / static_cast<double>(steps - 1);
-        out.push_back(width / 2 / view.pixel_size(profile_at(depth, t)));
-    }
-    return out;
-}
-
 StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
                     const ModelFrame& frame, const RayScene& scene, Timings& timings, Jumps jumps)
 {
     check(parameters);
-    auto center = timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
+    Curve<glm::dvec2> center =
+        timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
     if (!parameters.skip_back_faces && sketch.camera.perspective)
         check_enclosed(sketch.camera, scene);
     return Builder(sketch.camera, parameters, frame, scene, timings, jumps)

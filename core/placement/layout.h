@@ -15,14 +15,4 @@ StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
                     const ModelFrame& frame, const RayScene& scene, Timings& timings,
                     Jumps jumps = Jumps::followed);
 
-// The middle line of the strip as rays see it, at `count` points; the membrane fills misses.
-RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
-                    const RayScene& scene, bool skip_back_faces);
-
-// Half of the strip's width in pixels at `steps` equal steps of the center line. The width in
-// metres is taken at the line's depth, which is smoothed so that a step of the scene makes no
-// notch.
-std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
-                                  std::size_t steps);
-
 } // namespace trivar

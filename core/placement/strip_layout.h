@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/depth_jumps.h"
+#include "core/placement/depth_jump.h"
 #include "core/placement/embed.h"
 #include "core/placement/gap.h"
 #include "core/placement/ray_grid.h"

@@ -109,7 +109,8 @@ private:
     void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
                      const std::function<void()>& then);
     void show(SceneFile scene); // where it is a copy, its notice offers to save it
-    void ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // its file is open elsewhere
+    void
+    ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
     void read_model_of(const std::string& path, bool frame_all,
@@ -120,12 +121,12 @@ private:
                             std::function<bool(const ImportModel&)> take,
                             std::function<void(const std::string& why)> lost);
     void tell_lost(Batch& batch); // when the last of them is there
-    // Once the models that came are in the picture: says where one is far larger or smaller than
-    // what was there, and offers to scale it, or that it cannot be seen, and offers to frame it.
+    // Once imported models are in the picture: offers to scale what is far larger or smaller than
+    // what was there, and to frame what cannot be seen.
     void measure_imported();
     bool tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
-    // What fails is said in the dialog that asked for the file, which keeps the path; else in a
-    // notice.
+    void tell_of_facets(std::vector<Id> fresh); // where scans have no normals; offers to shade them
+    // What fails is said in the dialog that asked for the file, or else in a notice.
     void write_scene(const std::string& path, bool compact, bool from_dialog = false);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 

@@ -222,29 +222,6 @@ bool is_seen(const Camera& camera, const Box& box)
            p.y < size.y + px / 2;
 }
 
-// Says where scans have no normals, and offers to shade them.
-void tell_of_facets(Session& session, std::vector<Id> fresh)
-{
-    std::erase_if(fresh, [&](Id id) {
-        const auto effects = session.evaluated().objects.find(id);
-        return effects == session.evaluated().objects.end() ||
-               std::ranges::none_of(effects->second->shape->meshes,
-                                    [](const auto& hung) { return looks_smooth(*hung.rest); });
-    });
-    if (fresh.empty()) return;
-    const std::string names = names_in(session.document(), fresh);
-    session.notices.say(
-        ui::NoticeKind::warning, names + (fresh.size() == 1 ? " is" : " are") + " shaded flat",
-        "A file without normals. Its faces are many and meet at small angles, as in a scan.",
-        "facets of a model", {{"Shade by angle", [&session, fresh]() mutable {
-                                   std::erase_if(fresh, [&](Id id) {
-                                       return !session.committed().objects.contains(id);
-                                   });
-                                   if (!fresh.empty())
-                                       session.run(Shade{fresh, {ShadingWay::by_angle}});
-                               }}});
-}
-
 } // namespace
 
 void Files::measure_imported()
@@ -252,7 +229,7 @@ void Files::measure_imported()
     Session& s = *session_;
     if (to_measure_.empty() || !s.up_to_date() || s.proposing()) return;
     const std::vector<Id> fresh = std::exchange(to_measure_, {});
-    tell_of_facets(s, fresh);
+    tell_of_facets(fresh);
     for (auto each = fresh.begin(); each != fresh.end(); ++each) {
         const Id id = *each;
         const auto& objects = s.document().objects;
@@ -300,6 +277,28 @@ bool Files::tell_of_sizes(Id id, double own_m, double scene_m)
                   session_->view.frame_all_when_evaluated = true;
           }}});
     return true;
+}
+
+void Files::tell_of_facets(std::vector<Id> fresh)
+{
+    std::erase_if(fresh, [&](Id id) {
+        const auto effects = session_->evaluated().objects.find(id);
+        return effects == session_->evaluated().objects.end() ||
+               std::ranges::none_of(effects->second->shape->meshes,
+                                    [](const auto& hung) { return looks_smooth(*hung.rest); });
+    });
+    if (fresh.empty()) return;
+    const std::string names = names_in(session_->document(), fresh);
+    session_->notices.say(
+        ui::NoticeKind::warning, names + (fresh.size() == 1 ? " is" : " are") + " shaded flat",
+        "A file without normals. Its faces are many and meet at small angles, as in a scan.",
+        "facets of a model", {{"Shade by angle", [this, fresh]() mutable {
+                                   std::erase_if(fresh, [&](Id id) {
+                                       return !session_->committed().objects.contains(id);
+                                   });
+                                   if (!fresh.empty())
+                                       session_->run(Shade{fresh, {ShadingWay::by_angle}});
+                               }}});
 }
 
 void Files::tell_lost(Batch& batch)

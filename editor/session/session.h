@@ -54,8 +54,7 @@ public:
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
-    // Goes to the branch of that number and to `count` of its steps; the steps in force from the
-    // branch's beginning on become a branch themselves.
+    // Goes to `count` steps of that branch; the steps in force from where it begins on become one.
     void go_to_branch(std::size_t branch, std::size_t count);
     // Shows another document in the picture alone, until the next change; null: ends that.
     void preview(const Document* document);
@@ -75,14 +74,14 @@ public:
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
     long scenes() const { return scenes_; } // number of scenes so far
     const std::string& unnamed_folder() const { return unnamed_folder_; }
-    // Called when a scene without a name that holds work was replaced by another one.
-    std::function<void()> when_discarded;
+    std::function<void()> when_discarded; // a scene with work and without a name was replaced
     std::vector<ui::Notices::Action> missing_remedies; // of the notice that objects are not shown
     std::vector<Id> not_shown() const;                 // objects that show nothing, and say why
     void save_as(const std::string& path);             // may throw Rejected
     void save_compact(const std::string& path);        // may throw Rejected
     std::string make_shapes_folder() { return scene_.make_shapes_folder(); } // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
+
     void poll(); // takes in what other threads finished, once a frame; throws their mistakes
     void try_to_write(double time_s); // again every few seconds while steps are not on disk
     void follow_file(double time_s);  // takes up lines that others add to it, once per second
@@ -98,7 +97,8 @@ public:
     ChosenLevel level;       // likewise
     LevelScouts level_scouts;
     std::vector<Id> hidden_here; // ascending: while the person works on others
-    void select_new(Id first);   // all from that id up, without those in groups among them
+    // selects all objects from that id up, without those in groups among them
+    void select_new(Id first);
     SceneView view;
     bool deform_on_processor = true; // false: parts are left for the graphics card to deform
     bool warnings_beside = false;    // the window shows the selected object's beside the picture

@@ -30,7 +30,10 @@ TEST(Bind, PutsAnotherObjectInThePlaceOfWhatOthersDependOn)
     EXPECT_EQ(object(bound, 2).tiles->base, 3);
     ASSERT_EQ(object(bound, 4).splitting->obstacles.size(), 1u) << "each is named once";
     EXPECT_EQ(object(bound, 4).splitting->obstacles[0].object, 3);
-    EXPECT_EQ(object(bound, 2).tiles->strokes, object(painted_and_parted(), 2).tiles->strokes);
+    const auto strokes = object(painted_and_parted(), 2).tiles->strokes;
+    ASSERT_EQ(object(bound, 2).tiles->strokes.size(), strokes.size());
+    for (std::size_t s = 0; s < strokes.size(); ++s)
+        EXPECT_EQ(*object(bound, 2).tiles->strokes[s], *strokes[s]);
 }
 
 TEST(Bind, GivesWhatLiesOnNothingAnymoreAHost)

@@ -114,7 +114,7 @@ TEST(ConvertedLattices, RefuseWhatIsNoneAndWhatTheyCannotKeep)
         EXPECT_THAT([&] { after(document, command); }, ThrowsMessage<Rejected>(HasSubstr(why)));
     };
     refused(lattice, ConvertLattice{1}, "is not a lattice");
-    refused(lattice, ConvertLattice{2, 16}, "at most 5000");
+    refused(lattice, ConvertLattice{2, 16}, "at most 5,000");
     const Document tetrahedra = after(lattice, ConvertLattice{2});
     TetrahedraShape lower = tetrahedra_of(tetrahedra);
     lower.degree = 2;

@@ -293,7 +293,7 @@ TEST(Incising, RefusesBadInputInASentence)
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke[3].normal *= 2; }),
                 says("must have the length 1"));
     EXPECT_THAT(refused([](auto& c) { c.cut.stroke.resize(100'000, c.cut.stroke[0]); }),
-                says("at most 10000 are taken"));
+                says("at most 10,000 are taken"));
     EXPECT_THAT(refused([](auto& c) { c.cut.width = 0; }), says("\"width\" is 0"));
     EXPECT_THAT(refused([](auto& c) { c.cut.depth = 0; }), says("\"depth\" is 0"));
     EXPECT_THAT(refused([](auto& c) { c.opening.share = 1.5; }), says("\"opening\" is 1.5"));

@@ -278,12 +278,12 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(AddLattice{.objects = {}}, "no object");
     refused(AddLattice{.objects = {7}}, "no object 7");
     refused(AddLattice{.objects = {1}, .shape = {.orders = {4, 7, 4}}}, "between 2 and 6");
-    refused(AddLattice{.objects = {1}, .shape = {.grid = {1024, 1024, 10}}}, "10485760 control");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {1024, 1024, 10}}}, "10,485,760 control");
     refused(Place{2, testing::small_sketch(), {}, {1}}, "is in object 2 (Lattice) already");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {3, 4, 4}}}, "order 4 needs at least 4");
-    refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1024");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1,024");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},
-            "27000000 control points");
+            "27,000,000 control points");
     refused(AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0}}}, "above 0");
     refused(SetLattice{.object = 1}, "is not a lattice");
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
@@ -298,7 +298,7 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(MovePoints{2, {.points = {{0, 4, 0}}}}, "names 0, 4, 0, but Lattice has 4 x 4 x 4");
     refused(CoarsenVolume{2, {VolumeAxis::up, 4}}, "4 control points along Z; give fewer");
     refused(CoarsenVolume{2, {VolumeAxis::up, 3}}, "order 4 needs at least 4 control points");
-    refused(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}}, "1000016 control points");
+    refused(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}}, "1,000,016 control points");
     refused(SetWarp{2, 1, {.twist_deg = 5}}, "step 1 of object 2 (Lattice) is not a warp");
     refused(SetWarp{1, 1, {.twist_deg = 5}}, "is not a lattice");
 }

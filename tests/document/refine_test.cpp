@@ -66,7 +66,8 @@ TEST(Refining, SaysWhatIsNotCertified)
         const auto& notices = scene.objects.at(pot)->notices;
         return notices.empty() ? std::string() : notices.front();
     };
-    EXPECT_THAT(notice({.tolerance = 1e-5, .budget = 700}), HasSubstr("budget of 700"));
+    EXPECT_THAT(notice({.tolerance = 1e-5, .budget = 700}),
+                HasSubstr("the 700 triangles that it may have are spent"));
     EXPECT_THAT(notice({.tolerance = 1e-3, .rule = RefinementRule::chua_neumann_midpoint}),
                 HasSubstr("certifies nothing"));
     EXPECT_THAT(notice({.tolerance = 1e-8}),

@@ -243,13 +243,13 @@ TEST(TetrahedraInDocuments, RefuseMoreThanTheyCanHoldInAll)
     const TetrahedraEdit long_stroke{
         .crease = TetrahedraCrease{.places = std::vector(60000, glm::dvec3(9))}};
     refused(document, SetTetrahedra{2, {.edits = {long_stroke, long_stroke}}},
-            "at most 100000 places");
+            "at most 100,000 places");
     refused(after(document, EditTetrahedra{2, long_stroke}), EditTetrahedra{2, long_stroke},
-            "at most 100000 places");
+            "at most 100,000 places");
     const TetrahedraEdit many_balls{.pull =
                                         TetrahedraPull{.also = std::vector(99000, glm::dvec3(9))}};
     refused(document, SetTetrahedra{2, {.edits = std::vector(11, many_balls)}},
-            "at most 1000000 balls");
+            "at most 1,000,000 balls");
     refused(document, SetTetrahedra{2, {.functions = std::vector<TetrahedraFunction>(65)}},
             "at most 64 functions");
 }
@@ -318,15 +318,15 @@ TEST(TetrahedraInDocuments, RefuseWhatCannotBe)
     refused(SetTetrahedra{2, {.edits = {{.cloud = across}}}}, "cross");
     refused(SetSimplexSheet{2, {}}, "not a surface of simplex splines");
     refused(AddTetrahedra{.objects = {}}, "no object");
-    refused(AddTetrahedra{.objects = {1}, .shape = {.boxes = {100, 100, 100}}}, "at most 200000");
+    refused(AddTetrahedra{.objects = {1}, .shape = {.boxes = {100, 100, 100}}}, "at most 200,000");
     refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 7}}, "between 1 and 3");
     refused(AddTetrahedra{.objects = {1}, .shape = {.degree = 0}}, "between 1 and 3");
     const TetrahedraShape million{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                   .cells = std::vector<glm::ivec4>(1000000, {0, 1, 2, 3})};
-    refused(AddTetrahedra{.objects = {1}, .shape = million}, "at most 100000");
-    refused(SetTetrahedra{2, million}, "at most 100000");
+    refused(AddTetrahedra{.objects = {1}, .shape = million}, "at most 100,000");
+    refused(SetTetrahedra{2, million}, "at most 100,000");
     const TetrahedraRefinement fine{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 0.0148};
-    refused(EditTetrahedra{2, {.refinement = fine}}, "a refinement has at most 200000 tetrahedra");
+    refused(EditTetrahedra{2, {.refinement = fine}}, "a refinement has at most 200,000 tetrahedra");
     const TetrahedraRefinement finest{.places = {{0, 0, 0}}, .radius = 0.5, .edge = 1e-4};
     refused(EditTetrahedra{2, {.refinement = finest}}, "too short");
     const TetrahedraRefinement far_away{

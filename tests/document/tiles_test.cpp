@@ -336,7 +336,7 @@ TEST(PaintedTiles, ThatNoMachineCouldHoldAreRefusedWithTheirNumbers)
     const Evaluation refused = evaluation_of(document);
     EXPECT_TRUE(shown_in(refused, stud_id).shows_nothing());
     EXPECT_THAT(shown_in(refused, stud_id).notices,
-                ::testing::Contains(::testing::HasSubstr("paint fewer tiles")));
+                ::testing::Contains(::testing::HasSubstr("lay fewer or larger ones")));
 }
 
 TEST(PaintedTiles, RefuseWhatMakesNoSense)

@@ -119,10 +119,10 @@ TEST_F(RealDataForeignFiles, FarFromTheOriginKeepTheirRows)
 
 TEST_F(RealDataForeignFiles, AreSimplifiedWithAllOfTheirShapeAndColours)
 {
-    const Evaluation ball = evaluated("simplify_duplicates.trivar");
-    EXPECT_THAT(ball.objects.at(1)->notices,
+    const Evaluation sphere = evaluated("simplify_duplicates.trivar");
+    EXPECT_THAT(sphere.objects.at(1)->notices,
                 ElementsAre(HasSubstr("252 faces lay on others with the same corners")));
-    EXPECT_EQ(ball.objects.at(1)->triangles, 320u);
+    EXPECT_EQ(sphere.objects.at(1)->triangles, 320u);
     EXPECT_EQ(testing::count_edges(first_mesh("simplify_duplicates.trivar")).open, 0);
     EXPECT_NEAR(testing::volume(first_mesh("simplify_duplicates.trivar")), 4.1, 0.2);
 

@@ -2,8 +2,8 @@
 // Strokes over an edge behind which other surfaces are seen far off.
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
+#include "core/placement/center_line.h"
 #include "core/placement/depth_jumps.h"
-#include "core/placement/layout.h"
 #include "core/placement/sketch.h"
 #include "tests/placement/scenes.h"
 

@@ -196,7 +196,7 @@ TEST(Text, SaysInASentenceWhatItRefuses)
     EXPECT_EQ(refusal({.text = "a\xFFz"}), "the text is not UTF-8");
     EXPECT_EQ(refusal({.text = "a\xC0\x80"}), "the text is not UTF-8");
     EXPECT_EQ(refusal({.text = std::string(100000, 'x')}),
-              "the text has 100000 letters but at most 2000 are allowed");
+              "the text has 100,000 letters but at most 2,000 are allowed");
     EXPECT_EQ(refusal({.text = "a\ab"}),
               "the text holds the control character U+0007; only line breaks and tabs are allowed");
     EXPECT_EQ(refusal({.text = "a", .size = 0.001}),

@@ -180,7 +180,7 @@ TEST(LatticePoints, ThatTheLatticeLostAreForgotten)
         rig.wait();
     };
     rig.drag({8, 0, 2}, {0, 0}); // chooses it
-    lay_with({4, 3, 2});
+    lay_with({5, 4, 3});
     rig.key({'G'});
     rig.move(rig.layout().view.center());
     rig.wait();
@@ -188,7 +188,7 @@ TEST(LatticePoints, ThatTheLatticeLostAreForgotten)
     rig.key({ui::key_escape});
     lay_with({9, 4, 3});
     rig.drag({8, 0, 2}, {6, -20}, false);
-    lay_with({4, 3, 2}); // with the hand on one
+    lay_with({5, 4, 3}); // with the hand on one
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
     EXPECT_FALSE(rig.editor.active_tool().busy());

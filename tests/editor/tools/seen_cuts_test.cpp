@@ -249,12 +249,14 @@ TEST(SeenCuts, HaveHandlesWhereTheBodyIsShown)
         // Gap handles are on vertices' height: the least and greatest of the parts beside
         if (point.hold.kind == SplitHoldKind::gap) {
             double nearest = 1e300;
+            std::string ends;
             for (const auto& part : rig.parts()) {
                 const auto [lo, hi] = std::ranges::minmax(part, {}, &glm::dvec3::z);
+                ends += std::to_string(lo.z) + " to " + std::to_string(hi.z) + "; ";
                 nearest = std::min(
                     {nearest, std::abs(point.p_world.z - lo.z), std::abs(point.p_world.z - hi.z)});
             }
-            EXPECT_LT(nearest, 1e-4);
+            EXPECT_LT(nearest, 1e-4) << ends << point.hold.number << " at " << point.p_world.z;
         }
     }
 }
