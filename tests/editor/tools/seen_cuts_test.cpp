@@ -246,17 +246,16 @@ TEST(SeenCuts, HaveHandlesWhereTheBodyIsShown)
         if (point.hold == SplitHold{SplitHoldKind::level, 1, 0}) {
             EXPECT_LT(std::abs(rig.beside(point.p_world, a, b)), 1);
         }
-        // Gap handles are on vertices' height: the least and greatest of the parts beside
-        if (point.hold.kind == SplitHoldKind::gap) {
+        // The first cut is level: its gap handles are as high as the parts beside it end. The
+        // second one goes through the eye, so that it is tilted.
+        if (point.hold.kind == SplitHoldKind::gap && point.hold.number == 0) {
             double nearest = 1e300;
-            std::string ends;
             for (const auto& part : rig.parts()) {
                 const auto [lo, hi] = std::ranges::minmax(part, {}, &glm::dvec3::z);
-                ends += std::to_string(lo.z) + " to " + std::to_string(hi.z) + "; ";
                 nearest = std::min(
                     {nearest, std::abs(point.p_world.z - lo.z), std::abs(point.p_world.z - hi.z)});
             }
-            EXPECT_LT(nearest, 1e-4) << ends << point.hold.number << " at " << point.p_world.z;
+            EXPECT_LT(nearest, 1e-4);
         }
     }
 }
