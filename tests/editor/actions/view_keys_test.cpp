@@ -181,7 +181,7 @@ TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
     const TemporaryFolder disk;
     Boxes rig;
     rig.editor.picture_to_file.begin(rig.editor.session, {64, 36});
-    EXPECT_TRUE(rig.editor.picture_to_file.path().ends_with("untitled.png"))
+    EXPECT_NE(rig.editor.picture_to_file.path().find("untitled"), std::string::npos)
         << "a scene without a file has one among the person's pictures";
     rig.editor.picture_to_file.stop();
     rig.editor.session.save_as(disk.file("a.trivar"));

@@ -57,7 +57,6 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndNoResult)
                                                {"exprot", "x"},
                                                {"replay", "a", "--to", "x"},
                                                {"replay", "a", "--frame", "x"},
-                                               {"replay", "a", "--frame", "3", "--digest"},
                                                {"replay", "a", "--size", "9x"},
                                                {"replay", "a", "--set", "triangle.obj"},
                                                {"commands", "--json", "--markdown"}}) {

@@ -132,7 +132,7 @@ struct CastingSection : testing::VolumeRig {
         const float pad = screen.theme().size.padding + screen.theme().px(8);
         const double share = value / shown.summary->greatest; // the least is 0
         at.x = panel.lo.x + pad + static_cast<float>(share) * (panel.width() - 2 * pad);
-        for (at.y = bottom - 120; at.y < bottom; at.y += 12) {
+        for (at.y = bottom - 180; at.y < bottom; at.y += 12) {
             draw({at, at + glm::vec2(9, 14)}, let_go);
             if (!let_go && editor.session.proposing()) return;
             if (!let_go) screen.input().push(ui::press(ui::Button::left, false));
