@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -28,6 +29,27 @@ void renumber(std::vector<std::uint32_t>& points)
         if (now[p] == none) now[p] = count++;
         p = now[p];
     }
+}
+
+// Takes back what would let a face come back to one of its corners: it is narrow, and no seam.
+void keep_faces_whole(const Mesh& mesh, std::vector<std::uint32_t>& joined)
+{
+    std::vector<bool> apart(joined.size(), false);                // by what points would become
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners; // what it would become, and it
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        corners.clear();
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const std::uint32_t p = mesh.point(mesh.corners[c]);
+            corners.emplace_back(joined[p], p);
+        }
+        std::ranges::sort(corners);
+        for (std::size_t i = 1; i < corners.size(); ++i)
+            if (corners[i].first == corners[i - 1].first &&
+                corners[i].second != corners[i - 1].second)
+                apart[corners[i].first] = true;
+    }
+    for (std::uint32_t p = 0; p < joined.size(); ++p)
+        if (apart[joined[p]]) joined[p] = p;
 }
 
 } // namespace
@@ -66,9 +88,10 @@ JoinedBorders with_joined_borders(Mesh mesh, std::vector<std::uint32_t> border)
             const glm::dvec3 off = glm::abs(glm::dvec3(place[p]) - glm::dvec3(place[q]));
             if (joined[q] != q || std::max({off.x, off.y, off.z}) > tolerance) continue;
             joined[q] = p;
-            out.any = true;
         }
     }
+    keep_faces_whole(mesh, joined);
+    for (const std::uint32_t p : border) out.any = out.any || joined[p] != p;
     out.mesh = std::move(mesh);
     if (!out.any) return out;
     std::vector<std::uint32_t> points(out.mesh.vertex_count());

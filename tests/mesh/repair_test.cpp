@@ -77,6 +77,16 @@ TEST(Repair, JoinsASeamWhoseAnglesWereRounded)
     EXPECT_EQ(testing::count_edges(repaired(std::move(mesh)).mesh).open, 0);
 }
 
+TEST(Repair, KeepsAFaceThatIsNarrowerThanCornersAreApartByRounding)
+{
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {4e9f, 0, 0}, {4e9f, 1, 0}, {0, 1, 0}};
+    add_face(mesh, std::vector<std::uint32_t>{0, 1, 2, 3});
+    const RepairedMesh repaired = trivar::repaired(mesh);
+    EXPECT_EQ(repaired.mesh.face_count(), 1u);
+    EXPECT_EQ(repaired.mesh.positions, mesh.positions);
+}
+
 TEST(Repair, LeavesBodiesThatTouchApart)
 {
     Mesh two = box_mesh(glm::dvec3(1), glm::ivec3(1));
