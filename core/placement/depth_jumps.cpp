@@ -16,6 +16,7 @@ namespace {
 constexpr double least_jump = 0.15;
 constexpr double over_width = 0.6;   // share of that which counts over the width
 constexpr double longest_end = 0.15; // share of the way that may overshoot an edge
+constexpr double far_behind = 0.5;      // of the way: a step that is less high is followed
 constexpr int halvings = 12;         // a steep surface keeps less than a thousandth of its step
 
 } // namespace
@@ -81,7 +82,8 @@ std::vector<std::pair<std::size_t, double>> DepthJumps::follow(std::vector<Seen>
     return out;
 }
 
-std::vector<std::size_t> DepthJumps::bridge(RayGrid& line, const std::vector<glm::dvec2>& points_px)
+std::optional<std::vector<std::size_t>> DepthJumps::bridge(RayGrid& line,
+                                                           const std::vector<glm::dvec2>& points_px)
 {
     std::vector<Seen> seen;
     std::vector<double> walked{0}, distances;
@@ -93,24 +95,35 @@ std::vector<std::size_t> DepthJumps::bridge(RayGrid& line, const std::vector<glm
     }
     const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::ranges::nth_element(distances, median);
-    least_ = least_jump * walked.back() * view_.pixel_size(*median);
+    const double way = walked.back() * view_.pixel_size(*median); // metres across the view
+    least_ = least_jump * way;
     const auto at = [&](std::size_t i) { return walked[seen[i].node] / walked.back(); };
     found_.clear();
     std::size_t first = 0; // on the surface before all others
+    double highest = 0;    // of the steps, metres over the surface behind
     for (const auto& [i, depth] : follow(seen, least_)) {
         found_.push_back({at(i), depth});
         if (depth < 0) first = i;
+        const std::size_t behind = seen[depth > 0 ? i : i - 1].node;
+        highest = std::max(
+            highest, std::abs(depth * glm::dot(line.normal[behind], line.rays[behind].direction)));
     }
     of_line_ = found_.size();
     std::size_t last = seen.size() - 1;
     while (seen[last].beyond) --last;
     // Not of what it passes in the air
-    if (at(first) - at(0) > longest_end || at(seen.size() - 1) - at(last) > longest_end)
+    if (at(first) - at(0) > longest_end || at(seen.size() - 1) - at(last) > longest_end) {
+        if (highest < far_behind * way) {
+            found_.clear();
+            of_line_ = 0;
+            return {};
+        }
         throw Rejected(fmt::format(
             "{} along the stroke it jumps {} m in depth, from one surface to another; draw it on "
             "one of them, or look from where the way between them is seen",
             percent_text(deepest(found_).at),
             number_text(std::abs(deepest(found_).depth), {.digits = 2})));
+    }
     std::vector<Seen> begin(seen.rend() - static_cast<std::ptrdiff_t>(first) - 1, seen.rend());
     follow(begin, least_);
     std::ranges::reverse_copy(begin, seen.begin());

@@ -5,13 +5,14 @@
 #include "core/placement/ray_grid.h"
 #include "core/placement/view.h"
 
+#include <optional>
 #include <vector>
 
 namespace trivar {
 
 // DepthJumps leaves out of a stroke what is seen beyond the edges of the surface that it lies on. A
-// jump is `least` metres deep or more. A steep surface is none: rays in ever shorter steps tell
-// them apart.
+// jump is `least` metres deep or more along the sight. A steep surface is none: rays in ever
+// shorter steps tell them apart. Cost: a few rays for each step that may be one.
 class DepthJumps {
 public:
     DepthJumps(const Camera& camera, const RayScene& scene, bool skip_back_faces)
@@ -22,9 +23,11 @@ public:
     }
 
     // Lets the nodes beyond an edge lie where the surface would go on straight, and returns them.
-    // Of the middle line, whose points in the picture are given; throws Rejected, saying where, if
-    // it ends on another surface than it began on.
-    std::vector<std::size_t> bridge(RayGrid& line, const std::vector<glm::dvec2>& points_px);
+    // Of the middle line, whose points in the picture are given. Nothing: it ends on another
+    // surface than it began on, which is so little higher or lower that it is to be followed.
+    // Throws Rejected, saying where, if that surface is far off.
+    std::optional<std::vector<std::size_t>> bridge(RayGrid& line,
+                                                   const std::vector<glm::dvec2>& points_px);
     // Of a grid over that middle line.
     std::vector<std::size_t> bridge(RayGrid& grid, const Strip& strip, const RayGrid& line);
 

@@ -133,6 +133,10 @@ public:
         along_ = greville(out.axes[0]);
         across_ = greville(out.axes[1]);
         begin(out, curve);
+        if (jumps_ && missed_ > most_missed) { // too little of it is on one surface
+            jumps_.reset();
+            begin(out, curve);
+        }
         check_misses(out);
         for (int round = 0; round < rounds; ++round) {
             relax(out, 30, 1e-3);
@@ -178,7 +182,7 @@ private:
             if (!jumps_) return line;
             std::vector<glm::dvec2> points_px;
             for (const double a : line.a) points_px.push_back(evaluate(curve, a).value);
-            jumps_->bridge(line, points_px);
+            if (!jumps_->bridge(line, points_px)) jumps_.reset();
             return line;
         });
     }

@@ -206,17 +206,18 @@ std::optional<Placement> bridged(const Sketch& sketch, PlacementParameters param
     parameters.sharp = false;
     const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings, Jumps::bridged);
     if (layout.jumps.empty()) return {};
-    const DepthJump& jump = deepest(layout.jumps);
-    Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
-    const auto folds = std::ranges::count(out.nodes, true, &StripNode::folds);
-    if (static_cast<double>(folds) > most_folds * static_cast<double>(out.nodes.size()) ||
-        out.report.largest_stretch > 2 * most_stretch)
-        throw Rejected(
-            fmt::format("{} along the stroke the edge of another surface, {} m {} it, lies within "
-                        "the model's width; draw further from it, or make the model narrower",
-                        percent_text(jump.at), number_text(std::abs(jump.depth), {.digits = 2}),
-                        jump.depth > 0 ? "behind" : "before"));
-    return out;
+    return finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+}
+
+// Whether what lies on one surface stands, or at least folds less than what follows the jumps.
+bool better(const Placement& on_one, const Placement& followed)
+{
+    const auto folds = [](const Placement& p) {
+        return static_cast<double>(std::ranges::count(p.nodes, true, &StripNode::folds));
+    };
+    const bool stands = folds(on_one) <= most_folds * static_cast<double>(on_one.nodes.size()) &&
+                        on_one.report.largest_stretch <= 2 * most_stretch;
+    return stands || folds(on_one) < folds(followed);
 }
 
 } // namespace
@@ -225,23 +226,33 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
                 const RayScene& scene, Timings& timings)
 {
     const ModelFrame frame = model_frame(parameters, model);
-    const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
-    Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
-    if (parameters.bridge_jumps && torn(out.report))
+    std::optional<Placement> followed;
+    try {
+        const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
+        followed = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+    } catch (const Rejected&) { // a way down and up again makes it too long, wide or high
+        if (!parameters.bridge_jumps) throw;
         if (auto on_one = bridged(sketch, parameters, frame, scene, timings))
             return std::move(*on_one);
-    if (!parameters.sharp) return out;
+        throw;
+    }
+    Placement& out = *followed;
+    if (parameters.bridge_jumps && torn(out.report))
+        if (auto on_one = bridged(sketch, parameters, frame, scene, timings);
+            on_one && better(*on_one, out))
+            return std::move(*on_one);
+    if (!parameters.sharp) return std::move(out);
     // Not every sharp edge can be followed: if the volume would pierce the scene or fold, edges are
     // rounded.
     const auto stands = [&](const PlacementReport& r) {
         return !pierced(r, parameters) && r.smallest_jacobian > 0;
     };
-    if (stands(out.report)) return out;
+    if (stands(out.report)) return std::move(out);
     PlacementParameters round = parameters;
     round.sharp = false;
     Placement rounded = place(sketch, round, model, scene, timings);
     if (!stands(rounded.report) && rounded.report.smallest_jacobian < out.report.smallest_jacobian)
-        return out;
+        return std::move(out);
     rounded.report.notices.emplace_back(
         "the edges beneath it are too sharp to follow, so they are rounded");
     return rounded;

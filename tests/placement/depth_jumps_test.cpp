@@ -94,9 +94,34 @@ TEST(DepthJumps, AreNoneWhereTheStrokeBeginsOrEndsInTheAir)
         std::vector<glm::dvec2> points_px;
         for (const double a : line.a) points_px.push_back(evaluate(center, a).value);
         DepthJumps jumps(camera, scene, false);
-        EXPECT_TRUE(jumps.bridge(line, points_px).empty());
+        EXPECT_TRUE(jumps.bridge(line, points_px)->empty());
         EXPECT_TRUE(jumps.found().empty());
     }
+}
+
+TEST(DepthJumps, OntoALowModelThatLiesThereAreFollowed)
+{
+    // A box on a plane, seen from low before it: deep along the sight, but hardly high.
+    glm::dmat4 there(1);
+    there[3] = {0, 0, 0.1, 1};
+    std::vector<RayScene::Entry> entries{
+        {std::make_shared<const RayMesh>(make_ref(plane_mesh({20, 20}, {4, 4}))), glm::dmat4(1), 0},
+        {std::make_shared<const RayMesh>(make_ref(box_mesh({2, 0.3, 0.2}, {8, 8, 8}))), there, 1}};
+    const RayScene scene(std::move(entries));
+    const Camera camera = from_the_side({0, -6, 1.5});
+    for (const double begin : {-1.6, -0.8}) {
+        const Sketch over = stroke_over(camera, {{begin, 0, 0.2}, {0.8, 0, 0.2}});
+        const Placement out = placed(over, scene, bridging());
+        EXPECT_TRUE(out.report.folds.empty());
+    }
+}
+
+TEST(DepthJumps, AreBridgedWhereTheWayDownAndUpWouldBeTooLong)
+{
+    PlacementParameters p = bridging();
+    p.width = p.height = 0; // of the model's proportions, so that they grow with the way
+    const Placement out = placed(along_the_tables(), tables(0.4), p);
+    EXPECT_NEAR(out.report.length_world, 2, 0.1);
 }
 
 TEST(DepthJumps, OfAStepThatIsSeenWholeAreNone)

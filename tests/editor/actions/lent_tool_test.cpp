@@ -118,9 +118,7 @@ TEST(LentTool, PlaceLaysTheModelThatWasAddedWhateverWasChosenBefore)
     hand.wait();
     hand.add("Snake");
     EXPECT_EQ(hand.editor.session.selected, 3);
-    std::vector<glm::vec2> beside = hand.stroke();
-    for (glm::vec2& p : beside) p.y += 60;
-    hand.draw(beside);
+    hand.draw(hand.stroke());
     hand.wait();
     EXPECT_TRUE(hand.is_laid(3));
     EXPECT_EQ(hand.tool(), "Select");
