@@ -72,7 +72,7 @@ CuttingStep::Piece cut_piece(Mesh mesh, unsigned sides, bool has_rest)
 
 // Cuts a mesh at all surfaces, one after the other.
 std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& rest,
-                                            const glm::dmat4& to_own,
+                                            const CuttingStep::Whole& whole,
                                             const CuttingStep::PiecesKey& key,
                                             CuttingStep::Pieces& facts)
 {
@@ -83,6 +83,7 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
     };
     std::vector<Cutoff> all(1);
     all[0].mesh = with_places(mesh, rest);
+    all[0].sides = whole.above;
     SeverOptions options;
     options.tolerance = key.cutting.tolerance / key.metres;
     options.capped = key.cutting.capped;
@@ -94,8 +95,8 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
         std::vector<Cutoff> next;
         for (Cutoff& each : all) {
             // Through the piece where it stood when the cut was drawn
-            const glm::dvec3 off = drawn_off(cut, each.sides, key.made);
-            const CutSheet sheet(cut, glm::translate(glm::dmat4(1), off) * to_own);
+            const glm::dvec3 off = drawn_off(cut, each.sides, key.made | key.earlier);
+            const CutSheet sheet(cut, glm::translate(glm::dmat4(1), off) * whole.to_own);
             Unsevered where;
             std::optional<Severed> made = sever(each.mesh, sheet, options, where);
             if (!made) {
@@ -128,15 +129,15 @@ std::vector<CuttingStep::Piece> mesh_pieces(const Mesh& mesh, const Ref<Mesh>& r
 }
 
 // On which sides of the cuts all of a box is; none: a cut may go through it.
-std::optional<unsigned> sides_of(const Box& box, const glm::dmat4& to_own,
+std::optional<unsigned> sides_of(const Box& box, const CuttingStep::Whole& whole,
                                  const CuttingStep::PiecesKey& key,
                                  const std::vector<CutSheet>& sheets)
 {
-    const glm::dmat3 from_own = glm::inverse(glm::dmat3(to_own));
-    unsigned out = 0;
+    const glm::dmat3 from_own = glm::inverse(glm::dmat3(whole.to_own));
+    unsigned out = whole.above;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (!has(key.made, i)) continue;
-        const glm::dvec3 off = from_own * drawn_off(key.cutting.cuts[i], out, key.made);
+        const glm::dvec3 off = from_own * drawn_off(key.cutting.cuts[i], out, key.made | key.earlier);
         const std::optional<bool> above = side_of({box.lo + off, box.hi + off}, sheets[i]);
         if (!above) return std::nullopt;
         out |= (*above ? 1u : 0u) << i;
@@ -148,12 +149,12 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
                                            const CuttingStep::PiecesKey& key,
                                            CuttingStep::Pieces& facts)
 {
-    if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, whole.to_own, key, facts);
+    if (!whole.tiles) return mesh_pieces(*whole.mesh, whole.rest, whole, key, facts);
     std::vector<CutSheet> sheets;
     for (const PlainCut& cut : key.cutting.cuts) sheets.emplace_back(cut, whole.to_own);
     const TilePieces tiles = tile_pieces(
         whole.tiles, whole.alone,
-        [&](const Box& hull) { return sides_of(hull, whole.to_own, key, sheets); },
+        [&](const Box& hull) { return sides_of(hull, whole, key, sheets); },
         [&](unsigned sides) { return keeps(key, sides); });
     std::vector<CuttingStep::Piece> out;
     for (const auto& [sides, set] : tiles.whole) {
@@ -162,7 +163,7 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
     }
     if (!tiles.crossed) return out;
     for (CuttingStep::Piece& each :
-         mesh_pieces(*tiles.crossed, nullptr, whole.to_own, key, facts)) {
+         mesh_pieces(*tiles.crossed, nullptr, whole, key, facts)) {
         if (!each.mesh && whole.alone) { // it was not cut: hulls are larger than tiles
             each.mesh = tiles.crossed;
             each.bounds = bounding_box(*tiles.crossed);
@@ -194,14 +195,6 @@ std::vector<glm::dvec3> half_gaps(const CutsOf& cuts, unsigned made)
 }
 
 // Where the pieces on each side go: by all of these.
-glm::dvec3 way_of(unsigned sides, const std::vector<glm::dvec3>& half_gaps)
-{
-    glm::dvec3 out(0);
-    for (std::size_t i = 0; i < half_gaps.size(); ++i)
-        out += has(sides, i) ? half_gaps[i] : -half_gaps[i];
-    return out;
-}
-
 Part moved_by(Part part, const glm::dvec3& way)
 {
     part.to_world[3] += glm::dvec4(way, 0);
@@ -245,6 +238,14 @@ Part part_for(const Part& part, const CuttingStep::Whole& whole, const CuttingSt
     return moved_by(std::move(out), way);
 }
 
+void tell_of_normals(Stage& stage, const CutsOf& cuts, bool of_parted, unsigned made)
+{
+    for (std::size_t i = 0; i < cuts.cutting.cuts.size() && cuts.own; ++i)
+        if (cuts.cutting.cuts[i].parted == of_parted && !has(made, i))
+            stage.notices.emplace_back(
+                "the normal of a cut is 0 at this frame, so that it cuts nothing");
+}
+
 void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const CutsOf& cuts)
 {
     const Cutting& cutting = cuts.cutting;
@@ -280,25 +281,21 @@ std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
 }
 
 // Those that a step makes. Keys can take the direction of a cut away; it then cuts nothing.
-unsigned made_by(bool of_parted, CutsOf& cuts, Stage& stage)
+unsigned made_by(bool of_parted, const Cutting& cutting)
 {
     unsigned out = 0;
-    for (std::size_t i = 0; i < cuts.cutting.cuts.size(); ++i) {
-        PlainCut& cut = cuts.cutting.cuts[i];
-        if (cut.parted != of_parted) continue;
-        if (glm::length(cut.normal) > 1e-9)
+    for (std::size_t i = 0; i < cutting.cuts.size(); ++i)
+        if (cutting.cuts[i].parted == of_parted && glm::length(cutting.cuts[i].normal) > 1e-9)
             out |= 1u << i;
-        else if (cuts.own)
-            stage.notices.emplace_back(
-                "the normal of a cut is 0 at this frame, so that it cuts nothing");
-    }
     return out;
 }
 
-CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bool filled,
-                            Timings& timings)
+// `open`: where the part above each of the earlier cuts went since, in the world.
+CuttingStep::Whole whole_of(const Part& part, std::size_t base, const glm::dmat4& own_to_world,
+                            const std::vector<glm::dvec3>& open, bool filled, Timings& timings)
 {
     CuttingStep::Whole out;
+    if (base < part.above_cuts.size()) out.above = part.above_cuts[base];
     if (part.drawn_from_tiles()) {
         out.tiles = part.tiles;
         out.alone =
@@ -310,13 +307,14 @@ CuttingStep::Whole whole_of(const Part& part, const glm::dmat4& own_to_world, bo
         else if (filled)
             out.rest = part.before_split;
     }
-    if (part.to_world != own_to_world) out.to_own = glm::inverse(own_to_world) * part.to_world;
+    const glm::dmat4 now = moved_by(part, -off_by_sides(open, out.above)).to_world;
+    if (now != own_to_world) out.to_own = glm::inverse(own_to_world) * now;
     return out;
 }
 
 // The stage after some cuts; `known` is what the same cuts made before.
-Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, bool of_parted, const StepInput& input,
-                     CuttingStep::Known& known)
+Ref<Stage> cut_stage(const Ref<Stage>& before, const CutsOf& cuts, std::size_t base,
+                     bool of_parted, const StepInput& input, CuttingStep::Known& known)
 {
     using Piece = CuttingStep::Piece;
     using Pieces = CuttingStep::Pieces;
@@ -329,17 +327,21 @@ Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, bool of_parted, cons
     const bool filled = is_filled(*before, cuts.cutting.inside, input.object.surfacing);
     return known.stages({before, cuts.cutting, own_to_world, filled}, [&] {
         Stage out = *before;
-        const unsigned made_now = made_by(of_parted, cuts, out);
         const Cutting& cutting = cuts.cutting;
+        const unsigned made_now = made_by(of_parted, cutting);
+        const unsigned earlier = of_parted ? made_by(false, cutting) : 0;
+        const unsigned later = of_parted ? 0 : made_by(true, cutting);
+        tell_of_normals(out, cuts, of_parted, made_now);
         const std::vector<glm::dvec3> gaps = half_gaps(cuts, made_now);
+        const std::vector<glm::dvec3> open = half_gaps(cuts, earlier);
         const InsideMaterial inside = inside_material(*before, cutting.inside);
-        CuttingStep::PiecesKey key{{}, cutting, made_now, 1, inside.number};
+        CuttingStep::PiecesKey key{{}, cutting, made_now, earlier, 1, inside.number};
         if (input.object.tiles && cutting.inside == Filling::none) key.material.reset();
         for (PlainCut& cut : key.cutting.cuts) cut.gap = 0;
         const glm::dmat3 axes(own_to_world);
         key.metres = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
         for (const Part& part : before->parts)
-            key.parts.push_back(whole_of(part, own_to_world, filled, input.timings));
+            key.parts.push_back(whole_of(part, base, own_to_world, open, filled, input.timings));
         const Ref<Pieces> pieces = timed(input.timings, "cut", [&] {
             return known.pieces(key, [&] {
                 Pieces made;
@@ -354,9 +356,12 @@ Ref<Stage> cut_stage(const Ref<Stage>& before, CutsOf cuts, bool of_parted, cons
         out.parts.clear();
         for (std::size_t p = 0; p < before->parts.size(); ++p)
             for (const Piece& piece : pieces->of_parts[p]) {
-                const glm::dvec3 way = way_of(piece.sides, gaps);
+                const glm::dvec3 way = off_by_sides(gaps, piece.sides);
                 out.parts.push_back(part_for(before->parts[p], key.parts[p], piece, way,
                                              is_cut && before->refined));
+                if (later == 0) continue;
+                out.parts.back().above_cuts.resize(base + 1);
+                out.parts.back().above_cuts[base] = piece.sides;
             }
         if (cuts.own) {
             out.cuts_open.resize(gaps.size(), glm::dvec3(0));
@@ -382,7 +387,7 @@ Ref<Stage> CuttingStep::operator()(const Ref<Stage>& before, const StepInput& in
     known_.resize(all.size());
     Ref<Stage> out = before;
     for (std::size_t i = 0; i < all.size(); ++i)
-        out = cut_stage(out, std::move(all[i]), of_parted_, input, known_[i]);
+        out = cut_stage(out, all[i], i, of_parted_, input, known_[i]);
     return out;
 }
 

@@ -38,13 +38,15 @@ public:
         Ref<TileSet> tiles;   // null: a mesh
         bool alone = false;   // see tile_pieces()
         Ref<Mesh> rest;       // of what a pattern fills, where that is not the mesh
-        glm::dmat4 to_own{1}; // the space of the cuts
+        unsigned above = 0;   // bit i: of cut i, which an earlier step made
+        glm::dmat4 to_own{1}; // the space of the cuts, as it was before the gaps of those
         bool operator==(const Whole&) const = default;
     };
     struct PiecesKey {
         std::vector<Whole> parts;
         Cutting cutting;
         unsigned made = 0;                         // the cuts that are made; bit i: cut i
+        unsigned earlier = 0;                      // those that an earlier step made
         double metres = 1;                         // of a unit of the object's own space
         std::optional<std::uint32_t> material = 0; // of caps; none: that of a part's first face
         bool operator==(const PiecesKey&) const = default;

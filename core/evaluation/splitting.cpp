@@ -7,7 +7,7 @@
 #include "core/evaluation/cap_notices.h"
 #include "core/evaluation/inside_material.h"
 #include "core/mesh/transform.h"
-#include "core/split/lean.h"
+#include "core/split/along_obstacles.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -45,6 +45,7 @@ Part parted(const Part& part, SplitMesh made, bool filled, SplitPartMemory& memo
 {
     Part out;
     out.key = part.key;
+    out.above_cuts = part.above_cuts;
     out.bounds = bounding_box(made.mesh);
     if (filled) { // patterns stay with the body while it moves
         Mesh before = made.mesh;

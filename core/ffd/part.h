@@ -52,10 +52,12 @@ struct Part {
     // Where the vertices of a mesh that was split are before that, as patterns that fill a body
     // follow them; null: that mesh is `rest`.
     Ref<Mesh> before_split = nullptr;
+    // By those whose cuts went over it, the farthest base first. Bit i: it is above their cut i.
+    std::vector<unsigned> above_cuts = {};
     bool operator==(const Part& other) const // bounds and tiles follow from the other members
     {
         return rest == other.rest && to_world == other.to_world && posed == other.posed &&
-               bent == other.bent && key == other.key;
+               bent == other.bent && key == other.key && above_cuts == other.above_cuts;
     }
 };
 

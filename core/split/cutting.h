@@ -35,14 +35,21 @@ struct PlainCut {
     bool operator==(const PlainCut&) const = default;
 };
 
-// How far the piece on those sides of the earlier cuts stood off its place when a cut was drawn, in
-// the cut's space. Bit i of `sides`: above cut i; of `made`: there is such a cut.
-inline glm::dvec3 drawn_off(const PlainCut& cut, unsigned sides, unsigned made)
+// How far a piece is off its place: by each offset where it is above that cut, and by as much the
+// other way where it is below. Bit i of `sides`: above cut i; of `made`: there is such a cut.
+inline glm::dvec3 off_by_sides(const std::vector<glm::dvec3>& offsets, unsigned sides,
+                               unsigned made = ~0u)
 {
     glm::dvec3 out(0);
-    for (std::size_t i = 0; i < cut.opened.size(); ++i)
-        if ((made >> i & 1u) != 0) out += (sides >> i & 1u) != 0 ? cut.opened[i] : -cut.opened[i];
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        if ((made >> i & 1u) != 0) out += (sides >> i & 1u) != 0 ? offsets[i] : -offsets[i];
     return out;
+}
+
+// The same when a cut was drawn, in the cut's space.
+inline glm::dvec3 drawn_off(const PlainCut& cut, unsigned sides, unsigned made)
+{
+    return off_by_sides(cut.opened, sides, made);
 }
 
 // Cutting says where an object is cut, one cut after the other through all pieces.

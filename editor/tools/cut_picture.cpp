@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/cut_picture.h"
 
+#include "core/split/cut_sheet.h"
 #include "editor/tools/shown_cut.h"
 
 namespace trivar {

@@ -246,14 +246,14 @@ TEST(SeenCuts, HaveHandlesWhereTheBodyIsShown)
         if (point.hold == SplitHold{SplitHoldKind::level, 1, 0}) {
             EXPECT_LT(std::abs(rig.beside(point.p_world, a, b)), 1);
         }
-        // The first cut is level: its gap handles are as high as the parts beside it end. The
-        // second one goes through the eye, so that it is tilted.
-        if (point.hold.kind == SplitHoldKind::gap && point.hold.number == 0) {
+        // Gap handles stand where a part ends along the way of its gap
+        if (point.hold.kind == SplitHoldKind::gap) {
+            const auto along = [&](const glm::dvec3& p) { return glm::dot(p, point.way); };
             double nearest = 1e300;
             for (const auto& part : rig.parts()) {
-                const auto [lo, hi] = std::ranges::minmax(part, {}, &glm::dvec3::z);
-                nearest = std::min(
-                    {nearest, std::abs(point.p_world.z - lo.z), std::abs(point.p_world.z - hi.z)});
+                const auto [lo, hi] = std::ranges::minmax(part, {}, along);
+                for (const glm::dvec3& end : {lo, hi})
+                    nearest = std::min(nearest, std::abs(along(point.p_world) - along(end)));
             }
             EXPECT_LT(nearest, 1e-4);
         }
