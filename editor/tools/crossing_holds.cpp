@@ -13,6 +13,7 @@ namespace trivar {
 namespace {
 
 constexpr double crossing_hold_px = 9; // of a handle
+constexpr double flap_hold_px = 14;    // of an arrow, which stands apart
 constexpr double flaps_near_px = 80;   // from a crossing whose flaps have handles
 constexpr double flap_off_px = 20;     // so far from the crossing they begin at least
 constexpr double flap_stalk_px = 12;   // so far off the skin they stand
@@ -173,12 +174,14 @@ std::optional<std::size_t> crossing_hold_at(const std::vector<CrossingHold>& hol
                                             double scale)
 {
     std::optional<std::size_t> out;
-    double nearest = crossing_hold_px * scale;
-    for (std::size_t i = 0; i < holds.size(); ++i)
-        if (const double away = glm::distance(holds[i].p_px, p_px); away < nearest) {
-            nearest = away;
-            out = i;
-        }
+    double nearest = 1e300;
+    for (std::size_t i = 0; i < holds.size(); ++i) {
+        const double reach = (holds[i].flap ? flap_hold_px : crossing_hold_px) * scale;
+        const double away = glm::distance(holds[i].p_px, p_px);
+        if (away >= std::min(reach, nearest)) continue;
+        nearest = away;
+        out = i;
+    }
     return out;
 }
 

@@ -49,7 +49,8 @@ std::optional<CutEnd> snap_near(const CutSnaps& snaps, const Camera& camera, glm
     double nearest = end_reach_px * scale;
     for (const CutEnd& end : snaps.ends)
         if (const PicturePoint at = project(camera, end.p_world); at.depth_world > 0)
-            if (const double away = glm::distance(at.p_px, p_px); away < nearest) {
+            if (const double away = glm::distance(at.p_px, p_px);
+                away < nearest && (!end.crossing || away < line_reach_px * scale)) {
                 nearest = away;
                 out = end;
             }

@@ -7,12 +7,12 @@
 
 namespace trivar {
 
-// A place of another incision to which a stroke and its ends are pulled: an end of that, or a place
-// along it.
+// A place of another incision to which a stroke and its ends are pulled: an end of that, a place
+// along it, or one where two others cross, through which a stroke may go on.
 struct CutEnd {
     SurfacePoint at_rest;
     glm::dvec3 p_world{0};
-    bool along = false;
+    bool along = false, crossing = false;
 };
 struct CutSnaps {
     std::vector<CutEnd> ends;

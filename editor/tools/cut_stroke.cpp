@@ -27,7 +27,10 @@ CutStroke::CutStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, g
 
 void CutStroke::add(const Camera& camera, glm::dvec2 p_px, bool free)
 {
-    if (const auto hit = skin_.hit(ray_through(camera, p_px))) hits_.push_back({*hit, free});
+    const Ray ray = ray_through(camera, p_px);
+    const auto hit = skin_.hit(ray);
+    if (hit) hits_.push_back({*hit, free});
+    on_wall_ = hit ? std::nullopt : skin_.wall_hit(ray);
 }
 
 void CutStroke::go_straight(const Camera& camera, glm::dvec2 to_px)
@@ -121,17 +124,21 @@ bool CutStroke::take(const Camera& camera, const std::vector<StrokeSample>& move
         }
         last_px_ = move.p_px;
         changed = true;
-        // What the pull of an end added goes as soon as the hand goes on
+        // What the pull of an end added goes as soon as the hand goes on; a crossing stays
         if (const auto before = std::exchange(at_end_, near);
-            before && !before->along && !straight_ && hits_.size() > 1)
-            hits_.pop_back();
+            before && !before->along && !straight_ && hits_.size() > 1) {
+            if (!before->crossing)
+                hits_.pop_back();
+            else if (end && near->p_world == before->p_world)
+                continue;
+        }
         const glm::dvec2 to = near ? project(camera, near->p_world).p_px : move.p_px;
         if (along_uv)
             go_along_uv(camera, to);
         else if (straight_)
             go_straight(camera, to);
-        else if (!end)
-            go_freely(camera, move.p_px);
+        else if (!end || near->crossing)
+            go_freely(camera, end ? to : move.p_px);
         if (!end) continue;
         SurfaceHit there = hits_.back().hit;
         there.p_world = near->p_world;
@@ -149,7 +156,10 @@ std::vector<SurfacePoint> CutStroke::points() const
     std::vector<SurfacePoint> out;
     for (const CutSample& each : hits_) out.push_back(each.hit.at_rest);
     if (out.size() < 2) return {};
-    if (at_end_) out.back() = at_end_->at_rest;
+    if (at_end_)
+        out.back() = at_end_->at_rest;
+    else if (on_wall_)
+        out.push_back(on_wall_->at_rest);
     for (int round = 0; round < smoothing_rounds; ++round) {
         SurfacePoint before = out.front();
         for (std::size_t i = 1; i + 1 < out.size(); ++i) {
@@ -171,14 +181,6 @@ std::vector<glm::dvec3> CutStroke::way_world() const
     std::vector<glm::dvec3> out;
     for (const CutSample& each : hits_) out.push_back(each.hit.p_world);
     if (at_end_) out.back() = at_end_->p_world;
-    return out;
-}
-
-double CutStroke::length_world() const
-{
-    double out = 0;
-    for (std::size_t i = 1; i < hits_.size(); ++i)
-        out += glm::distance(hits_[i - 1].hit.p_world, hits_[i].hit.p_world);
     return out;
 }
 

@@ -24,8 +24,8 @@ public:
     // The points of the incision: smoothed where they were drawn freely, with few digits; fewer
     // than two: it is too short.
     std::vector<SurfacePoint> points() const;
-    std::vector<glm::dvec3> way_world() const; // that the hand went
-    double length_world() const;
+    std::vector<glm::dvec3> way_world() const;            // that the hand went
+    double length() const { return length_of(points()); } // metres on the model
     double scale() const
     {
         return hits_.front().hit.scale;
@@ -51,6 +51,7 @@ private:
     std::size_t corner_ = 0; // from which the straight piece goes
     bool straight_ = false, moved_ = false;
     std::optional<CutEnd> at_end_;
+    std::optional<SurfaceHit> on_wall_; // where the hand is, where that is over an open incision
     std::optional<std::array<IncisedSkin::SeenUvLine, 2>> uv_lines_; // once they are wanted
 };
 

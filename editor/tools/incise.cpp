@@ -143,6 +143,9 @@ CutSnaps InciseTool::snaps_but(int number) const
     for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i)
         if (static_cast<int>(i) + 1 != number && cuts_[i])
             add_snaps(out, *cuts_[i], known_->cuts[i].cut.stroke);
+    for (const CutCrossing& each : crossings_)
+        if (snaps_ && each.first != number && each.second != number)
+            out.ends.push_back({each.at.at_rest, each.at.p_world, false, true});
     return out;
 }
 
@@ -150,6 +153,7 @@ void InciseTool::use(Session& session, const ViewportInput& input)
 {
     if (finishing_) return tell_how_it_ended(session);
     if (gesture_) return go_on(session, input);
+    if (in_air_) return come_from_air(session, input);
     mouse_px_ = input.mouse;
     keep_chosen(session);
     look(session);
@@ -195,50 +199,6 @@ void InciseTool::hover(Session& session, const ViewportInput& input)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     else if (over_ != 0 && over_ == session.selected)
         hovered_snap_ = snap_near(snaps_but(0), camera, input.mouse, input.scale);
-}
-
-void InciseTool::press(Session& session, const ViewportInput& input)
-{
-    session.notices.forget(of_a_step);
-    const Camera& camera = session.view.camera;
-    const glm::dvec2 at_px = input.moves.empty() ? input.mouse : input.moves.front().p_px;
-    if (hovered_crossing_) return begin_crossing_drag(session, *hovered_crossing_, input, at_px);
-    if (hovers()) {
-        const auto all = holds(session, input.scale);
-        const auto held = std::ranges::find(all, hovered_, &IncisionHoldPoint::hold);
-        if (held != all.end()) begin_drag(session, *held, input, at_px);
-        return;
-    }
-    const Id base = base_of(session, input.under);
-    IncisedSkin skin;
-    if (base != 0) {
-        if (base == session.selected && !skin_.empty()) skin = skin_;
-        skin.look(session, base);
-    }
-    std::optional<SurfaceHit> hit = skin.hit(ray_through(camera, at_px));
-    if (!hit) hit = skin.shut_hit(ray_through(camera, at_px)); // over a wound
-    if (!hit) {
-        session.incision = {};
-        return select_by_click(session, input.under);
-    }
-    const bool redraws = ImGui::GetIO().KeyCtrl && hovered_cut_ != 0 &&
-                         hovered_cut_ == session.incision.number && chosen(session);
-    CutSnaps snaps;
-    if (base == session.selected) snaps = snaps_but(redraws ? hovered_cut_ : 0);
-    SurfaceHit from = *hit;
-    if (const auto end = snap_near(snaps, camera, at_px, input.scale)) {
-        from.at_rest = end->at_rest;
-        from.p_world = end->p_world;
-        forget_place(snaps, *end);
-    }
-    typed_ = {};
-    gesture_.emplace(Gesture{base, input.under, CutStroke(skin, std::move(snaps), from, at_px),
-                             base == session.selected ? hovered_cut_ : 0});
-    if (redraws) {
-        gesture_->redrawn = *chosen(session);
-        gesture_->from = hovered_at_;
-    }
-    go_on(session, input);
 }
 
 NamedIncision InciseTool::drawn(const Gesture& g) const
@@ -363,6 +323,7 @@ void InciseTool::cancel(Session& session)
         session.commit();
         return;
     }
+    in_air_.reset();
     if (!gesture_ && !dragging()) return;
     gesture_.reset();
     drag_.reset();

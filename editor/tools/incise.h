@@ -23,7 +23,7 @@ public:
     std::vector<ui::Chord> keys() const override { return {{'C'}}; }
     bool crosshair() const override { return gesture_ || (over_ && !hovers() && !dragging()); }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || dragging() || finishing_; }
+    bool busy() const override { return gesture_ || in_air_ || dragging() || finishing_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
     bool takes_wheel() const override { return gesture_.has_value(); }
@@ -55,6 +55,10 @@ private:
         std::optional<NamedIncision> redrawn = {};
         double from = 0;
     };
+    struct InAir {    // a stroke that has come to no object yet
+        Id under = 0; // when it began
+        glm::dvec2 begun_px{0}, p_px{0};
+    };
     struct Finishing { // the last proposal of a stroke, until it is known what became of it
         Id object = 0;
         int number = 0;
@@ -67,6 +71,8 @@ private:
     void look(const Session& session);
     void hover(Session& session, const ViewportInput& input);
     void press(Session& session, const ViewportInput& input);
+    bool begin_stroke(Session& session, const ViewportInput& input, glm::dvec2 at_px, Id under);
+    void come_from_air(Session& session, const ViewportInput& input);
     void drag_by_key(Session& session, const ViewportInput& input);
     void begin_drag(const Session& session, const IncisionHoldPoint& held,
                     const ViewportInput& input, glm::dvec2 at_px);
@@ -109,6 +115,7 @@ private:
     double hovered_at_ = 0; // share of its length
     Id over_ = 0;           // what the mouse is over and could be cut
     std::optional<Gesture> gesture_;
+    std::optional<InAir> in_air_;
     std::optional<IncisionDrag> drag_;
     std::optional<CrossingDrag> crossing_drag_;
     bool moved_ = false, by_key_ = false, entered_ = false;

@@ -3,9 +3,29 @@
 #include "editor/tools/incise.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar {
+namespace {
+
+// A flap that a hand has laid back leaves no number behind, unless it has keys. Nothing: it lay.
+std::optional<Command> without_flat_flap(const Document& before, const Command& command)
+{
+    const auto* peel = std::get_if<PeelFlap>(&command);
+    if (!peel || peel->flap.lift > 0) return command;
+    const Object& of = object(before, peel->object);
+    const std::vector<PeeledFlap>& flaps = of.incising->flaps;
+    const auto known = std::ranges::find_if(
+        flaps, [&](const PeeledFlap& each) { return each.same_place(peel->flap); });
+    if (known == flaps.end()) return {};
+    const auto index = static_cast<int>(known - flaps.begin());
+    const std::string lift = fmt::format("incising.flaps.{}.lift", index);
+    if (std::ranges::find(of.tracks, lift, &Track::parameter) != of.tracks.end()) return command;
+    return LayFlap{peel->object, index + 1};
+}
+
+} // namespace
 
 void InciseTool::begin_drag(const Session& session, const IncisionHoldPoint& held,
                             const ViewportInput& input, glm::dvec2 at_px)
@@ -107,7 +127,8 @@ void InciseTool::drag_on(Session& session, const ViewportInput& input)
         if (changes && session.up_to_date()) session.propose_quietly(command());
         return;
     }
-    const std::optional<Command> last = changes ? std::optional(command()) : std::nullopt;
+    const std::optional<Command> last =
+        changes ? without_flat_flap(session.committed(), command()) : std::nullopt;
     const std::optional<CrossingDrag> crossed = std::exchange(crossing_drag_, std::nullopt);
     drag_.reset();
     typed_ = {};

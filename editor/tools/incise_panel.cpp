@@ -94,7 +94,7 @@ void InciseTool::paint_stroke(const Session& session, const ui::Theme& theme,
             ui::paint_dot(p, theme.px(6), theme.color.selected, theme.color.halo, theme.px(1.5f));
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
-                   {typed_words(ui::short_number(rounded(stroke.length_world(), 3)) + " m" +
+                   {typed_words(ui::short_number(rounded(stroke.length(), 3)) + " m" +
                                 (stroke.end()        ? ", joined"
                                  : stroke.lacks_uv() ? ", drawn freely: no UVs here"
                                                      : ""))});
@@ -233,21 +233,22 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
                            ui::segments(theme, "floor", floor, {"Sharp", "Flat", "Through"}, field);
                            settings_.cut.floor = static_cast<Incision::Floor>(floor);
                        },
-                       "Its walls meet below, a floor joins them, or it goes through the body."});
+                       "Sharp: its walls meet at the bottom. Flat: a floor joins them. Through: it "
+                       "goes through the body."});
     options.push_back({"Stroke", 120,
                        [&](float field) {
                            int way = static_cast<int>(way_);
                            ui::segments(theme, "stroke", way, {"Free", "Line", "UV"}, field);
                            way_ = static_cast<Way>(way);
                        },
-                       "As the hand goes, straight as it is seen, or along the line through its "
-                       "beginning where U or V stays."});
+                       "As the hand goes, straight as it is seen, or along a line of the model's "
+                       "texture coordinates."});
     options.push_back({"Open", 100,
                        [&](float) { ui::check_box(theme, "open", opens_, "as it cuts"); },
                        "It opens while it is drawn; else it is shut, to be opened later."});
     options.push_back({"Snap", 62, [&](float) { ui::check_box(theme, "snap", snaps_, "joins"); },
-                       "Strokes begin and end at other incisions that are near: at their ends, "
-                       "or anywhere along them."});
+                       "Strokes begin and end at other incisions that are near, and go through "
+                       "their crossings."});
     ui::option_bar(theme, options, width);
 }
 

@@ -76,7 +76,10 @@ void IncisedSkin::look(const Session& session, Id object)
         if (with_walls->vertex_count() == first.rest->vertex_count() &&
             with_walls->face_count() == first.rest->face_count()) {
             part.shut = with_walls;
-            if (cut) part.first_wall_face = incised->incised->first_wall_face;
+            if (cut) {
+                part.incised = incised->incised;
+                part.first_wall_face = part.incised->first_wall_face;
+            }
         }
         part.posed = part.original;
         if (first.posed && !first.posed->pose.empty())
@@ -176,6 +179,36 @@ std::optional<SurfaceHit> IncisedSkin::shut_hit(const Ray& ray) const
     if (!hit) return {};
     const auto entry = static_cast<std::size_t>(hit->entry);
     return hit_of(parts_[entry], shut_parts_[entry], *parts_[entry].original, scene, *hit);
+}
+
+std::optional<SurfaceHit> IncisedSkin::wall_hit(const Ray& ray) const
+{
+    if (parts_.empty()) return {};
+    const RayScene& scene = seen_scene();
+    const std::optional<Hit> hit = scene.hit(ray);
+    if (!hit) return {};
+    const auto entry = static_cast<std::size_t>(hit->entry);
+    const SkinPart& part = parts_[entry];
+    if (static_cast<std::uint32_t>(hit->face) < part.first_wall_face || !part.incised) return {};
+    std::optional<SurfaceHit> out = shut_hit(ray); // the normal there is about that above the wall
+    if (!out) return {};
+    const glm::uvec3& vertices =
+        scene.entries()[entry].mesh->triangles()[static_cast<std::size_t>(hit->triangle)];
+    const Part& seen = shown_->whole()[part.part];
+    const glm::dvec3 weights =
+        barycentric(hit->p_world, skin_corners(*seen.mesh(), vertices, seen.to_world));
+    glm::dvec3 top(0);
+    for (int k = 0; k < 3; ++k)
+        top +=
+            weights[k] *
+            glm::dvec3(part.incised->wall_tops.at(vertices[k] - part.incised->first_wall_vertex));
+    const SurfacePoint above{glm::dvec3(part.shut_to_model * glm::dvec4(top, 1)),
+                             out->at_rest.normal};
+    const auto place = rest_base().locate(std::span(&above, 1), 0.01 * diagonal()).front();
+    if (!place) return {};
+    out->p_world = hit->p_world;
+    out->at_rest = seen_place(*place).at_rest;
+    return out;
 }
 
 SurfaceHit IncisedSkin::seen_place(const SurfacePlace& place) const

@@ -26,6 +26,9 @@ public:
     std::optional<SurfaceHit> hit(const Ray& ray) const;
     // Where it would meet the skin if nothing stood open.
     std::optional<SurfaceHit> shut_hit(const Ray& ray) const;
+    // Where it meets a wall or a floor that is seen; its place on the shut skin is that of the
+    // incision above it. Nothing: it meets something else first, or misses.
+    std::optional<SurfaceHit> wall_hit(const Ray& ray) const;
     // Where points of the shut skin are seen, as if nothing stood open, moved onto the skin;
     // nothing where there is none at most `reach` away along their normals. About 3 microseconds
     // each.
@@ -47,6 +50,7 @@ private:
         Ref<Mesh> shut;       // with the vertices of the part; null: not known, as it was refined
         Ref<Mesh> original;   // without walls
         glm::dmat4 shut_to_model{1}, shut_to_part{1};
+        Ref<IncisedMesh> incised; // null: it has no walls, or they are not known
         std::uint32_t first_wall_face = 0xFFFFFFFF;
         Ref<Mesh> posed; // the original in its pose
         bool mirrors = false;

@@ -325,7 +325,8 @@ std::string words_of(IncisionHold hold, const NamedIncision& incision, const See
     case IncisionHold::none: return "";
     case IncisionHold::start:
     case IncisionHold::end:
-    case IncisionHold::place: return "Length " + metres(seen.length);
+    case IncisionHold::place: // on the model, as in the inspector
+        return "Length " + ui::short_number(rounded(seen.length, 3)) + " m";
     case IncisionHold::open_left:
     case IncisionHold::open_right:
         return fmt::format("Opening {} %, {}", number_text(100 * incision.opening.share),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace trivar {
 namespace {
@@ -95,6 +96,8 @@ void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfaceP
     constexpr int across = 12;            // points from the cut to a rim
     constexpr std::size_t rung_every = 8; // steps of a cut
     constexpr double lifted = 0.012;      // share of its length, so that no face hides it
+    constexpr double most_off = 0.5;      // of the way from the cut: beyond lies another limb
+    constexpr double leap = 3;            // steps along a line: there it goes through the air
     const double window = std::clamp(reach / std::max(cut.length, 1e-12), 0.1, 1.0);
     const auto wide = static_cast<long>(window * static_cast<double>(SeenCut::steps));
     const auto last = static_cast<long>(even.size()) - 1;
@@ -109,24 +112,41 @@ void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfaceP
         for (int k = -across; k <= across; k += rung ? 1 : 2 * across)
             wanted.push_back({at.p + (reach * k / across) * right, at.normal});
     }
-    const auto found = skin.seen(wanted, reach);
-    cut.rims.resize(2);
-    std::size_t k = 0;
-    const auto point = [&](std::size_t i, std::vector<glm::dvec3>& line) {
-        if (found[i])
-            line.push_back(found[i]->p_world + lifted * cut.length_world * found[i]->normal_world);
+    const auto found = skin.seen(wanted, most_off * reach);
+    // Adds what lies on this side of the skin as lines, each without a leap
+    const auto add = [&](std::vector<std::vector<glm::dvec3>>& lines,
+                         const std::vector<std::size_t>& places) {
+        std::optional<std::size_t> before;
+        for (const std::size_t i : places) {
+            const double off = found[i] ? glm::distance(found[i]->at_rest.p, wanted[i].p) : reach;
+            const bool here =
+                off < most_off * reach && glm::dot(found[i]->at_rest.normal, wanted[i].normal) > 0;
+            const bool goes_on =
+                here && before &&
+                glm::distance(found[i]->at_rest.p, found[*before]->at_rest.p) <
+                    leap * std::max(glm::distance(wanted[i].p, wanted[*before].p), reach / across);
+            before = here ? std::optional(i) : std::nullopt;
+            if (!here) continue;
+            if (!goes_on) lines.emplace_back();
+            lines.back().push_back(found[i]->p_world +
+                                   lifted * cut.length_world * found[i]->normal_world);
+        }
     };
+    std::array<std::vector<std::size_t>, 2> rims;
+    std::size_t k = 0;
     for (std::size_t i = 0; i < even.size(); ++i) {
         const bool rung = i % rung_every == 0;
         const std::size_t count = rung ? 2 * across + 1 : 2;
-        point(k, cut.rims[0]);
-        point(k + count - 1, cut.rims[1]);
+        rims[0].push_back(k);
+        rims[1].push_back(k + count - 1);
         if (rung) {
-            cut.rungs.emplace_back();
-            for (std::size_t each = 0; each < count; ++each) point(k + each, cut.rungs.back());
+            std::vector<std::size_t> all(count);
+            std::iota(all.begin(), all.end(), k);
+            add(cut.rungs, all);
         }
         k += count;
     }
+    for (const std::vector<std::size_t>& rim : rims) add(cut.rims, rim);
 }
 
 } // namespace
@@ -170,7 +190,8 @@ std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& in
     if (even.empty() || skin.empty()) return {};
     const double reach = skin_reach * skin.diagonal();
     if (!find_line(out, skin.seen(even, reach))) return {};
-    out.length = length_of(cut.stroke);
+    const double of_stroke = length_of(cut.stroke);
+    out.length = told && told->length > 0 ? told->length : of_stroke;
     out.widest = told && told->refusal.empty() ? told->widest : 1;
     out.depth = told && told->depth > 0 ? told->depth : cut.depth;
     const std::size_t last = SeenCut::steps;
@@ -188,7 +209,7 @@ std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& in
         if (wish > most && i >= out.first && i <= out.last) most = wish, out.widest_at = i;
         if (i > 0) out.length_world += glm::distance(out.line[i - 1].p_world, out.line[i].p_world);
     }
-    out.scale = out.length > 0 ? out.length_world / out.length : 1;
+    out.scale = of_stroke > 0 ? out.length_world / of_stroke : 1;
     find_across(out, skin, even, rights, reach);
     find_cage(out, skin, even, rights, reach_of(cut, out.length));
     return out;

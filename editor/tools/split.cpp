@@ -281,7 +281,7 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const Ses
     options.push_back({"Reach", 84,
                        [&](float field) {
                            ui::number_field(theme, "reach", use_.reach,
-                                            {.lo = 0, .unit = "m", .zero = "auto"}, field);
+                                            {.lo = 0, .unit = "m", .zero = "as needed"}, field);
                        },
                        "Over what distance the opening fades away."});
     options.push_back(

@@ -113,7 +113,8 @@ struct SeenSection {
 };
 
 // Draws the incision unrolled, where it is seen.
-void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision)
+void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision,
+                 const Outcome* outcome)
 {
     const ui::Theme& theme = rows.theme;
     const Session& session = editor.session;
@@ -132,7 +133,9 @@ void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
     const float width =
         ImGui::GetWindowWidth() - 2 * theme.size.padding - theme.px(ui::key_gutter - 12);
-    rows.take(draw_wound_section(theme, kept.section, incision.cut, width));
+    WoundSection section = kept.section;
+    if (outcome && outcome->length > 0) section.length = outcome->length;
+    rows.take(draw_wound_section(theme, section, incision.cut, width));
     ui::gap(theme, 8);
 }
 
@@ -233,7 +236,7 @@ bool chosen_incision(Editor& editor, const ui::Theme& theme, Id id, int number,
     rows.take(ui::text_field(theme, "name", incision.name, fmt::format("Incision {}", number),
                              name.width));
     ui::rows_if(theme, !before.hidden, "The incision is off.",
-                [&] { section_row(editor, rows, id, incision); });
+                [&] { section_row(editor, rows, id, incision, outcome_of(session, id, number)); });
     draw_incision_rows(rows, incision, number, editor.memory.of<ChosenCutPoints>());
     blade_row(session, rows, id, incision);
     outcome_rows(theme, before.hidden ? nullptr : outcome_of(session, id, number));
