@@ -100,6 +100,14 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
+    // Where nobody looks at pictures: as cheap as they can be.
+    void draw_cheaply()
+    {
+        screen.draw_little();
+        editor.preferences.quality = "draft";
+        editor.preferences.pace = "240";
+        editor.preferences.hints = false; // a card of them lies over the view
+    }
     Layout layout() const
     {
         return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences,

@@ -7,6 +7,7 @@
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 
+#include <cstdlib>
 #include <gmock/gmock.h>
 
 namespace trivar {
@@ -180,8 +181,11 @@ TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
 {
     const TemporaryFolder disk;
     Boxes rig;
+    const std::string home = std::getenv("HOME");
+    ::setenv("HOME", disk.path().c_str(), 1);
     rig.editor.picture_to_file.begin(rig.editor.session, {64, 36});
-    EXPECT_NE(rig.editor.picture_to_file.path().find("untitled"), std::string::npos)
+    ::setenv("HOME", home.c_str(), 1);
+    EXPECT_EQ(rig.editor.picture_to_file.path(), disk.file("untitled_001.png"))
         << "a scene without a file has one among the person's pictures";
     rig.editor.picture_to_file.stop();
     rig.editor.session.save_as(disk.file("a.trivar"));

@@ -16,8 +16,9 @@ using ::testing::ElementsAre;
 
 // A ball in a lattice (object 2) that was bent and of which a point was moved.
 struct BentLattice : testing::LatticeRig {
-    BentLattice() : LatticeRig(640)
+    BentLattice() : LatticeRig(1800) // nothing scrolls
     {
+        draw_cheaply();
         EXPECT_TRUE(editor.session.run(WarpVolume{2, {.twist_deg = 20}}));
         EXPECT_TRUE(editor.session.run(
             MovePoints{2, {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.1}}}));
@@ -114,7 +115,7 @@ TEST(MoreWithKeys, PutsKeysOnTheNumbersOfAWarpEachByItsOwnRow)
     EXPECT_EQ(object(rig.editor.session.committed(), 2).shaping[0]->warp->twist_deg, 20);
 }
 
-TEST(MoreWithKeys, ATypedNumberIsAKeyInOneStep)
+TEST(MoreWithKeys, ATypedNumberIsAKeyInOneStepAndScrollsNothing)
 {
     BentLattice rig;
     rig.open_section();
@@ -132,9 +133,13 @@ TEST(MoreWithKeys, ATypedNumberIsAKeyInOneStep)
     ASSERT_TRUE(rig.track(lift));
     EXPECT_EQ(rig.track(lift)->keys.front().frame, 5);
     EXPECT_NEAR(rig.track(lift)->keys.front().value, 0.25, 1e-12);
+    rig.move(at + glm::vec2(0, 4));
+    EXPECT_TRUE(rig.is_over(lift)) << "the row is still under the mouse";
     rig.editor.session.undo();
     rig.wait();
     EXPECT_FALSE(rig.track(lift));
+    rig.move(at + glm::vec2(1, 4));
+    EXPECT_TRUE(rig.is_over(lift));
 }
 
 } // namespace

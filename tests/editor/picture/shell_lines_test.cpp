@@ -45,7 +45,8 @@ TEST(ShellLines, OfALatticeAreInTheViewThatFramesIt)
 TEST(VolumesInPictures, AreNotThoseOfWhatWasDeletedSinceItWasEvaluated)
 {
     testing::Rig rig;
-    ASSERT_TRUE(rig.editor.session.run(AddLattice{.objects = {}, .shape = {.size = {2, 3, 4}}}));
+    rig.two_objects();
+    ASSERT_TRUE(rig.editor.session.run(AddLattice{.objects = {2}}));
     rig.wait();
     TetrahedraLines none;
     const auto lines = [&](const Document& document) {

@@ -37,10 +37,7 @@ Hand::Hand(const std::filesystem::path& scene)
 {
     editor().files.own_models_folder = std::filesystem::path(TRIVAR_BINARY_DIR) / "assets/models";
     editor().files.scenes_folder = editor().files.models_folder = folder_.string();
-    editor().preferences.hints = false; // a card of them would lie over half of so small a picture
-    rig_->screen.draw_little();         // pictures are not judged
-    editor().preferences.quality = "draft";
-    editor().preferences.pace = "240";
+    rig_->draw_cheaply(); // pictures are not judged
     editor().session.replace_scene(SceneFile(scene.string()));
     settle();
 }
