@@ -147,7 +147,7 @@ void pass_on_typing()
 bool takes_typing()
 {
     if (ImGui::GetStateStorage()->GetInt(tab_key(), -1) < ImGui::GetFrameCount()) return false;
-    if ((GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0) return false; // it is greyed
+    if (is_greyed()) return false;
     ImGui::GetStateStorage()->SetInt(tab_key(), -1);
     return true;
 }

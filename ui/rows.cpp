@@ -19,17 +19,17 @@ Rect row_rect(float height)
     return rect_at({left, at.y}, {ImGui::GetWindowWidth(), height});
 }
 
-bool is_greyed()
-{
-    return (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-}
-
 ImGuiID reset_key()
 {
     return ImHashStr("the frame in which rows are reset");
 }
 
 } // namespace
+
+bool is_greyed()
+{
+    return (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
 
 void reset_rows()
 {

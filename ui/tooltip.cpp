@@ -164,6 +164,7 @@ void Tooltips::draw(const Theme& theme, Frame& frame)
         }
     }
     offer_.reset();
+    why_not_.clear(); // also where what was greyed ended by an exception
 }
 
 } // namespace trivar::ui

@@ -228,7 +228,7 @@ bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::v
     if (size.x <= 0) size.x = button_width(theme, text) + (icon ? theme.px(22) : 0);
     if (size.y <= 0) size.y = theme.px(32);
     const PressState p = press_area(text, size);
-    const bool off = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+    const bool off = is_greyed();
     const bool filled = !off && (kind == ButtonKind::primary || kind == ButtonKind::danger);
     if (off && kind != ButtonKind::quiet) kind = ButtonKind::plain;
     const Color rest = kind == ButtonKind::primary  ? c.accent

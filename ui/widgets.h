@@ -121,6 +121,7 @@ std::optional<int> list_row(const Theme& theme, const ListRow& row,
 // keys, and their tooltips say why not. So no row moves while values change.
 void rows_if(const Theme& theme, bool they_apply, const char* why_not,
              const std::function<void()>& draw);
+bool is_greyed(); // whether what is drawn now is in such rows
 void gap(const Theme& theme, float height_at_scale_1);
 
 // An icon, a bold line, and a sentence with the way out; centred in the rectangle.

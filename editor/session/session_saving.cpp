@@ -55,15 +55,16 @@ void Session::take_back_deadly_steps()
     life_sign_->take_back(scene_.lines().size());
     constexpr const char* of_deadly_steps = "deadly steps";
     const bool one = count == 1;
+    const std::string undone =
+        one ? fmt::format("Its last step, \"{}\", was undone and can be redone.", title)
+            : fmt::format("Its last {} steps were undone and can be redone.", count);
     notices.say(ui::NoticeKind::warning,
                 one ? "The last step was undone"
                     : fmt::format("The last {} steps were undone", count),
-                fmt::format("Trivar ended twice while it worked on this scene. {}, \"{}\", {}.",
-                            one ? "Its last step" : "Its last steps up to the last one", title,
-                            one ? "was undone and can be redone" : "were undone and can be redone"),
-                of_deadly_steps, {{"Redo", [this, position, scene = scenes_] {
-                                       if (scene == scenes_) look_at_step(position);
-                                   }}});
+                "Trivar ended twice while it worked on this scene. " + undone, of_deadly_steps,
+                {{"Redo", [this, position, scene = scenes_] {
+                      if (scene == scenes_) look_at_step(position);
+                  }}});
     notices.keep(of_deadly_steps);
 }
 

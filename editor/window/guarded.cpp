@@ -45,7 +45,7 @@ std::string write_report(Editor& editor, const std::string& words)
         std::filesystem::create_directories(reports.folder);
         write_bytes(path, text);
         remove_old(reports.folder);
-        return " A report for those who mend Trivar is in " + path + ".";
+        return "\nA report for the developers is in " + path + ".";
     } catch (const std::exception&) { // a full disk, for example
         return {};
     }

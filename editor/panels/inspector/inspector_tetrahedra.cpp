@@ -107,19 +107,23 @@ void number_rows(ValueRows& rows, TetrahedraEdit& edit, std::size_t number)
 void facts(const Session& session, const ui::Theme& theme, Id id)
 {
     const auto found = session.evaluated().objects.find(id);
-    if (found == session.evaluated().objects.end() || !found->second->tetrahedra) return;
-    const SimplexVolume& volume = *found->second->tetrahedra->volume;
-    ui::fact_row(theme, "Tetrahedra", with_commas(volume.layers.front()->domain().cells.size()));
-    ui::fact_row(theme, "Control points", with_commas(volume.displacements.size()));
-    if (volume.layers.size() > 1)
-        ui::fact_row(theme, "Refinements", with_commas(volume.layers.size() - 1));
+    const bool known =
+        found != session.evaluated().objects.end() && found->second->tetrahedra != nullptr;
+    const SimplexVolume* volume = known ? found->second->tetrahedra->volume.get() : nullptr;
+    const auto count = [&](std::size_t n) { return volume ? with_commas(n) : std::string(); };
+    ui::fact_row(theme, "Tetrahedra",
+                 count(volume ? volume->layers.front()->domain().cells.size() : 0));
+    ui::fact_row(theme, "Control points", count(volume ? volume->displacements.size() : 0));
+    ui::fact_row(theme, "Refinements", count(volume ? volume->layers.size() - 1 : 0));
     const auto* shape = std::get_if<TetrahedraShape>(&object(session.document(), id).source);
-    if (shape && is_as_converted(*shape))
-        ui::fact_row(theme, "Off the lattice",
-                     "about " + ui::short_number(rounded_up(shape->deviation, 2)) + " m",
-                     theme.color.text,
-                     "greatest distance from where the lattice took a point, by samples inside "
-                     "each tetrahedron, before later edits");
+    if (!shape || shape->displaced.empty()) return; // it never was a lattice
+    const bool as_it_was = is_as_converted(*shape);
+    ui::fact_row(theme, "Off the lattice",
+                 as_it_was ? "about " + ui::short_number(rounded_up(shape->deviation, 2)) + " m"
+                           : "edited since",
+                 as_it_was ? theme.color.text : theme.color.text_3,
+                 "greatest distance from where the lattice took a point, by samples inside each "
+                 "tetrahedron, before later edits");
 }
 
 void draw_edits(Editor& editor, const ui::Theme& theme, Id id)

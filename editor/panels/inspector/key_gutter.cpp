@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 namespace trivar {
 
@@ -85,8 +84,8 @@ void KeyGutter::mark(const ui::Theme& theme, const ui::Row& row,
             ui::paint_box(ui::rect_at({at.x, cell.hi.y + theme.px(1)}, {cells.width, theme.px(2)}),
                           c.key, theme.px(1));
     }
-    const bool greyed = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-    if (!greyed && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+    if (!ui::is_greyed() &&
+        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
         ImGui::IsMouseHoveringRect({whole.lo.x, whole.lo.y}, {whole.hi.x, whole.hi.y}))
         editor_.keys_under_mouse = under;
     ImGui::SetCursorScreenPos(field);

@@ -47,8 +47,7 @@ DrawnTile drawn_tile(const EvaluatedObject& layer, const glm::dmat4& turned)
         meshes.push_back(fine != levels.end() ? fine->mesh : levels.back().mesh);
         box.add(part.tiles->model->box);
     }
-    if (box.empty()) return out;
-    const glm::dvec3 in_cell = glm::max(box.size(), glm::dvec3(1e-9));
+    const glm::dvec3 in_cell = box.empty() ? glm::dvec3(1) : glm::max(box.size(), glm::dvec3(1e-9));
     Box own;
     for (const Shape::NodeMesh& each : layer.shape->meshes)
         own.add(bounding_box(*each.rest, turned * each.to_model));
@@ -262,7 +261,6 @@ ui::Edit draw_tile_cell(const Session& session, const ui::Theme& theme, Id layer
     if (there == session.document().objects.end()) return ui::Edit::none;
     const DrawnTile tile =
         drawn_tile(*found->second, glm::dmat4(glm::dmat3(there->second->transform.matrix())));
-    if (tile.faces.empty()) return ui::Edit::none;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x + theme.size.padding,
                 width = ImGui::GetContentRegionAvail().x - (left - at.x) - theme.size.padding;
