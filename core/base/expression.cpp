@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -162,23 +161,26 @@ private:
 // "2.4·10⁻¹⁷", as number_text writes it, in the signs of keyboards: "2.4e-17".
 std::string in_ascii(std::string_view text)
 {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> signs{{{"·10", "e"},
-                                                                                   {"⁻", "-"},
-                                                                                   {"⁰", "0"},
-                                                                                   {"¹", "1"},
-                                                                                   {"²", "2"},
-                                                                                   {"³", "3"},
-                                                                                   {"⁴", "4"},
-                                                                                   {"⁵", "5"},
-                                                                                   {"⁶", "6"},
-                                                                                   {"⁷", "7"},
-                                                                                   {"⁸", "8"},
-                                                                                   {"⁹", "9"}}};
-    std::string plain(text);
-    for (const auto& [shown, typed] : signs)
-        for (std::size_t at = plain.find(shown); at != plain.npos; at = plain.find(shown, at))
-            plain.replace(at, shown.size(), typed);
-    return plain;
+    constexpr std::string_view times_ten = "·10", typed = "0123456789-";
+    constexpr std::array<std::string_view, 11> raised{"⁰", "¹", "²", "³", "⁴", "⁵",
+                                                      "⁶", "⁷", "⁸", "⁹", "⁻"};
+    std::string plain;
+    for (;;) {
+        const std::size_t at = text.find(times_ten);
+        plain += text.substr(0, at);
+        if (at == text.npos) return plain;
+        text.remove_prefix(at + times_ten.size());
+        plain += 'e';
+        for (std::size_t i = 0; i < raised.size();) {
+            if (!text.starts_with(raised[i])) {
+                ++i;
+                continue;
+            }
+            plain += typed[i];
+            text.remove_prefix(raised[i].size());
+            i = 0;
+        }
+    }
 }
 
 } // namespace

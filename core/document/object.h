@@ -3,9 +3,9 @@
 
 #include "core/animation/track.h"
 #include "core/base/ref.h"
+#include "core/document/face_shading.h"
 #include "core/document/incising.h"
 #include "core/document/source.h"
-#include "core/mesh/face_shading.h"
 #include "core/placement/attachment.h"
 #include "core/placement/placement.h"
 #include "core/placement/shaping.h"

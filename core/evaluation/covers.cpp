@@ -234,8 +234,9 @@ CoverParts Covers::operator()(const CoverInput& input)
     if (std::ranges::any_of(input.kinds.all, is_displaced)) {
         uvs = uvs_(laid, [&] { return make_ref(chart_uvs_of(input.pieces, *laid)); });
         if (!*uvs)
-            out.notices.push_back("what it displaces has no UVs, so the picture lies over each "
-                                  "tile; unwrap it first");
+            out.notices.push_back(fmt::format(
+                "what it displaces {}, so the picture lies over each tile; unwrap it first",
+                lacks_uvs_words));
     }
     std::vector<char> displaced;
     for (const TileKind& kind : input.kinds.all)

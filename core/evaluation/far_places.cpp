@@ -138,13 +138,14 @@ Ref<RayScene> moved(const RayScene& scene, const glm::dvec3& by)
 FarPlaces::Near FarPlaces::operator()(const Document& document, const std::vector<Id>& order,
                                       const std::function<const Shape&(Id)>& shape_of)
 {
-    std::map<Id, Box> far; // of objects
-    for (const Id id : order)
-        if (const Box place = place_of(document, id, shape_of(id));
-            far_origin(place) != glm::dvec3(0))
-            far.emplace(id, place);
+    std::map<Id, Box> place_of_object;
+    bool any_is_far = false;
+    for (const Id id : order) {
+        const Box& place = place_of_object[id] = place_of(document, id, shape_of(id));
+        any_is_far = any_is_far || far_origin(place) != glm::dvec3(0);
+    }
     Near out{document};
-    if (far.empty()) {
+    if (!any_is_far) {
         moved_.clear();
         return out;
     }
@@ -153,24 +154,23 @@ FarPlaces::Near FarPlaces::operator()(const Document& document, const std::vecto
     std::map<std::uint32_t, Box> places;
     std::map<std::uint32_t, bool> on_ground;
     for (const Id id : order) {
-        places[companies.of(id)].add(place_of(document, id, shape_of(id)));
+        places[companies.of(id)].add(place_of_object.at(id));
         if (counts_the_ground(object(document, id))) on_ground[companies.of(id)] = true;
     }
-    std::map<Id, Moved> kept;
+    std::map<Id, Ref<Object>> kept;
     for (const auto& [id, object] : document.objects) {
         const std::uint32_t company = companies.of(id);
         const auto place = places.find(company);
         glm::dvec3 origin = place == places.end() ? glm::dvec3(0) : far_origin(place->second);
         if (on_ground.contains(company)) origin.z = 0;
         if (origin == glm::dvec3(0)) continue;
+        Object there = moved(*object, -origin, document); // hangs on its hosts, too
         const auto known = moved_.find(id);
-        Moved made{object, nullptr, -origin};
-        const bool same =
-            known != moved_.end() && known->second.from == object && known->second.by == made.by;
-        made.to = same ? known->second.to : make_ref(moved(*object, made.by, document));
-        out.document.objects.set(id, made.to);
+        const bool same = known != moved_.end() && *known->second == there;
+        const Ref<Object> made = same ? known->second : make_ref(std::move(there));
+        out.document.objects.set(id, made);
         out.moved_by.emplace(id, origin);
-        kept.emplace(id, std::move(made));
+        kept.emplace(id, made);
     }
     moved_ = std::move(kept);
     return out;

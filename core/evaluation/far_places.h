@@ -23,11 +23,7 @@ public:
                     const std::function<const Shape&(Id)>& shape_of);
 
 private:
-    struct Moved {
-        Ref<Object> from, to;
-        glm::dvec3 by{0};
-    };
-    std::map<Id, Moved> moved_;
+    std::map<Id, Ref<Object>> moved_;
 };
 
 // A stage of an object where it stands by that much further on. `laid` says which objects lie on

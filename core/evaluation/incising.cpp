@@ -304,7 +304,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
         if (incising.cuts[i].hidden) continue;
         const Incision& cut = incising.cuts[i].cut;
         for (PartOfIncision& part : parts_by_mesh(cut, i, meshes_under(cut.stroke)))
-            if (part.mesh < meshes && part.cut.stroke.size() > 1)
+            if (part.mesh < meshes && part.to > part.from) // not of points at one place
                 of_mesh[part.mesh].push_back(std::move(part));
         out.told[i].refusal = off_the_mesh; // until it is known better
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/texture_tiles.h"
 
+#include "core/evaluation/covers.h"
 #include "core/limit/tangent.h"
 #include "core/tiles/near_tiles.h"
 #include "core/tiles/texture_cells.h"
@@ -116,7 +117,7 @@ TextureLayout layout_on(const TiledPieces& pieces, const TileBase& base, bool li
     }
     out.too_many = all.too_many;
     if (all.without == pieces.size())
-        out.notices.emplace_back("what it covers has no UVs; unwrap it first");
+        out.notices.push_back(fmt::format("what it covers {}; unwrap it first", lacks_uvs_words));
     else if (all.without > 0)
         out.notices.push_back(spoken(all.without, "1 part", "parts") +
                               " of what it covers without UVs carry no tiles");

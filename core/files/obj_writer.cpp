@@ -217,9 +217,12 @@ private:
             if (std::string own = own_name(image);
                 !own.empty() && (!is_free_ || is_free_(own, image)) && taken_.insert(own).second)
                 return own;
-        const bool jpeg = image.mime == "image/jpeg";
-        return fmt::format("{}_{}.{}", plain_name(stem_, "model"), files_.images.size(),
-                           jpeg ? "jpg" : "png");
+        const char* ending = image.mime == "image/jpeg" ? "jpg" : "png";
+        for (std::size_t number = files_.images.size();; ++number)
+            if (std::string name =
+                    fmt::format("{}_{}.{}", plain_name(stem_, "model"), number, ending);
+                taken_.insert(name).second)
+                return name;
     }
 
     static constexpr std::uint32_t none = ~0u;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/cut_curve.h"
 
+#include "core/base/unit.h"
+
 #include <algorithm>
 
 namespace trivar {
@@ -10,12 +12,6 @@ constexpr double edges_of_window = 1.5, share_of_window = 0.04, widths_of_window
 constexpr double well_left = 0.3, hardly_left = 0.1; // cosines with the left of both neighbours
 constexpr int most_misses = 3; // segments further away than the best, before a descent ends
 
-glm::dvec3 unit_or_null(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
-
 } // namespace
 
 CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward)
@@ -23,14 +19,14 @@ CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& i
     for (const CutRun::At& at : run.at) {
         s_.push_back(at.s);
         points_.push_back(drawing.position(at.point));
-        up_.push_back(unit_or_null(inward.outward(drawing.point(at.point))));
+        up_.push_back(unit_or_zero(inward.outward(drawing.point(at.point))));
     }
     const double window = std::max({edges_of_window * drawing.skin().usual_edge(),
                                     share_of_window * run.length, widths_of_window * run.width});
     const std::size_t last = s_.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
         const auto left_of = [&](const glm::dvec3& along) {
-            return unit_or_null(glm::cross(up_[i], along));
+            return unit_or_zero(glm::cross(up_[i], along));
         };
         const glm::dvec3 l1 =
             left_of(i > 0 ? points_[i] - points_[i - 1] : points_[1] - points_[0]);
@@ -41,7 +37,7 @@ CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& i
         };
         glm::dvec3 left = left_of(point(s_[i] + window) - point(s_[i] - window));
         if (leftness(left) < well_left) {
-            left = unit_or_null(l1 + l2);
+            left = unit_or_zero(l1 + l2);
             const double fit = leftness(left);
             if (fit < well_left)
                 left *= std::max(0.0, (fit - hardly_left) / (well_left - hardly_left));

@@ -2,6 +2,7 @@
 #include "core/incise/cut_skin.h"
 
 #include "core/base/finite.h"
+#include "core/base/unit.h"
 #include "core/mesh/adjacency.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr double least_thickness = 0.05; // usual edges: nearer hits are the ski
 constexpr std::array<glm::dvec3, 5> leans{
     {{0, 0, 0}, {0.3, 0.1, 0.2}, {-0.3, 0.2, -0.1}, {0.1, -0.3, -0.2}, {-0.1, -0.1, 0.3}}};
 constexpr std::uint32_t most_valence = 100000;
-
-glm::dvec3 unit_or_zero(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 SkinPlace place_in(const std::array<glm::dvec3, 3>& p, std::uint32_t t, const glm::dvec3& x)
 {

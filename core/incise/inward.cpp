@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/inward.h"
 
+#include "core/base/unit.h"
+
 #include <algorithm>
 #include <array>
 
@@ -17,12 +19,6 @@ constexpr double same_side = 0.2;    // cosine with what is told for the other s
 constexpr double least_layer = 0.15; // of the area at the skin
 constexpr double shallower = 0.8;    // the next depth to try
 constexpr int most_depths = 24;
-
-glm::dvec3 unit_or_none(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 } // namespace
 
@@ -55,7 +51,7 @@ Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : 
                     if (n != KeyNumbers::none) sum += now[n];
                 }
             });
-            next[i] = unit_or_none(sum);
+            next[i] = unit_or_zero(sum);
         }
         now.swap(next);
     }
@@ -87,7 +83,7 @@ void Inward::follow(std::vector<Source> sources)
             sum += source->length * (1 - away * away) * (1 - away * away) * source->outward;
         }
         if (sum == glm::dvec3(0)) continue;
-        directions_[i].outward = unit_or_none(sum);
+        directions_[i].outward = unit_or_zero(sum);
         turn_to_faces(points_[i], directions_[i]);
     }
 }
@@ -99,14 +95,14 @@ void Inward::turn_to_faces(std::uint32_t point, Direction& d) const
         worst = 2;
         glm::dvec3 worst_normal(0);
         skin_->around(point, [&](std::uint32_t side) {
-            const glm::dvec3 n = unit_or_none(skin_->area_normal(side / 3));
+            const glm::dvec3 n = unit_or_zero(skin_->area_normal(side / 3));
             const double cosine = glm::dot(n, d.outward);
             if (cosine >= worst) return;
             worst = cosine;
             worst_normal = n;
         });
         if (worst > well_seen) break;
-        d.outward = unit_or_none(d.outward + turn_share * worst_normal);
+        d.outward = unit_or_zero(d.outward + turn_share * worst_normal);
     }
     d.seen = worst > hardly_seen;
 }

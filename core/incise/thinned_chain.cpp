@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/thinned_chain.h"
 
+#include "core/base/unit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,12 +14,6 @@ using On = LatticePoint::On;
 
 constexpr double least_bend = 0.1; // of the shortest side: a point nearer to its chord is not drawn
 constexpr double hook = -0.2;      // cosine of the turn at an end that is a slip of the hand
-
-glm::dvec3 unit_of(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 class Thinning {
 public:
@@ -43,8 +39,8 @@ private:
     {
         const std::vector<LatticePoint>& points = chain_.points;
         const std::vector<std::uint32_t>& triangles = chain_.triangles;
-        const glm::dvec3 in = unit_of(at(points[i]) - at(points[i - 1]));
-        const glm::dvec3 out = unit_of(at(points[i + 1]) - at(points[i]));
+        const glm::dvec3 in = unit_or_zero(at(points[i]) - at(points[i - 1]));
+        const glm::dvec3 out = unit_or_zero(at(points[i + 1]) - at(points[i]));
         if (points[i].on != On::edge || triangles[i - 1] == triangles[i]) return glm::dot(in, out);
         const std::uint32_t side = points[i].index;
         const glm::dvec3 edge =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/trace.h"
 
+#include "core/base/unit.h"
 #include "core/incise/thinned_chain.h"
 
 #include <algorithm>
@@ -20,12 +21,6 @@ constexpr double attached = 0.15; // of the mean side of a triangle: points near
 constexpr double longest_way = 3, edges_of_way = 6, leap = 6;
 constexpr int most_steps = 2000;          // across triangles, from one place to the next
 constexpr std::size_t most_tries = 20000; // points that are looked at for a way along edges
-
-glm::dvec3 unit_or_zero_of(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 double cosine(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -171,8 +166,8 @@ private:
     {
         glm::dvec3 sum(0);
         for (const std::uint32_t t : triangles_round(skin_, p))
-            sum += unit_or_zero_of(skin_.area_normal(t));
-        return unit_or_zero_of(sum);
+            sum += unit_or_zero(skin_.area_normal(t));
+        return unit_or_zero(sum);
     }
 
     // The point at which the plane leaves a side, `share` of the way along it.

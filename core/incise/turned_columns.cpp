@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/turned_columns.h"
 
+#include "core/base/unit.h"
 #include "core/incise/cut_curve.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ constexpr int most_leans = 16;
 constexpr double edges_to_turn = 1.5, depths_to_turn = 2;
 constexpr double apart_enough = 0.1; // ratio of eigenvalues: cuts that meet at an angle
 
-glm::dvec3 unit_or_nil(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
-
 // The length of the run for which each of its points stands.
 std::vector<double> lengths_of_points(const CutRun& run)
 {
@@ -40,11 +35,11 @@ std::vector<glm::dvec3> smoothed_directions(const CutRun& run, bool parallel,
     const std::vector<double> lengths = lengths_of_points(run);
     std::vector<glm::dvec3> own, out;
     for (std::size_t i = 0; i <= run.last; ++i)
-        own.push_back(unit_or_nil(inward.outward(drawing.point(run.at[i].point))));
+        own.push_back(unit_or_zero(inward.outward(drawing.point(run.at[i].point))));
     const auto mean = [&](const auto& weight) { // weight(k)
         glm::dvec3 sum(0);
         for (std::size_t k = 0; k <= run.last; ++k) sum += lengths[k] * weight(k) * own[k];
-        return unit_or_nil(sum);
+        return unit_or_zero(sum);
     };
     if (parallel) return std::vector(run.last + 1, mean([](std::size_t) { return 1.0; }));
     const double radius = (run.closed() ? round_smoothed_over : smoothed_over) * run.length;
@@ -184,7 +179,7 @@ std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<C
             lean.cuts.emplace_back(of_run[v.run].left(v.at), of_run[v.run].tangent());
         if (std::ranges::all_of(lean.cuts, [](const auto& cut) { return cut.second == 0; }))
             continue;
-        const glm::dvec3 up = unit_or_nil(inward.outward(drawing.point(points[n])));
+        const glm::dvec3 up = unit_or_zero(inward.outward(drawing.point(points[n])));
         if (up == glm::dvec3(0)) continue;
         const glm::dvec3 offset = offset_of(lean, up);
         for (const Visit& v : visits[n]) of_run[v.run].meet(v.at, offset);
@@ -221,7 +216,7 @@ CutColumns columns_of(const std::vector<CutRun>& runs, const std::vector<char>& 
         const auto seen = [&, at = drawing.point(point)] {
             const glm::dvec3 outward = glm::normalize(straight - offset);
             return std::ranges::all_of(triangles_round(skin, at), [&](std::uint32_t t) {
-                return glm::dot(unit_or_nil(skin.area_normal(t)), outward) > seen_enough;
+                return glm::dot(unit_or_zero(skin.area_normal(t)), outward) > seen_enough;
             });
         };
         for (int i = 0; i < most_leans && !seen(); ++i) offset *= less_leaning;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace trivar {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 class FaceNormals {
 public:
     FaceNormals(const Mesh& mesh, double smooth_up_to_deg,
-                const std::vector<std::uint32_t>& smoothing = {})
+                std::span<const std::uint32_t> smoothing = {})
         : mesh_(mesh),
           smoothing_(smoothing),
           all_smooth_(smoothing.empty()
@@ -156,7 +157,7 @@ private:
     }
 
     const Mesh& mesh_;
-    const std::vector<std::uint32_t>& smoothing_;
+    std::span<const std::uint32_t> smoothing_;
     bool all_smooth_;
     double angle_;
     double least_cosine_ = std::cos(angle_), least_cosine_of_half_ = std::cos(angle_ / 2);

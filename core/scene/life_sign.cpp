@@ -33,8 +33,8 @@ LifeSign::LifeSign(const std::string& folder, std::string scene, std::size_t lin
     try {
         LockedFile file(path_);
         if (file.access() != LockedFile::Access::locked) return;
-        const std::optional<State> left = read(file.read());
-        file_.emplace(std::move(file));
+        file_.emplace(std::move(file)); // from here on ours, and removed
+        const std::optional<State> left = read(file_->read());
         if (left && left->lines == lines) {
             state_ = *left;
             state_.deaths += left->at_work ? 1 : 0;

@@ -112,6 +112,8 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
     SimplifiedMesh out{mesh, before, before, 0, 0};
     const std::size_t wanted = options.triangles.value_or(options.error ? 0 : before);
     if (wanted >= before) return out;
+    const std::optional<float> by = shading_of(*mesh);
+    const Progress first = by ? part_of(progress, 0, 0.5) : progress;
     const Fans fans = fans_of(*mesh);
     out.left_out = fans.left_out;
     const VertexPlaces places = places_of(*mesh, options);
@@ -121,8 +123,8 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
         static_cast<double>(wanted) * static_cast<double>(rest) / static_cast<double>(before)));
     const double error = std::max(options.error.value_or(0), rounding_of(*mesh));
     const Decimation left =
-        options.error ? decimated_within(error, *mesh, fans, places, triangles, progress)
-                      : decimated(*mesh, fans, by_node(fans, places), {triangles, {}}, progress);
+        options.error ? decimated_within(error, *mesh, fans, places, triangles, first)
+                      : decimated(*mesh, fans, by_node(fans, places), {triangles, {}}, first);
     out.triangles = left.count + fans.left_out;
     if (out.triangles < before) {
         out.error = options.error ? error : std::numeric_limits<double>::infinity();
@@ -130,10 +132,9 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
             out.error = proven_error(fans, left, places, rounding_of(*mesh));
         out.mesh = make_ref(kept_mesh(*mesh, fans, left));
     }
-    const std::optional<float> by = shading_of(*mesh);
     if (!by) return out;
     if (out.triangles > triangles + fans.left_out)
-        if (SimplifiedMesh other = simplified_as_smooth(*mesh, options, progress);
+        if (SimplifiedMesh other = simplified_as_smooth(*mesh, options, part_of(progress, 0.5, 1));
             other.triangles < out.triangles)
             out = std::move(other);
     if (out.mesh != mesh) out.mesh = make_ref(shaded(*out.mesh, *by));

@@ -43,9 +43,10 @@ struct SimplifiedMesh {
 // holes. Polygons that nothing was done to stay polygons. Normals are taken anew where faces
 // changed, unless a hard edge splits them; if all follow from the faces
 // (core/mesh/shading.h), and hard edges are in the way of the goal, they are none.
-// The cost is 2 to 10 microseconds a triangle to a number, about 30 to an error. The same bits for
-// any number of threads. Throws Rejected for an error that is not a number from 0 up and for poses
-// of another mesh; and what `progress` throws, to cancel.
+// The cost is 2 to 10 microseconds a triangle to a number, about 30 to an error; twice that where
+// normals follow from the faces, to an error always and to a number where it is not reached. The
+// same bits for any number of threads. Throws Rejected for an error that is not a number from 0 up
+// and for poses of another mesh; and what `progress` throws, to cancel.
 SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
                           const Progress& progress = {});
 

@@ -2,7 +2,6 @@
 #include "core/split/cap.h"
 
 #include "core/base/array_copies.h"
-#include "core/plane/plane_grid.h"
 #include "core/plane/triangulation.h"
 #include "core/split/layered_cap.h"
 
@@ -110,13 +109,7 @@ bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut
                          const OpenRim& rim, FlatCap& cap)
 {
     const CapOptions& options = rim.options;
-    glm::dvec2 lo(1e300), hi(-1e300);
-    for (const RimLoop* loop : loops)
-        for (const std::uint32_t place : *loop) {
-            lo = glm::min(lo, options.places[place]);
-            hi = glm::max(hi, options.places[place]);
-        }
-    const PlaneGrid grid(lo, hi);
+    const PlaneGrid grid = grid_of(loops, options.places);
     Triangulation plane;
     std::vector<std::uint32_t> number; // of a point of the plane: that of the cap
     const std::size_t first_inside = options.places.size() + cap.inside.size();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/layered_cap.h"
 
-#include "core/plane/plane_grid.h"
 #include "core/plane/triangulation.h"
 #include "core/split/loop_layers.h"
 
@@ -10,11 +9,7 @@
 #include <set>
 
 namespace trivar {
-namespace {
 
-constexpr std::uint32_t no_vertex = 0xffffffff;
-
-// The grid on which loops are cut.
 PlaneGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<glm::dvec2>& places)
 {
     glm::dvec2 lo(1e300), hi(-1e300);
@@ -25,6 +20,10 @@ PlaneGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<gl
         }
     return {lo, hi};
 }
+
+namespace {
+
+constexpr std::uint32_t no_vertex = 0xffffffff;
 
 // Makes the vertices and triangles of a cap in layers.
 class LayeredCap {

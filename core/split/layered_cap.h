@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/plane/plane_grid.h"
 #include "core/split/cap_options.h"
 #include "core/split/flat_cap.h"
 #include "core/split/rim_loops.h"
 
 namespace trivar {
+
+// The grid on which loops are cut: over all of their places.
+PlaneGrid grid_of(const std::vector<const RimLoop*>& loops, const std::vector<glm::dvec2>& places);
 
 // Closes loops that cross: what they run round n times is covered by n layers of triangles, turned
 // round where they run round it clockwise, each with points of its own; slivers lead from the edges

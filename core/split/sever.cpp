@@ -155,6 +155,8 @@ Mesh half_of(const CutMesh& cut, bool above)
 std::optional<Severed> sever(const Mesh& given, const CutSheet& sheet, const SeverOptions& options,
                              Unsevered& unsevered)
 {
+    unsevered = {};
+    if (given.positions.empty()) return std::nullopt;
     std::vector<double> heights;
     measure(heights, given, sheet);
     const OnCut on{on_surface(given, sheet), [&](const glm::dvec3& p) {

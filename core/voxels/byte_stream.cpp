@@ -2,12 +2,45 @@
 #include "core/voxels/byte_stream.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
+#include <string>
 
 namespace trivar {
 namespace {
 
 constexpr std::size_t skipped_at_once = std::size_t{1} << 18; // bytes
+
+// The same bytes, of which many are read at once.
+ByteStream in_blocks(ByteStream stream)
+{
+    struct State {
+        ByteStream stream;
+        std::string block;
+        std::size_t at = 0;
+    };
+    const auto state = std::make_shared<State>(State{std::move(stream), {}});
+    const auto pass = [state](std::uint64_t bytes, char* to) {
+        std::uint64_t done = 0;
+        while (done < bytes) {
+            if (state->at == state->block.size()) {
+                state->block.resize(skipped_at_once);
+                state->block.resize(state->stream.read(state->block));
+                state->at = 0;
+                if (state->block.empty()) break;
+            }
+            const auto count = static_cast<std::size_t>(
+                std::min<std::uint64_t>(bytes - done, state->block.size() - state->at));
+            if (to) std::memcpy(to + done, state->block.data() + state->at, count);
+            state->at += count;
+            done += count;
+        }
+        return done;
+    };
+    return {
+        [pass](std::span<char> to) { return static_cast<std::size_t>(pass(to.size(), to.data())); },
+        [pass](std::uint64_t bytes) { return pass(bytes, nullptr); }};
+}
 
 } // namespace
 
@@ -116,6 +149,8 @@ ByteStream one_of(ByteStream stream, ByteTurns turns, std::uint64_t thing)
         ByteStream stream;
         std::uint64_t turn = 0, left = 0; // of the run
     };
+    constexpr std::uint64_t short_run = 1 << 12; // bytes
+    if (turns.run < short_run) stream = in_blocks(std::move(stream));
     const auto state = std::make_shared<State>(State{std::move(stream)});
     // Passes so many bytes of the thing, run by run.
     const auto pass = [=](std::uint64_t bytes, auto&& by) {

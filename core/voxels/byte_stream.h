@@ -57,7 +57,8 @@ ByteStream exactly(ByteStream stream, std::uint64_t count,
 struct ByteTurns {
     std::uint64_t things = 1, run = 0, turns = 0;
 };
-// The bytes of one thing, from 0; after its last ones the rest of the stream is skipped.
+// The bytes of one thing, from 0; after its last ones the rest of the stream is skipped. Short runs
+// are read in blocks, so that the cost is that of reading all things once.
 ByteStream one_of(ByteStream stream, ByteTurns turns, std::uint64_t thing);
 
 // Streams behind one another; `next` gives the one with that number when those before have ended.

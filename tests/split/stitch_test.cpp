@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
-#include "core/split/lean.h"
+#include "core/split/along_obstacles.h"
 #include "core/split/seam.h"
 #include "core/split/split.h"
 #include "tests/split/bodies.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/split/lean.h"
+#include "core/split/along_obstacles.h"
 
 #include <cmath>
 
@@ -10,13 +10,15 @@ SplitFrame along_obstacles(const std::vector<SplitObstacle>& obstacles, SplitFra
     constexpr double long_for_a_bar = 2;  // times as long as wide
     constexpr double least_upright = 0.5; // cosine of the angle from w to the bar
     double count = 0;
+    glm::dvec2 origin(0); // the first: far from 0 squares would lose what is between the points
     glm::dvec2 sum(0);
     glm::dmat2 squares(0);
     for (const SplitObstacle& obstacle : obstacles)
         for (const RayScene::Entry& body : obstacle.bodies)
             for (const glm::vec3& p : body.mesh->mesh().positions) {
                 const glm::dvec3 uvw = frame.uvw(body.to_world * glm::dvec4(glm::dvec3(p), 1));
-                const glm::dvec2 vw(uvw.y, uvw.z);
+                if (count == 0) origin = {uvw.y, uvw.z};
+                const glm::dvec2 vw = glm::dvec2(uvw.y, uvw.z) - origin;
                 count += 1;
                 sum += vw;
                 squares += glm::outerProduct(vw, vw);
