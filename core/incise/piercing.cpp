@@ -2,6 +2,7 @@
 #include "core/incise/piercing.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 #include "core/incise/box_sweep.h"
 
 #include <algorithm>
@@ -93,6 +94,88 @@ unsigned common_corners(const glm::uvec3& s, const glm::uvec3& t)
     return with(s.x) | with(s.y) << 3 | with(s.z) << 6;
 }
 
+// Two triangles, relative to a point of theirs, while their corners move straight from one place to
+// another. A common corner is that point.
+struct MovingPair {
+    std::array<std::array<glm::dvec3, 6>, 2> places; // when they begin and end; first those of s
+    bool touch = false;                              // they have a common corner
+    std::array<std::size_t, 2> count{0, 0};          // of the other corners of each
+    double size = 0;                                 // of the coordinates
+
+    MovingPair(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to,
+               const glm::uvec3& s, const glm::uvec3& t, unsigned common_corner)
+        : touch(common_corner != 0)
+    {
+        const std::uint32_t common = s[touch ? std::countr_zero(common_corner) / 3 : 0];
+        const std::array<const glm::uvec3*, 2> both{&s, &t};
+        for (std::size_t which = 0; which < 2; ++which)
+            for (int i = 0; i < 3; ++i) {
+                const std::uint32_t v = (*both[which])[i];
+                if (touch && v == common) continue;
+                const std::size_t at = 3 * which + count[which]++;
+                places[0][at] = from[v] - from[common];
+                places[1][at] = to[v] - to[common];
+                size = std::max({size, size_of(from[v]), size_of(to[v])});
+            }
+    }
+    // Whether a plane with that normal, which moves with the point, stays between them.
+    bool parted_along(const glm::dvec3& n) const
+    {
+        const double least = least_apart * size * size_of(n);
+        bool all_below = true, all_above = true; // of s, seen from t
+        for (const std::array<glm::dvec3, 6>& at : places) {
+            std::array<double, 2> lo{1e300, 1e300}, hi{-1e300, -1e300};
+            for (std::size_t which = 0; which < 2; ++which)
+                for (std::size_t i = 0; i < count[which]; ++i) {
+                    const double h = glm::dot(n, at[3 * which + i]);
+                    lo[which] = std::min(lo[which], h);
+                    hi[which] = std::max(hi[which], h);
+                }
+            if (touch) {
+                all_below = all_below && hi[0] < -least && lo[1] > least;
+                all_above = all_above && lo[0] > least && hi[1] < -least;
+            } else {
+                all_below = all_below && hi[0] + least < lo[1];
+                all_above = all_above && hi[1] + least < lo[0];
+            }
+            if (!all_below && !all_above) return false;
+        }
+        return true;
+    }
+    // From the middle of one to that of the other; of directions, so that long sides do not count.
+    glm::dvec3 between() const
+    {
+        std::array<glm::dvec3, 2> sum{glm::dvec3(0), glm::dvec3(0)};
+        for (const std::array<glm::dvec3, 6>& at : places)
+            for (std::size_t which = 0; which < 2; ++which)
+                for (std::size_t i = 0; i < count[which]; ++i) sum[which] += at[3 * which + i];
+        if (!touch) return sum[1] - sum[0];
+        return unit_or_zero(sum[1]) - unit_or_zero(sum[0]);
+    }
+    static constexpr double least_apart = 1e-12; // of coordinates: far more than roundings
+};
+
+// Whether they share a side, or a plane stays between them while they move, so that nothing pierces.
+bool stay_apart(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to,
+                const glm::uvec3& s, const glm::uvec3& t)
+{
+    const unsigned common = common_corners(s, t);
+    if ((common & (common - 1)) != 0) return true;
+    const MovingPair pair(from, to, s, t, common);
+    if (pair.parted_along(pair.between())) return true;
+    for (const auto* p : {&from, &to})
+        for (const glm::uvec3& of : {s, t})
+            if (pair.parted_along(
+                    glm::cross((*p)[of.y] - (*p)[of.x], (*p)[of.z] - (*p)[of.x])))
+                return true;
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec3 axis(0);
+        axis[i] = 1;
+        if (pair.parted_along(axis)) return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool pierce(std::span<const glm::dvec3> p, const glm::uvec3& s, const glm::uvec3& t)
@@ -137,6 +220,9 @@ std::vector<PiercingPair> piercings(std::span<const std::vector<glm::dvec3>> tim
     parallel_blocks(
         sweep.entry_count(), entries_per_block, [&](std::size_t begin, std::size_t end) {
             sweep.pairs(begin, end, [&](std::uint32_t s, std::uint32_t t) {
+                if (times.size() > 2 &&
+                    stay_apart(times.front(), times.back(), triangles[s], triangles[t]))
+                    return;
                 if (std::ranges::any_of(times, [&](const std::vector<glm::dvec3>& p) {
                         return pierce(p, triangles[s], triangles[t]);
                     }))
