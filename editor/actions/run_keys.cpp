@@ -31,6 +31,10 @@ bool space_was_tapped(Editor& editor)
     return !space.down && !space.used;
 }
 
+struct OpenPopups { // as the frame before ended
+    int count = 0;
+};
+
 // Menus and drop-downs, but not the dialog that they belong to, which takes the next Esc.
 void close_menus()
 {
@@ -45,6 +49,11 @@ void close_menus()
 }
 
 } // namespace
+
+void remember_popups(Editor& editor)
+{
+    editor.memory.of<OpenPopups>().count = GImGui->OpenPopupStack.Size;
+}
 
 void run_keys(Editor& editor)
 {
@@ -64,13 +73,15 @@ void run_keys(Editor& editor)
         return;
     }
     if (editor.timeline.keys.gesture.by_key) return; // the timeline takes them
-    if (editor.files.asking()) return;
+    if (escape() && GImGui->OpenPopupStack.Size < editor.memory.of<OpenPopups>().count) {
+        ui::swallow_keys(); // a menu closed itself by this very Esc, as the frame began
+        return;
+    }
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) {
         if (escape()) close_menus();
         return;
     }
-    // A menu may have closed itself by this very Esc, as the frame began.
-    if (escape() && (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) return;
+    if (editor.files.asking()) return;
     if (ImGui::IsAnyItemActive()) return; // a field is being dragged
     if (escape()) {
         if (editor.session.committing())

@@ -12,5 +12,7 @@ struct HeldSpace {
 
 // Runs the actions whose keys were struck in this frame.
 void run_keys(Editor& editor);
+// Once a frame has been drawn: the Esc of the next one closes what is open then, and nothing more.
+void remember_popups(Editor& editor);
 
 } // namespace trivar

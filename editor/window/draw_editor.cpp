@@ -241,6 +241,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
          {draw_manual, draw_preferences, draw_record_dialog, draw_export_dialog,
           draw_plain_mesh_dialog, draw_volume_dialog, draw_not_certified, draw_command_palette})
         guarded([&] { dialog(editor, theme); });
+    remember_popups(editor);
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);
     frame.close = editor.files.close_agreed();

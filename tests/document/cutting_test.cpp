@@ -292,8 +292,8 @@ TEST(Cutting, OfWhatIsPartedStaysWhereItIsWhenAnEarlierGapChanges)
         command.cutting.cuts[1].parted = true;
         command.cutting.cuts[1].opened = {opened};
         std::vector<double> out;
-        for (const Part& part : shown_first(after(document, command))->parts)
-            out.push_back(volume_of_part(part));
+        const Ref<EvaluatedObject> ball = shown_first(after(document, command));
+        for (const Part& part : ball->parts) out.push_back(volume_of_part(part));
         std::ranges::sort(out);
         return out;
     };

@@ -20,24 +20,6 @@ TEST(RunKeys, OfAnActionThatCannotRunSayWhy)
     EXPECT_EQ(rig.editor.session.notices.all().back().body, "There is no render camera.");
 }
 
-TEST(RunKeys, EscapeClosesADropDownBeforeItsDialog)
-{
-    Rig rig({1000, 800});
-    rig.draw_cheaply();
-    rig.editor.preferences_dialog.open = true;
-    rig.frames();
-    const auto open_lists = [] { return ImGui::GetCurrentContext()->OpenPopupStack.Size; };
-    ASSERT_EQ(open_lists(), 1);
-    for (float x = 450; x < 900 && open_lists() < 2; x += 50)
-        for (float y = 150; y < 650 && open_lists() < 2; y += 14) rig.click({x, y});
-    ASSERT_EQ(open_lists(), 2) << "no row of the page has a list";
-    rig.key({ui::key_escape});
-    EXPECT_EQ(open_lists(), 1);
-    EXPECT_TRUE(rig.editor.preferences_dialog.open);
-    rig.key({ui::key_escape});
-    EXPECT_FALSE(rig.editor.preferences_dialog.open);
-}
-
 TEST(RunKeys, EnterTakesTheButtonOfADialogThatAsksForAPlan)
 {
     const testing::TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include "tests/editor/volume_rig.h"
 
 #include <gmock/gmock.h>
+#include <imgui_internal.h>
 
 namespace trivar {
 namespace {
@@ -49,6 +50,24 @@ TEST(VolumeImports, LeaveNothingWhereTheyAreCancelled)
     rig.key({ui::key_escape});
     EXPECT_FALSE(rig.editor.files.volumes.offering());
     EXPECT_EQ(rig.steps(), 0u);
+}
+
+TEST(VolumeImports, AreCancelledByEscapeOnlyWhereNoListIsOpen)
+{
+    VolumeRig rig;
+    rig.drop({rig.folder.file("ball.nrrd")});
+    const auto open = [] { return ImGui::GetCurrentContext()->OpenPopupStack.Size; };
+    ASSERT_EQ(open(), 1);
+    const ImRect dialog = ImGui::GetCurrentContext()->OpenPopupStack[0].Window->Rect();
+    for (const float share : {0.2f, 0.35f, 0.6f, 0.85f})
+        for (float y = dialog.Min.y + 40; y < dialog.Max.y - 110 && open() == 1; y += 16)
+            rig.click({dialog.Min.x + share * dialog.GetWidth(), y});
+    ASSERT_EQ(open(), 2) << "it has a row with a list";
+    rig.key({ui::key_escape});
+    EXPECT_EQ(open(), 1);
+    EXPECT_TRUE(rig.editor.files.volumes.offering());
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(rig.editor.files.volumes.offering());
 }
 
 TEST(VolumeImports, StandAsTheOfferSays)
