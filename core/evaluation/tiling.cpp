@@ -52,7 +52,7 @@ void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
                                 " left out, where the surface bends more than a tile can");
     if (told.at_borders > 0)
         stage.notices.push_back(tiles(told.at_borders) +
-                                " left out, where the surface has no room for them");
+                                " left out, where the surface has no room; smaller ones may fit");
     if (told.overlapping > 0)
         stage.notices.push_back(tiles(told.overlapping) + " left out, which overlap earlier ones");
     if (layout.lost > 0)

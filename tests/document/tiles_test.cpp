@@ -281,6 +281,19 @@ TEST(PaintedTiles, SayWhatBecameOfTheirBase)
               tile_count(evaluation_of(document)));
 }
 
+TEST(PaintedTiles, ThatAreFarTooLargeSayWhyNoneIsThere)
+{
+    TileStroke stroke = a_tile_stroke();
+    stroke.size = 100;
+    for (const TileBrush brush : {TileBrush::scatter, TileBrush::line, TileBrush::fill}) {
+        stroke.brush = brush;
+        const Evaluation all = evaluation_of(
+            after(after(fitting_document(), ClearTiles{{stud_id}}),
+                  PaintTiles{stud_id, painted_ball, stroke}));
+        EXPECT_FALSE(shown_in(all, stud_id).notices.empty());
+    }
+}
+
 TEST(PaintedTiles, OnAnotherShapeOfTheirBaseArePutOnThat)
 {
     const Document document = painted_document();

@@ -19,7 +19,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::ElementsAre, ::testing::HasSubstr;
+using ::testing::Contains, ::testing::ElementsAre, ::testing::HasSubstr;
 
 class RealDataForeignFiles : public ::testing::Test {
 protected:
@@ -140,6 +140,33 @@ TEST_F(RealDataForeignFiles, OfCornersOneBitApartAreCutClosed)
         EXPECT_EQ(testing::count_edges(*read_model(folder_.file("a.stl")).meshes[0]).open, 0)
             << name;
     }
+}
+
+TEST_F(RealDataForeignFiles, CutAlongAFaceGiveNoSkinWithoutThickness)
+{
+    for (const char* name : {"30_cut_top_face.trivar", "30_cut_top_face_keep_below.trivar"}) {
+        const Evaluation all = evaluated(name);
+        EXPECT_EQ(all.objects.at(1)->parts.size(), 1u) << name;
+        EXPECT_THAT(all.objects.at(1)->notices, ElementsAre(HasSubstr("only touches it")));
+    }
+    for (const char* name :
+         {"30_cut_top_face_keep_above.trivar", "30_cut_bottom_keep_below.trivar"}) {
+        const Evaluation all = evaluated(name);
+        EXPECT_TRUE(all.objects.at(1)->parts.empty()) << name;
+        EXPECT_THAT(all.objects.at(1)->notices, Contains(HasSubstr("keep nothing of it")));
+    }
+    EXPECT_EQ(evaluated("30_cut_just_above.trivar").objects.at(1)->parts.size(), 1u);
+}
+
+TEST_F(RealDataForeignFiles, OfVolumeDataHaveALevelWhereNoneIsNamed)
+{
+    EXPECT_GT(first_mesh("no_levels.trivar").face_count(), 100u);
+}
+
+TEST_F(RealDataForeignFiles, IncisedToAStarOpenAll)
+{
+    const Evaluation all = evaluated("34_incise_neat_10.trivar");
+    EXPECT_EQ(testing::count_edges(*all.objects.at(1)->parts.at(0).mesh()).open, 0);
 }
 
 TEST_F(RealDataForeignFiles, OfTrianglesAreCoveredByTilesThatAreLitAsTheyLie)
