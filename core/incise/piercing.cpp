@@ -2,7 +2,6 @@
 #include "core/incise/piercing.h"
 
 #include "core/base/parallel.h"
-#include "core/base/unit.h"
 #include "core/incise/box_sweep.h"
 
 #include <algorithm>
@@ -14,6 +13,7 @@ namespace trivar {
 namespace {
 
 constexpr double least_certain = 1e-14; // of the largest determinant with such edges
+constexpr double least_apart = 1e-12;   // of coordinates: far more than roundings
 constexpr std::size_t triangles_per_block = 2048, entries_per_block = 1024;
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
@@ -94,86 +94,46 @@ unsigned common_corners(const glm::uvec3& s, const glm::uvec3& t)
     return with(s.x) | with(s.y) << 3 | with(s.z) << 6;
 }
 
-// Two triangles, relative to a point of theirs, while their corners move straight from one place to
-// another. A common corner is that point.
-struct MovingPair {
-    std::array<std::array<glm::dvec3, 6>, 2> places; // when they begin and end; first those of s
-    bool touch = false;                              // they have a common corner
-    std::array<std::size_t, 2> count{0, 0};          // of the other corners of each
-    double size = 0;                                 // of the coordinates
-
-    MovingPair(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to,
-               const glm::uvec3& s, const glm::uvec3& t, unsigned common_corner)
-        : touch(common_corner != 0)
-    {
-        const std::uint32_t common = s[touch ? std::countr_zero(common_corner) / 3 : 0];
-        const std::array<const glm::uvec3*, 2> both{&s, &t};
-        for (std::size_t which = 0; which < 2; ++which)
-            for (int i = 0; i < 3; ++i) {
-                const std::uint32_t v = (*both[which])[i];
-                if (touch && v == common) continue;
-                const std::size_t at = 3 * which + count[which]++;
-                places[0][at] = from[v] - from[common];
-                places[1][at] = to[v] - to[common];
-                size = std::max({size, size_of(from[v]), size_of(to[v])});
-            }
-    }
-    // Whether a plane with that normal, which moves with the point, stays between them.
-    bool parted_along(const glm::dvec3& n) const
-    {
-        const double least = least_apart * size * size_of(n);
-        bool all_below = true, all_above = true; // of s, seen from t
-        for (const std::array<glm::dvec3, 6>& at : places) {
-            std::array<double, 2> lo{1e300, 1e300}, hi{-1e300, -1e300};
-            for (std::size_t which = 0; which < 2; ++which)
-                for (std::size_t i = 0; i < count[which]; ++i) {
-                    const double h = glm::dot(n, at[3 * which + i]);
-                    lo[which] = std::min(lo[which], h);
-                    hi[which] = std::max(hi[which], h);
-                }
-            if (touch) {
-                all_below = all_below && hi[0] < -least && lo[1] > least;
-                all_above = all_above && lo[0] > least && hi[1] < -least;
-            } else {
-                all_below = all_below && hi[0] + least < lo[1];
-                all_above = all_above && hi[1] + least < lo[0];
-            }
-            if (!all_below && !all_above) return false;
-        }
-        return true;
-    }
-    // From the middle of one to that of the other; of directions, so that long sides do not count.
-    glm::dvec3 between() const
-    {
-        std::array<glm::dvec3, 2> sum{glm::dvec3(0), glm::dvec3(0)};
-        for (const std::array<glm::dvec3, 6>& at : places)
-            for (std::size_t which = 0; which < 2; ++which)
-                for (std::size_t i = 0; i < count[which]; ++i) sum[which] += at[3 * which + i];
-        if (!touch) return sum[1] - sum[0];
-        return unit_or_zero(sum[1]) - unit_or_zero(sum[0]);
-    }
-    static constexpr double least_apart = 1e-12; // of coordinates: far more than roundings
-};
-
-// Whether they share a side, or a plane stays between them while they move, so that nothing pierces.
+// Whether two triangles whose corners move straight from one place to another share a side, or a
+// plane through their common corner, if there is one, stays between them: then nothing pierces.
 bool stay_apart(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to,
                 const glm::uvec3& s, const glm::uvec3& t)
 {
     const unsigned common = common_corners(s, t);
     if ((common & (common - 1)) != 0) return true;
-    const MovingPair pair(from, to, s, t, common);
-    if (pair.parted_along(pair.between())) return true;
-    for (const auto* p : {&from, &to})
-        for (const glm::uvec3& of : {s, t})
-            if (pair.parted_along(
-                    glm::cross((*p)[of.y] - (*p)[of.x], (*p)[of.z] - (*p)[of.x])))
-                return true;
-    for (int i = 0; i < 3; ++i) {
-        glm::dvec3 axis(0);
-        axis[i] = 1;
-        if (pair.parted_along(axis)) return true;
+    const bool touch = common != 0;
+    const std::uint32_t origin = s[touch ? std::countr_zero(common) / 3 : 0];
+    std::array<std::array<glm::dvec3, 6>, 2> places; // from the origin; first those of s
+    double size = 0;
+    for (int i = 0; i < 6; ++i) {
+        const glm::uvec3& of = i < 3 ? s : t;
+        std::uint32_t v = of[i % 3];
+        if (touch && v == origin) v = of[(i + 1) % 3];
+        places[0][static_cast<std::size_t>(i)] = from[v] - from[origin];
+        places[1][static_cast<std::size_t>(i)] = to[v] - to[origin];
+        size = std::max({size, size_of(from[v]), size_of(to[v])});
     }
-    return false;
+    const auto parted_along = [&](const glm::dvec3& normal) {
+        const double least = least_apart * size * size_of(normal);
+        const auto apart = [&](const glm::dvec3& n) {
+            return std::ranges::all_of(places, [&](const std::array<glm::dvec3, 6>& p) {
+                const auto height = [&](std::size_t i) { return glm::dot(n, p[i]); };
+                const double below = std::max({height(0), height(1), height(2)}),
+                             above = std::min({height(3), height(4), height(5)});
+                return touch ? below < -least && above > least : below + least < above;
+            });
+        };
+        return apart(normal) || apart(-normal);
+    };
+    glm::dvec3 between(0);
+    for (const std::array<glm::dvec3, 6>& p : places)
+        between += p[3] + p[4] + p[5] - p[0] - p[1] - p[2];
+    if (parted_along(between)) return true;
+    for (const std::vector<glm::dvec3>* p : {&from, &to})
+        for (const glm::uvec3& of : {s, t})
+            if (parted_along(glm::cross((*p)[of.y] - (*p)[of.x], (*p)[of.z] - (*p)[of.x])))
+                return true;
+    return parted_along({1, 0, 0}) || parted_along({0, 1, 0}) || parted_along({0, 0, 1});
 }
 
 } // namespace
