@@ -122,7 +122,7 @@ std::vector<Id> SplitTool::chosen(const Session& session)
 
 void SplitTool::use(Session& session, const ViewportInput& input)
 {
-    if (!cut_.going() && handles_.use(session, input, handles_of())) {
+    if (!cut_.going() && !rests(session, input) && handles_.use(session, input, handles_of())) {
         if (shown_ != 0) { // an obstacle behind the handle, before it
             shown_ = 0;
             if (!handles_.busy()) session.cancel();
@@ -150,9 +150,7 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     const Id seen = input.hovered && input.seen_at ? input.seen_at(input.mouse) : Id{0};
     const bool other = seen != 0 && std::ranges::find(objects, seen) == objects.end();
     // What it would do is proposed while the mouse rests on an obstacle
-    const std::pair now(input.mouse, session.view.camera);
-    const bool moved = now != shown_for_ || !input.hovered;
-    if (shown_ != 0 && (!other || seen != shown_) && moved && !input.pressed) {
+    if (shown_ != 0 && (!other || seen != shown_) && !rests(session, input) && !input.pressed) {
         shown_ = 0;
         session.cancel();
     }
@@ -181,7 +179,7 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     if (shown_ != 0 || !other || objects.empty() || !session.up_to_date()) return;
     if (const std::optional<Split> command = split_at(session, objects, seen)) {
         shown_ = seen;
-        shown_for_ = now;
+        shown_for_ = {input.mouse, session.view.camera};
         session.propose_quietly(with_settings(*command));
     }
 }

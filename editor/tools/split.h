@@ -55,6 +55,12 @@ private:
     {
         return at_ == SplitAt::obstacle ? SplitHandlesOf::openings : SplitHandlesOf::cuts;
     }
+    // Whether the mouse has not moved since it showed what it is on.
+    bool rests(const Session& session, const ViewportInput& input) const
+    {
+        return shown_ != 0 && input.hovered &&
+               shown_for_ == std::pair(input.mouse, session.view.camera);
+    }
     void use_obstacles(Session& session, const ViewportInput& input);
     void add_obstacle_options(std::vector<ui::Option>& options, const Session& session,
                               const ui::Theme& theme);
@@ -70,7 +76,8 @@ private:
     // As typed; none: what suits the size of the selected object.
     std::optional<double> gap_, clearance_;
     Id shown_ = 0; // the obstacle of which the opening is proposed; 0: none is
-    // The mouse and the view for which it is. What opens under them may hide the obstacle.
+    // The mouse and the view for which it is. What opens under them may hide the obstacle, and its
+    // handles may come there.
     std::pair<glm::dvec2, Camera> shown_for_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/commands/animate.h"
 #include "core/commands/arrange.h"
+#include "editor/tools/split_holds.h"
 #include "tests/editor/rig.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,39 @@ TEST(SplitTool, ShowsOneThingToAMouseThatRests)
             for (int i = 0; i < 3; ++i) rig.wait();
             EXPECT_EQ(rig.editor.session.change(), change) << x << " " << y;
         }
+}
+
+TEST(SplitTool, ShowsTheSameWhereAHandleOfWhatItShowsComesUnderTheMouse)
+{
+    SplitRig rig;
+    Transform before; // the middle of the opening is seen on the pillar
+    before.translation = {0.1, -0.9, 0};
+    ASSERT_TRUE(rig.editor.session.run(SetTransform{split_pillar, before}));
+    rig.move(rig.on_the_pillar());
+    rig.wait();
+    ASSERT_TRUE(rig.parted());
+    std::vector<glm::vec2> handles;
+    const Session& session = rig.editor.session;
+    for (const SplitHoldPoint& each :
+         split_holds(session.document(), *session.evaluated().objects.at(split_ball)))
+        if (each.hold.kind == SplitHoldKind::place) // the others stand beside the pillar
+            handles.push_back(rig.seen_at(each.p_world));
+    ASSERT_FALSE(handles.empty());
+    for (const glm::vec2 at : handles) {
+        rig.move(rig.layout().view.lo + glm::vec2(5, 5));
+        rig.wait();
+        rig.move(at);
+        for (int i = 0; i < 3; ++i) rig.wait();
+        EXPECT_TRUE(rig.parted());
+        const long change = session.change();
+        for (int i = 0; i < 3; ++i) rig.wait();
+        EXPECT_EQ(session.change(), change);
+    }
+    const std::size_t steps = rig.steps();
+    rig.click(handles.front()); // does what it shows
+    rig.wait();
+    EXPECT_EQ(rig.steps(), steps + 1);
+    EXPECT_TRUE(object(session.committed(), split_ball).splitting);
 }
 
 TEST(SplitTool, OpensAcrossTheWayOnWhichTheObjectPasses)
