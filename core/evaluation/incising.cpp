@@ -321,7 +321,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
             options_for(incising, shape.materials->size(), ways[m].metres);
         try {
             const Ref<IncisedMesh> incised = timed(input.timings, "incise", [&] {
-                return make_ref(incise(*skins[m], cuts, options, made_));
+                return make_ref(incise(*skins[m], cuts, options, made_, input.progress));
             });
             for (std::size_t k = 0; k < cuts.size(); ++k)
                 add(out.told[of_mesh[m][k].number], of_mesh[m][k], incised->outcomes[k],

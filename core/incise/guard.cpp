@@ -10,6 +10,8 @@ namespace {
 
 constexpr double narrower = 0.7, narrower_below = 0.4, as_good_as_shut = 0.02; // shares
 constexpr double hardly_lacks = 0.05;                                          // of an opening
+constexpr std::size_t triangles_of_a_look = 16;   // of a pair, by what it costs
+constexpr std::size_t looks_of_one_step = 25'000; // after so many it narrows by two, and so on
 constexpr double shorter_dent = 0.35, so_much_wider = 0.7; // of what an opening lacks with others
 // Openings at which nothing may pierce.
 constexpr std::array looked_at{1.0, 0.9, 0.8, 0.75, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.1};
@@ -129,6 +131,7 @@ std::vector<PiercingPair> CutGuard::piercings(const std::vector<glm::dvec3>& qui
     for (std::size_t t = 0; t < moved.size(); ++t)
         for (int i = 0; i < 3; ++i) moved[t] |= moving[triangles_[t][i]];
     std::vector<PiercingPair> out = trivar::piercings(times, triangles_, moved);
+    looks_ += triangles_.size() / triangles_of_a_look + out.size();
     std::erase_if(out, [&](const PiercingPair& pair) {
         return pierce(rest_, triangles_[pair.a], triangles_[pair.b]);
     });
@@ -229,6 +232,7 @@ Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
         const std::vector<glm::dvec3> before_all = quite;
         bool lowers = false;
         while (!pairs.empty()) { // these alone, before all are looked at again
+            looks_ += pairs.size();
             const Admitted before = all[incision];
             std::vector<char> done(terms_.size(), 0);
             std::erase_if(pairs, [&](const PiercingPair& pair) {
@@ -263,12 +267,13 @@ bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double de
             terms.push_back(&term);
             if (depth > 0 && before.below.at(share) > 0) below.push_back(&term);
         }
+    const auto steps = static_cast<double>(1 + looks_ / looks_of_one_step);
     const auto step = [&](const CutTerm& term, Narrowing Admitted::*what, double factor) {
         char& known = done[static_cast<std::size_t>(&term - terms_.data())];
         const char bit = what == &Admitted::below ? 1 : 2;
         if ((known & bit) != 0) return;
         known = static_cast<char>(known | bit);
-        const double x{term.share}, next = factor * (before.*what).at(x);
+        const double x{term.share}, next = std::pow(factor, steps) * (before.*what).at(x);
         (after.*what)
             .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[incision],
                     round_[incision] != 0);

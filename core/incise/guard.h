@@ -28,6 +28,8 @@ public:
     std::vector<Admission> admitted() const;
     // By how much an incision opens less than was asked for, in all its parts.
     double lacks(std::uint32_t incision, const Admitted& admitted) const;
+    // What all of that has cost so far: looks at a triangle or at a pair of them.
+    std::size_t looks() const { return looks_; }
 
 private:
     struct Part { // of an incision, as shares of its length
@@ -79,7 +81,8 @@ private:
     std::vector<Part> parts_;
     std::vector<double> radius_; // of a dent, by incision, as a share of its length
     std::vector<char> round_;    // whether it is a loop
-    bool simple_ = false;        // one piece, with upright walls and no bevel
+    mutable std::size_t looks_ = 0;
+    bool simple_ = false; // one piece, with upright walls and no bevel
 };
 
 } // namespace trivar

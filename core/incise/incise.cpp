@@ -22,6 +22,9 @@ constexpr int near_the_place = 8;   // so often where walls meet alone, then all
 constexpr double worth_it = 0.7;    // of what an opening lacks, for less depth
 constexpr double much_lacks = 0.05; // of openings: for less nothing else is tried
 constexpr double much_narrowed = 0.6, rung = 0.70710678; // shares of widths
+constexpr int most_rungs = 20;                           // down to a thousandth of the length
+constexpr std::size_t triangles_made_in_a_look = 4;      // that are made, by what it costs
+constexpr std::size_t most_looks = 150'000;              // a second or two of one processor
 constexpr double edges_of_dent_in_depth = 1.5;
 constexpr const char* no_room = "the body has no room for its depth there";
 constexpr const char* no_way = "its walls would meet others on their way through";
@@ -59,12 +62,22 @@ double lacking(const Made& made, const CutGuard& guard)
     return sum;
 }
 
+// An Effort is what attempts have cost, as looks at triangles. What is only better is tried while
+// it is small, so that a scribble over itself is cut as soon as a plain stroke.
+struct Effort {
+    const Progress& progress;
+    std::size_t looks = 0;
+    bool may_try_more() const { return looks < most_looks; }
+};
+
 class Cutter {
 public:
-    Cutter(CutLayout& layout, std::span<const Incision> all, const InciseOptions& options)
+    Cutter(CutLayout& layout, std::span<const Incision> all, const InciseOptions& options,
+           Effort& effort)
         : layout_(layout),
           all_(all),
           options_(options),
+          effort_(effort),
           pieces_(pieces_of(layout.runs, layout.drawing)),
           depths_(all.size())
     {
@@ -101,11 +114,11 @@ public:
         if (!made || guard->admits_all()) return made;
         std::unique_ptr<Made> other = with_halved_folds(*made);
         if (other && CutGuard(other->shape, all_).admits_all()) return other;
-        made->admitted = guard->admitted();
-        made->lacks = lacking(*made, *guard);
+        admit(*made, *guard);
         if (made->lacks < much_lacks) return made;
         if (other) take_better(made, other);
-        for (int turn = 0; turn < most_when_open && made->lacks > much_lacks; ++turn) {
+        for (int turn = 0;
+             turn < most_when_open && made->lacks > much_lacks && effort_.may_try_more(); ++turn) {
             for (std::size_t k = 0; k < all_.size(); ++k)
                 depths_[k].lower_where_narrowed(made->admitted[k].with_others.opening,
                                                 shallower_when_open);
@@ -125,13 +138,19 @@ private:
                 pieces_of_skin_.push_back(piece);
     }
 
+    void admit(Made& made, const CutGuard& guard) const
+    {
+        made.admitted = guard.admitted();
+        made.lacks = lacking(made, guard);
+        effort_.looks += guard.looks();
+    }
+
     // Takes another attempt where it lacks less by so much that it is worth it.
     void take_better(std::unique_ptr<Made>& made, std::unique_ptr<Made>& other) const
     {
         const CutGuard guard(other->shape, all_);
         if (!guard.walls_in_the_way().empty()) return;
-        other->admitted = guard.admitted();
-        other->lacks = lacking(*other, guard);
+        admit(*other, guard);
         if (other->lacks < worth_it * made->lacks) made = std::move(other);
     }
 
@@ -142,7 +161,8 @@ private:
         std::unique_ptr<Made> best, last;
         std::size_t fewest = ~std::size_t{0};
         std::vector<LatticePoint> points = points_against_folds(before.shape);
-        for (int turn = 0; turn < most_halvings && !points.empty(); ++turn) {
+        for (int turn = 0; turn < most_halvings && !points.empty() && effort_.may_try_more();
+             ++turn) {
             for (const LatticePoint& each : points) layout_.drawing.add(each);
             fill();
             last = attempt();
@@ -158,6 +178,8 @@ private:
 
     std::unique_ptr<Made> attempt() const
     {
+        report(effort_.progress, std::min(1.0, static_cast<double>(effort_.looks) / most_looks),
+               "incise");
         const CutDrawing& drawing = layout_.drawing;
         const Inward& inward = *layout_.inward;
         CutShape shape{drawing, drawing.point_count(),
@@ -175,6 +197,8 @@ private:
                                shape.runs, layout_.throughs);
         shape.terms = field_of(drawing, shape.patch, shape.graph, shape.walls, shape.runs, pieces_,
                                all_, inward, step_);
+        effort_.looks +=
+            (shape.walls.walls.size() + shape.walls.skin.size()) / triangles_made_in_a_look;
         LeftOutPieces left_out = left_out_pieces(shape, all_);
         shape.left_out = std::move(left_out.pieces);
         return std::make_unique<Made>(
@@ -236,6 +260,7 @@ private:
     CutLayout& layout_;
     std::span<const Incision> all_;
     const InciseOptions& options_;
+    Effort& effort_;
     std::vector<CutPiece> pieces_;
     std::vector<Narrowing> depths_; // by incision
     double step_ = 0;
@@ -284,12 +309,12 @@ void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision>
 std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
                                const InciseOptions& options,
                                std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls,
-                               Lender<Mesh>& lender)
+                               Lender<Mesh>& lender, Effort& effort)
 {
     IncisedMesh out;
     out.original = out.rest = layout.drawing.skin().mesh();
     out.outcomes = std::move(outcomes);
-    Cutter cutter(layout, all, options);
+    Cutter cutter(layout, all, options, effort);
     const Shortfalls before = shortfalls;
     std::unique_ptr<Made> made = cutter(shortfalls);
     if (shortfalls != before) return std::nullopt;
@@ -313,7 +338,7 @@ std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
 }
 
 IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
-                     const InciseOptions& options, Lender<Mesh>& made)
+                     const InciseOptions& options, Lender<Mesh>& made, Effort& effort)
 {
     Shortfalls shortfalls(all.size());
     for (;;) { // ends as every turn without a result adds a shortfall
@@ -325,7 +350,7 @@ IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
         if (!layout) continue;
         if (layout->runs.empty()) return none;
         if (std::optional<IncisedMesh> whole =
-                cut(*layout, all, options, none.outcomes, shortfalls, made))
+                cut(*layout, all, options, none.outcomes, shortfalls, made, effort))
             return *std::move(whole);
     }
 }
@@ -339,10 +364,11 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const Inc
 }
 
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> asked,
-                   const InciseOptions& options, Lender<Mesh>& made)
+                   const InciseOptions& options, Lender<Mesh>& made, const Progress& progress)
 {
+    Effort effort{progress};
     std::vector<Incision> all(asked.begin(), asked.end());
-    IncisedMesh best = as_asked(skin, all, options, made);
+    IncisedMesh best = as_asked(skin, all, options, made, effort);
     const auto gap = [&](const IncisedMesh& of, std::size_t k) {
         return of.outcomes[k].widest * all[k].width;
     };
@@ -353,12 +379,13 @@ IncisedMesh incise(const CutSkin& skin, std::span<const Incision> asked,
         if (!(gap(best, k) < much_narrowed * widest)) continue;
         Incision any = all[k];
         any.width = infinite;
-        for (double width = width_of(any, best.outcomes[k].length); width > gap(best, k);
-             width *= rung) {
+        double width = width_of(any, best.outcomes[k].length);
+        for (int turn = 0; turn < most_rungs && width > gap(best, k) && effort.may_try_more();
+             ++turn, width *= rung) {
             if (!(width < widest)) continue;
             const double before = gap(best, k), asked_before = all[k].width;
             all[k].width = width;
-            IncisedMesh other = as_asked(skin, all, options, made);
+            IncisedMesh other = as_asked(skin, all, options, made, effort);
             if (gap(other, k) > before)
                 best = std::move(other);
             else

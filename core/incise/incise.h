@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/lender.h"
+#include "core/base/progress.h"
 #include "core/incise/cut_skin.h"
 #include "core/incise/incised.h"
 
@@ -22,8 +23,9 @@ struct InciseOptions {
 // [Schein, thesis, 6.8]; docs/incise.md tells the steps.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
-// The same; `made` lends the mesh, in the memory of one that nobody has any more.
+// The same; `made` lends the mesh, in the memory of one that nobody has any more, and `progress` is
+// told of each attempt: what it throws ends the work.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
-                   const InciseOptions& options, Lender<Mesh>& made);
+                   const InciseOptions& options, Lender<Mesh>& made, const Progress& progress = {});
 
 } // namespace trivar

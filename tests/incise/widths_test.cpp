@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far incisions open, and what gives way round them.
+#include "core/base/rejected.h"
 #include "core/mesh/mesh_region.h"
 #include "core/mesh/primitives.h"
 #include "tests/incise/bodies.h"
@@ -8,6 +9,7 @@
 #include "tests/incise/strokes.h"
 
 #include <gtest/gtest.h>
+#include <random>
 
 namespace trivar::testing {
 namespace {
@@ -53,6 +55,53 @@ TEST(Widths, BeyondAllReasonOpenAsFarAsTheLipsGoRound)
     const double gap = made.outcomes[0].widest * cut.width;
     EXPECT_GT(gap, 0.3 * made.outcomes[0].length);
     EXPECT_LT(gap, made.outcomes[0].length);
+}
+
+// To and fro over the top of a slab, in straight lines between random corners.
+Incision scribble(int corners, std::uint64_t seed)
+{
+    constexpr int points_between = 16;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> place(-0.7, 0.7);
+    Incision out = over_a_slab(0.5, 0.3);
+    out.stroke.clear();
+    glm::dvec3 from(place(random), place(random), 0.25);
+    for (int i = 1; i < corners; ++i) {
+        const glm::dvec3 to(place(random), place(random), 0.25);
+        for (int k = 0; k < points_between; ++k)
+            out.stroke.push_back({glm::mix(from, to, 1.0 * k / points_between), {0, 0, 1}});
+        from = to;
+    }
+    return out;
+}
+
+TEST(Scribbles, CostLittleMoreThanTheirFirstAttempt)
+{
+    const CutSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
+    for (const int corners : {6, 13, 30}) {
+        int attempts = 0;
+        const Progress counts = [&](double done, std::string_view) {
+            EXPECT_TRUE(done >= 0 && done <= 1);
+            ++attempts;
+        };
+        Lender<Mesh> none;
+        const IncisedMesh made = incise(slab, std::vector{scribble(corners, 5)}, {}, none, counts);
+        EXPECT_TRUE(faults_of(made).none());
+        EXPECT_TRUE(made.outcomes[0].refusal.empty()) << made.outcomes[0].refusal;
+        EXPECT_LE(attempts, 10);
+    }
+}
+
+TEST(Scribbles, EndWhereTheirProgressThrows)
+{
+    const CutSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
+    int attempts = 0;
+    const Progress cancels = [&](double, std::string_view) {
+        if (++attempts == 2) throw Cancelled();
+    };
+    Lender<Mesh> none;
+    EXPECT_THROW(incise(slab, std::vector{scribble(13, 5)}, {}, none, cancels), Cancelled);
+    EXPECT_EQ(attempts, 2);
 }
 
 TEST(Reach, LeavesTheOtherSideOfAThinBodyWhereItIs)
