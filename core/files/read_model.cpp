@@ -11,6 +11,7 @@
 #include "core/mesh/far_origin.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/shading.h"
+#include "core/mesh/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
         Mesh mesh = std::move(result.mesh);
         faces += mesh.face_count();
         if (!gltf && matrix != glm::dmat4(1)) {
-            mesh = transformed(mesh, matrix);
+            transform_again(mesh, mesh, matrix);
             check_size(mesh.positions, file, options);
         }
         ref = make_ref(std::move(mesh));

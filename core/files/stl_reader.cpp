@@ -112,11 +112,12 @@ Model read_stl(const FileText& file, const Progress& progress)
     const std::vector<glm::vec3> corners = text ? read_text(file) : read_binary(file, count);
 
     report(progress, 0.6, "Joining vertices");
-    const std::vector<std::uint32_t> points = points_by_position(corners);
+    std::vector<std::uint32_t> points = points_by_position(corners);
     Mesh mesh;
     for (std::size_t c = 0; c < corners.size(); ++c)
         if (points[c] == mesh.positions.size()) mesh.positions.push_back(corners[c]);
-    mesh.corners = points;
+    mesh.corners = std::move(points);
+    mesh.face_begin.reserve(corners.size() / 3 + 1);
     for (std::size_t c = 3; c <= corners.size(); c += 3)
         mesh.face_begin.push_back(static_cast<std::uint32_t>(c));
     Model model = single_mesh_model("", std::move(mesh), {unpainted()});

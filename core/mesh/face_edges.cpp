@@ -13,9 +13,18 @@ namespace {
 // The sides of all faces, by the edges along which they run.
 class SortedSides {
 public:
+    // The larger point of the edge, the face, and whether it has the edge from the smaller point.
+    // One number, which is sorted at once.
     struct Side {
-        std::uint32_t other, face; // the larger point of the edge, and the face
-        bool upward;
+        std::uint64_t all;
+        Side() = default;
+        Side(std::uint32_t other, std::uint32_t face, bool upward)
+            : all(std::uint64_t{other} << 32 | face << 1 | (upward ? 1u : 0u))
+        {
+        }
+        std::uint32_t other() const { return static_cast<std::uint32_t>(all >> 32); }
+        std::uint32_t face() const { return static_cast<std::uint32_t>(all) >> 1; }
+        bool upward() const { return (all & 1) != 0; }
     };
 
     explicit SortedSides(const Mesh& mesh)
@@ -27,7 +36,7 @@ public:
                 std::uint32_t a = mesh.point(mesh.corners[end - 1]);
                 for (std::uint32_t c = mesh.face_begin[f]; c < end; ++c) {
                     const std::uint32_t b = mesh.point(mesh.corners[c]);
-                    use(std::min(a, b), Side{std::max(a, b), f, a < b});
+                    use(std::min(a, b), Side(std::max(a, b), f, a < b));
                     a = b;
                 }
             }
@@ -42,9 +51,7 @@ public:
         parallel_blocks(points, 1 << 14, [&](std::size_t first, std::size_t last) {
             for (std::size_t p = first; p < last; ++p)
                 std::sort(sides_.begin() + begin_[p], sides_.begin() + begin_[p + 1],
-                          [](const Side& x, const Side& y) {
-                              return std::pair(x.other, x.face) < std::pair(y.other, y.face);
-                          });
+                          [](const Side& x, const Side& y) { return x.all < y.all; });
         });
     }
 
@@ -54,7 +61,7 @@ public:
         for (std::uint32_t p = 0; p + 1 < begin_.size(); ++p)
             for (std::uint32_t i = begin_[p], end; i < begin_[p + 1]; i = end) {
                 end = i + 1;
-                while (end < begin_[p + 1] && sides_[end].other == sides_[i].other) ++end;
+                while (end < begin_[p + 1] && sides_[end].other() == sides_[i].other()) ++end;
                 use(p, std::span(sides_.data() + i, sides_.data() + end));
             }
     }
@@ -70,23 +77,32 @@ FaceEdges::FaceEdges(const Mesh& mesh)
 {
     using Side = SortedSides::Side;
     std::vector<std::uint32_t> on_border; // faces
-    neighbours.reserve(mesh.corners.size() / 2);
+    bool against = false;                 // whether two faces have an edge in the same direction
     JoinedSets joined(mesh.face_count());
-    SortedSides(mesh).each_edge([&](std::uint32_t low, std::span<const Side> sides) {
-        if (sides.size() == 2 && sides[0].face != sides[1].face) {
-            const bool against = sides[0].upward == sides[1].upward;
-            neighbours.push_back({sides[0].face, sides[1].face, against});
-            joined.join(sides[1].face, sides[0].face);
-            if (against) crowded.insert(crowded.end(), {sides[0].face, sides[1].face});
+    const SortedSides sorted(mesh);
+    const auto are_neighbours = [](std::span<const Side> sides) {
+        return sides.size() == 2 && sides[0].face() != sides[1].face();
+    };
+    sorted.each_edge([&](std::uint32_t low, std::span<const Side> sides) {
+        if (are_neighbours(sides)) {
+            joined.join(sides[1].face(), sides[0].face());
+            if (sides[0].upward() == sides[1].upward())
+                crowded.insert(crowded.end(), {sides[0].face(), sides[1].face()}), against = true;
             return;
         }
-        if (sides.size() == 1) border.insert(border.end(), {low, sides[0].other});
+        if (sides.size() == 1) border.insert(border.end(), {low, sides[0].other()});
         const auto up = std::ranges::count(sides, true, &Side::upward);
         for (const Side& side : sides) {
-            on_border.push_back(side.face);
-            if ((side.upward ? up : std::ssize(sides) - up) > 1) crowded.push_back(side.face);
+            on_border.push_back(side.face());
+            if ((side.upward() ? up : std::ssize(sides) - up) > 1) crowded.push_back(side.face());
         }
     });
+    if (against)
+        sorted.each_edge([&](std::uint32_t, std::span<const Side> sides) {
+            if (are_neighbours(sides))
+                neighbours.push_back(
+                    {sides[0].face(), sides[1].face(), sides[0].upward() == sides[1].upward()});
+        });
     constexpr std::uint32_t none = ~0u;
     std::vector<std::uint32_t> part_of_root(mesh.face_count(), none);
     part_of.resize(mesh.face_count());

@@ -10,7 +10,8 @@ namespace trivar {
 struct FaceEdges {
     explicit FaceEdges(const Mesh& mesh);
 
-    // Neighbours are two faces that share an edge with no third face.
+    // Neighbours are two faces that share an edge with no third face. None are listed where no two
+    // are against each other.
     struct Neighbours {
         std::uint32_t a, b;
         bool against; // both have the edge in the same direction

@@ -68,14 +68,24 @@ std::vector<std::uint32_t> first_by_hash(const std::vector<glm::vec3>& positions
     const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
     std::size_t probes_left = 64 * positions.size();
     std::vector<std::uint32_t> first_at(slots, none), first(positions.size());
-    for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        const glm::vec3 p = positions[v] + 0.0f; // -0 and 0 are one position
+    const auto slot_of = [&](const glm::vec3& position) {
+        const glm::vec3 p = position + 0.0f; // -0 and 0 are one position
         std::uint64_t hash = 0;
         for (int i = 0; i < 3; ++i) {
             hash = (hash ^ std::bit_cast<std::uint32_t>(p[i])) * 0x9e3779b97f4a7c15u;
             hash ^= hash >> 29;
         }
-        std::size_t slot = hash & (slots - 1);
+        return static_cast<std::size_t>(hash & (slots - 1));
+    };
+    constexpr std::size_t together = 16; // slots that are fetched from memory before they are used
+    std::array<std::size_t, together> fetched{};
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        if (v % together == 0)
+            for (std::size_t i = v; i < std::min(v + together, positions.size()); ++i) {
+                fetched[i % together] = slot_of(positions[i]);
+                __builtin_prefetch(&first_at[fetched[i % together]]);
+            }
+        std::size_t slot = fetched[v % together];
         while (first_at[slot] != none && positions[first_at[slot]] != positions[v]) {
             if (probes_left-- == 0) return {};
             slot = (slot + 1) & (slots - 1);

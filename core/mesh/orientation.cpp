@@ -24,7 +24,7 @@ OneWay one_way(std::size_t faces, const FaceEdges& edges)
     out.turn.assign(faces, false);
     out.possible.assign(edges.parts, true);
     out.turned.assign(edges.parts, false);
-    if (std::ranges::none_of(edges.neighbours, [](const auto& n) { return n.against; })) return out;
+    if (edges.neighbours.empty()) return out;
     std::vector<std::uint32_t> begin(faces + 1, 0);
     for (const auto& n : edges.neighbours) ++begin[n.a + 1], ++begin[n.b + 1];
     for (std::size_t f = 0; f < faces; ++f) begin[f + 1] += begin[f];

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/repair.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/face_edges.h"
 #include "core/mesh/joined_borders.h"
 #include "core/mesh/orientation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <fmt/format.h>
 #include <tuple>
 #include <utility>
@@ -17,10 +19,12 @@ namespace {
 // faces are looked at that are crowded, or all of whose corners lie where other points lie.
 std::vector<bool> doubled_faces(const Mesh& mesh, const FaceEdges& edges)
 {
+    const bool at_seams = !mesh.points.empty() && (!edges.border.empty() || edges.parts > 1);
+    if (edges.crowded.empty() && !at_seams) return {};
     std::vector<std::uint32_t> place = mesh.points;
     std::vector<bool> looked_at(mesh.face_count(), false);
     for (const std::uint32_t f : edges.crowded) looked_at[f] = true;
-    if (!mesh.points.empty() && (!edges.border.empty() || edges.parts > 1)) {
+    if (at_seams) {
         place = points_by_position(mesh.positions);
         std::vector<std::uint32_t> point(mesh.vertex_count(), ~0u); // the first at each place
         std::vector<bool> several(mesh.vertex_count(), false);
@@ -61,11 +65,29 @@ bool has_three_points(const Mesh& mesh, const std::uint32_t* begin, const std::u
                        [&](std::uint32_t v) { return mesh.point(v) != a && mesh.point(v) != b; });
 }
 
+// Whether no face repeats a point or has fewer than three.
+bool all_whole(const Mesh& mesh)
+{
+    std::atomic<bool> whole{true};
+    parallel_blocks(mesh.face_count(), 1 << 15, [&](std::size_t first, std::size_t last) {
+        for (std::size_t f = first; f < last; ++f) {
+            const std::uint32_t* const begin = mesh.corners.data() + mesh.face_begin[f];
+            const std::uint32_t* const end = mesh.corners.data() + mesh.face_begin[f + 1];
+            bool good = has_three_points(mesh, begin, end);
+            for (const std::uint32_t* c = begin; c < end && good; ++c)
+                good = mesh.point(*c) != mesh.point(c + 1 < end ? c[1] : *begin);
+            if (!good) whole.store(false, std::memory_order_relaxed);
+        }
+    });
+    return whole;
+}
+
 // Removes repeated corners, then faces with fewer than three, and the chosen faces; returns the
 // number of the first and the second.
 std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh,
                                                     const std::vector<bool>& chosen = {})
 {
+    if (chosen.empty() && all_whole(mesh)) return {};
     std::vector<std::uint32_t> corners, face_begin{0};
     corners.reserve(mesh.corners.size());
     face_begin.reserve(mesh.face_begin.size());

@@ -6,13 +6,21 @@
 #include "core/mesh/split_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace trivar {
 namespace {
+
+template <class Otherwise> glm::vec3 unit_or(const glm::dvec3& sum, Otherwise otherwise)
+{
+    const double length = glm::length(sum);
+    return length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : otherwise();
+}
 
 // The normals of a mesh by its faces.
 class FaceNormals {
@@ -29,115 +37,139 @@ public:
           angle_(glm::radians(std::clamp(smooth_up_to_deg, 0.01, 180.0))),
           area_normals_(mesh.face_count()),
           face_(mesh.corners.size()),
-          sums_(mesh.vertex_count() == 0 ? 0 : point_count(mesh), glm::dvec3(0))
+          points_(mesh.points.empty() ? 0 : mesh.corners.size()),
+          sums_(mesh.vertex_count() == 0 ? 0 : point_count(mesh), glm::dvec3(0)),
+          edge_(sums_.size(), 0)
     {
-        parallel_blocks(mesh.face_count(), 1 << 14, [&](std::size_t first, std::size_t end) {
-            for (std::size_t f = first; f < end; ++f) {
-                area_normals_[f] = area_normal(mesh, f);
-                for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
-                    face_[c] = static_cast<std::uint32_t>(f);
-            }
-        });
-        for (std::uint32_t c = 0; c < face_.size(); ++c) sums_[point(c)] += area_normals_[face_[c]];
+        take_faces();
+        if (!all_smooth_) take_edges();
+        at_edges_.emplace(points(), sums_.size(), [&](std::uint32_t p) { return edge_[p] != 0; });
     }
+
+    // The corners at each point where faces meet at more than the angle.
+    const VertexCorners& at_edges() const { return *at_edges_; }
 
     // The mean of all faces at the point of a vertex.
-    glm::vec3 mean(std::uint32_t vertex) const { return mean(sums_[mesh_.point(vertex)]); }
+    glm::vec3 mean(std::uint32_t vertex) const { return mean_at(mesh_.point(vertex)); }
+    bool is_at_edge(std::uint32_t vertex) const { return edge_[mesh_.point(vertex)] != 0; }
 
-    // The corners at points where faces meet at more than the angle, in ascending order.
-    std::vector<std::uint32_t> at_edges() const
-    {
-        std::vector<std::uint32_t> out;
-        if (all_smooth_) return out;
-        std::vector<std::uint8_t> edge(sums_.size(), 0); // by point
-        parallel_blocks(face_.size(), 1 << 15, [&](std::size_t first, std::size_t end) {
-            for (auto c = static_cast<std::uint32_t>(first); c < end; ++c)
-                if (!near_mean(c))
-                    std::atomic_ref(edge[point(c)]).store(1, std::memory_order_relaxed);
-        });
-        out.reserve(face_.size());
-        for (std::uint32_t c = 0; c < face_.size(); ++c)
-            if (edge[point(c)]) out.push_back(c);
-        return out;
-    }
+    // Gives the normals of the corners at the points of a block.
+    class Block {
+    public:
+        Block(const FaceNormals& faces, std::size_t first, std::size_t end)
+            : faces_(&faces),
+              first_(faces.at_edges()[first].data()),
+              fans_(static_cast<std::size_t>(faces.at_edges()[end - 1].data() - first_) +
+                    faces.at_edges()[end - 1].size())
+        {
+        }
+        std::span<glm::vec3> operator()(std::size_t point)
+        {
+            const std::span<const std::uint32_t> corners = faces_->at_edges()[point];
+            sides_.clear();
+            for (std::uint32_t i = 0; i < corners.size(); ++i)
+                for (const std::uint32_t other : faces_->beside(corners[i]))
+                    sides_.push_back(std::uint64_t{other} << 32 | i);
+            // An edge of more than two faces may be smooth between some of them. Of very many sides
+            // only those near each other in their order are looked at.
+            const std::size_t count = sides_.size();
+            constexpr std::size_t few = 24, most = 4;
+            if (count > few) std::ranges::sort(sides_);
+            pairs_.resize(count * std::min(count, few) / 2 + 1);
+            std::size_t pairs = 0; // found without branches, which could not be foreseen
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t k = i + 1; k < (count > few ? std::min(i + most, count) : count);
+                     ++k) {
+                    pairs_[pairs] = {static_cast<std::uint32_t>(sides_[i]),
+                                     static_cast<std::uint32_t>(sides_[k])};
+                    pairs += (sides_[i] ^ sides_[k]) >> 32 == 0 ? 1 : 0;
+                }
+            const auto before = static_cast<std::uint32_t>(corners.data() - first_);
+            for (const auto& [a, b] : std::span(pairs_.data(), pairs))
+                if (faces_->smooth(corners[a], corners[b])) fans_.join(before + a, before + b);
+            sums_.assign(corners.size(), glm::dvec3(0));
+            fan_.clear();
+            for (std::uint32_t i = 0; i < corners.size(); ++i)
+                sums_[fan_.emplace_back(fans_.root(before + i) - before)] +=
+                    faces_->area_normals_[faces_->face_[corners[i]]];
+            normals_.resize(corners.size());
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                if (fan_[i] == i)
+                    normals_[i] = unit_or(sums_[i], [&] { return faces_->mean_at(point); });
+            for (std::size_t i = 0; i < corners.size(); ++i) normals_[i] = normals_[fan_[i]];
+            return normals_;
+        }
 
-    // The normals of these corners, which are all those at some points.
-    std::vector<glm::vec3> of(const std::vector<std::uint32_t>& corners) const
-    {
-        std::vector<glm::vec3> out(corners.size());
-        std::vector<std::uint32_t> points;
-        points.reserve(corners.size());
-        for (const std::uint32_t c : corners) points.push_back(point(c));
-        const VertexCorners round(points, sums_.size());
-        parallel_blocks(sums_.size(), 1 << 13, [&](std::size_t first, std::size_t end) {
-            Fans fans;
-            for (std::size_t p = first; p < end; ++p) {
-                fans.corners.clear();
-                for (const std::uint32_t i : round[p]) fans.corners.push_back(corners[i]);
-                join(fans);
-                for (std::size_t i = 0; i < fans.corners.size(); ++i)
-                    out[round[p][i]] = unit_or(fans.sums[fans.of[i]], mean(sums_[p]));
-            }
-        });
-        return out;
-    }
-
-private:
-    // The corners at a point, which of them belong together, and the sum of each such fan.
-    struct Fans {
-        std::vector<std::uint32_t> corners, of;
-        std::vector<glm::dvec3> sums;
-        std::vector<std::uint64_t> sides; // the other end, the corner's place in the list
+    private:
+        const FaceNormals* faces_;
+        const std::uint32_t* first_;
+        JoinedSets fans_; // of the places of corners in the block
+        // of the corners at a point
+        std::vector<std::uint64_t> sides_; // the other end, the corner's place in the list
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // corners at one edge
+        std::vector<std::uint32_t> fan_;
+        std::vector<glm::dvec3> sums_; // of each fan
+        std::vector<glm::vec3> normals_;
     };
 
-    std::uint32_t point(std::uint32_t corner) const { return mesh_.point(mesh_.corners[corner]); }
+private:
+    std::span<const std::uint32_t> points() const // of the corners
+    {
+        return points_.empty() ? mesh_.corners : points_;
+    }
 
-    // Whether a face differs from the mean by no more than half of the angle: if all do, no two
+    void take_faces()
+    {
+        parallel_blocks(mesh_.face_count(), 1 << 14, [&](std::size_t first, std::size_t end) {
+            for (std::size_t f = first; f < end; ++f) {
+                area_normals_[f] = area_normal(mesh_, f);
+                for (std::uint32_t c = mesh_.face_begin[f]; c < mesh_.face_begin[f + 1]; ++c) {
+                    face_[c] = static_cast<std::uint32_t>(f);
+                    if (!points_.empty()) points_[c] = mesh_.points[mesh_.corners[c]];
+                }
+            }
+        });
+        const std::span<const std::uint32_t> points = this->points();
+        for (std::size_t c = 0; c < points.size(); ++c) sums_[points[c]] += area_normals_[face_[c]];
+    }
+
+    // Where a face differs from the mean by more than half of the angle: if none does, no two
     // differ by more than all of it.
-    bool near_mean(std::uint32_t corner) const
+    void take_edges()
     {
-        const glm::dvec3 &n = area_normals_[face_[corner]], &mean = sums_[point(corner)];
-        return smoothing_.empty() && within(n, mean, least_cosine_of_half_);
+        const std::span<const std::uint32_t> points = this->points();
+        parallel_blocks(points.size(), 1 << 15, [&](std::size_t first, std::size_t end) {
+            for (std::size_t c = first; c < end; ++c) {
+                const std::atomic_ref edge(edge_[points[c]]);
+                if (edge.load(std::memory_order_relaxed) == 0 &&
+                    !(smoothing_.empty() &&
+                      within(area_normals_[face_[c]], sums_[points[c]], least_cosine_of_half_)))
+                    edge.store(1, std::memory_order_relaxed);
+            }
+        });
     }
 
-    // Joins the corners at a point over smooth edges.
-    void join(Fans& fans) const
+    glm::vec3 mean_at(std::size_t point) const
     {
-        const std::size_t count = fans.corners.size();
-        fans.sides.clear();
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t c = fans.corners[i], f = face_[c];
-            const std::uint32_t begin = mesh_.face_begin[f], end = mesh_.face_begin[f + 1];
-            for (const std::uint32_t other :
-                 {c + 1 == end ? begin : c + 1, c == begin ? end - 1 : c - 1})
-                fans.sides.push_back(std::uint64_t{point(other)} << 32 | i);
-        }
-        JoinedSets joined(count);
-        const auto join_if = [&](std::uint64_t side, std::uint64_t other) {
-            const auto a = static_cast<std::uint32_t>(side), b = static_cast<std::uint32_t>(other);
-            if (side >> 32 == other >> 32 && smooth(face_[fans.corners[a]], face_[fans.corners[b]]))
-                joined.join(a, b);
-        };
-        // An edge of more than two faces may be smooth between some of them. Of very many sides
-        // only those near each other in their order are looked at.
-        const std::size_t sides = fans.sides.size();
-        constexpr std::size_t few = 24, most = 4;
-        if (sides > few) std::ranges::sort(fans.sides);
-        for (std::size_t i = 0; i < sides; ++i)
-            for (std::size_t k = i + 1; k < (sides > few ? std::min(i + most, sides) : sides); ++k)
-                join_if(fans.sides[i], fans.sides[k]);
-        fans.of.clear();
-        fans.sums.assign(count, glm::dvec3(0));
-        for (std::uint32_t i = 0; i < count; ++i) {
-            fans.of.push_back(joined.root(i));
-            fans.sums[fans.of[i]] += area_normals_[face_[fans.corners[i]]];
-        }
+        return unit_or(sums_[point], [] { return glm::vec3(0, 0, 1); });
     }
 
-    bool smooth(std::uint32_t f, std::uint32_t g) const
+    // The points next to a corner in its face.
+    std::array<std::uint32_t, 2> beside(std::uint32_t corner) const
     {
-        if (!smoothing_.empty()) return smoothing_[f] != 0 && smoothing_[f] == smoothing_[g];
-        const glm::dvec3 &m = area_normals_[f], &n = area_normals_[g];
+        const std::uint32_t f = face_[corner];
+        const std::uint32_t begin = mesh_.face_begin[f], end = mesh_.face_begin[f + 1];
+        const std::uint32_t next = corner + 1 == end ? begin : corner + 1;
+        const std::uint32_t previous = corner == begin ? end - 1 : corner - 1;
+        return {points()[next], points()[previous]};
+    }
+
+    // Whether an edge is smooth between the faces of two corners.
+    bool smooth(std::uint32_t c, std::uint32_t d) const
+    {
+        if (!smoothing_.empty())
+            return smoothing_[face_[c]] != 0 && smoothing_[face_[c]] == smoothing_[face_[d]];
+        const glm::dvec3 &m = area_normals_[face_[c]], &n = area_normals_[face_[d]];
         return m != glm::dvec3(0) && n != glm::dvec3(0) && within(m, n, least_cosine_);
     }
 
@@ -149,21 +181,16 @@ private:
                cosine * std::abs(cosine) * glm::dot(m, m) * glm::dot(n, n);
     }
 
-    static glm::vec3 mean(const glm::dvec3& sum) { return unit_or(sum, {0, 0, 1}); }
-    static glm::vec3 unit_or(const glm::dvec3& sum, const glm::vec3& otherwise)
-    {
-        const double length = glm::length(sum);
-        return length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : otherwise;
-    }
-
     const Mesh& mesh_;
     std::span<const std::uint32_t> smoothing_;
     bool all_smooth_;
     double angle_;
     double least_cosine_ = std::cos(angle_), least_cosine_of_half_ = std::cos(angle_ / 2);
-    std::vector<glm::dvec3> area_normals_; // #F
-    std::vector<std::uint32_t> face_;      // #C
-    std::vector<glm::dvec3> sums_;         // by point, of the area normals of its faces
+    std::vector<glm::dvec3> area_normals_;     // #F
+    std::vector<std::uint32_t> face_, points_; // #C; points empty: the vertices are
+    std::vector<glm::dvec3> sums_;             // by point, of the area normals of its faces
+    std::vector<std::uint8_t> edge_;           // by point
+    std::optional<VertexCorners> at_edges_;
 };
 
 // Whether a normal says a direction; made unit then.
@@ -177,17 +204,20 @@ bool is_given(glm::vec3& normal)
 
 bool shows(const Mesh& mesh, const FaceNormals& faces)
 {
-    const std::vector<std::uint32_t> corners = faces.at_edges();
-    const std::vector<glm::vec3> normals = faces.of(corners);
-    std::vector<bool> at_edge(mesh.vertex_count(), false);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const std::uint32_t v = mesh.corners[corners[i]];
-        if (normals[i] != mesh.normals[v]) return false;
-        at_edge[v] = true;
-    }
     for (const std::uint32_t v : mesh.corners)
-        if (!at_edge[v] && mesh.normals[v] != faces.mean(v)) return false;
-    return true;
+        if (!faces.is_at_edge(v) && mesh.normals[v] != faces.mean(v)) return false;
+    const VertexCorners& corners = faces.at_edges();
+    std::atomic<bool> same{true};
+    parallel_blocks(corners.size(), 1 << 13, [&](std::size_t first, std::size_t end) {
+        FaceNormals::Block normals_at(faces, first, end);
+        for (std::size_t p = first; p < end && same.load(std::memory_order_relaxed); ++p) {
+            const std::span<const glm::vec3> normals = normals_at(p);
+            for (std::size_t i = 0; i < normals.size(); ++i)
+                if (mesh.normals[mesh.corners[corners[p][i]]] != normals[i])
+                    same.store(false, std::memory_order_relaxed);
+        }
+    });
+    return same;
 }
 
 } // namespace
@@ -195,9 +225,11 @@ bool shows(const Mesh& mesh, const FaceNormals& faces)
 Mesh with_normals_of_faces(Mesh mesh, float smooth_up_to_deg,
                            const std::vector<std::uint32_t>& smoothing)
 {
-    std::vector<bool> given(mesh.vertex_count(), false);
-    for (std::size_t v = 0; v < mesh.normals.size(); ++v) given[v] = is_given(mesh.normals[v]);
-    const auto count = std::ranges::count(given, true);
+    std::vector<char> given(mesh.vertex_count(), false);
+    parallel_blocks(mesh.normals.size(), 1 << 14, [&](std::size_t first, std::size_t end) {
+        for (std::size_t v = first; v < end; ++v) given[v] = is_given(mesh.normals[v]);
+    });
+    const auto count = std::ranges::count(given, char{true});
     const bool none = count == 0;
     if (!none && count == std::ssize(given)) return mesh;
     if (none) {
@@ -206,16 +238,20 @@ Mesh with_normals_of_faces(Mesh mesh, float smooth_up_to_deg,
             target.normals.clear(), target.tangents.clear();
     }
     const FaceNormals faces(mesh, smooth_up_to_deg, smoothing);
-    std::vector<glm::vec3> normals;
-    normals.reserve(mesh.vertex_count());
-    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-        normals.push_back(given[v] ? mesh.normals[v] : faces.mean(v));
-    const std::vector<std::uint32_t> corners = faces.at_edges();
-    std::vector<glm::vec3> at_corners = faces.of(corners);
-    for (std::size_t i = 0; i < corners.size() && !none; ++i)
-        if (const std::uint32_t v = mesh.corners[corners[i]]; given[v]) at_corners[i] = normals[v];
-    mesh.normals.clear();
-    mesh.normals = split_vertices(mesh, std::move(normals), corners, at_corners);
+    const std::vector<glm::vec3> before = std::exchange(mesh.normals, {});
+    const auto of_block = [&](std::size_t first, std::size_t end) {
+        return [&, normals_at = FaceNormals::Block(faces, first, end)](std::size_t p) mutable {
+            const std::span<glm::vec3> normals = normals_at(p);
+            for (std::size_t i = 0; i < normals.size() && !none; ++i)
+                if (const std::uint32_t v = mesh.corners[faces.at_edges()[p][i]]; given[v])
+                    normals[i] = before[v];
+            return normals;
+        };
+    };
+    mesh.normals =
+        split_vertices<glm::vec3>(mesh, faces.at_edges(), of_block, [&](std::uint32_t v) {
+            return given[v] ? before[v] : faces.mean(v);
+        });
     return mesh;
 }
 
