@@ -12,17 +12,18 @@ namespace trivar {
 namespace {
 
 // Calls leaf(name, number, rule) for the numbers, choices and switches in a value, nested ones
-// included, that can have keys.
-template <class T, class Leaf>
-void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
+// included, that can have keys. The name is one string that grows and shrinks on the way.
+template <class T, class Leaf> void walk(std::string& name, T& value, const Rule& rule, Leaf&& leaf)
 {
+    [[maybe_unused]] const std::size_t length = name.size();
     using V = std::remove_const_t<T>;
     if (rule.fixed) return;
     if constexpr (Nested<V>)
         each_field(value, [&](std::string_view inner, auto& v, std::string_view,
                               const Rule& inner_rule = {}) {
-            const std::string prefix = name.empty() || inner_rule.inlined ? name : name + ".";
-            walk(inner_rule.inlined ? name : prefix + std::string(inner), v, inner_rule, leaf);
+            if (!inner_rule.inlined) name.append(name.empty() ? "" : ".").append(inner);
+            walk(name, v, inner_rule, leaf);
+            name.resize(length);
         });
     else if constexpr (std::is_arithmetic_v<V> || std::is_enum_v<V>)
         leaf(name, value, rule);
@@ -41,10 +42,20 @@ void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
             if (changed != *value) value = make_ref(std::move(changed));
         }
     } else if constexpr (is_list<V>) {
-        for (std::size_t i = 0; i < value.size(); ++i)
-            walk(name + "." + std::to_string(i), value[i], rule, leaf);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            walk(name.append(".").append(std::to_string(i)), value[i], rule, leaf);
+            name.resize(length);
+        }
     } else if constexpr (requires { V::length(); })
-        for (int i = 0; i < V::length(); ++i) leaf(name + "." + "xyzw"[i], value[i], rule);
+        for (int i = 0; i < V::length(); ++i) {
+            leaf(name.append(".").append(1, "xyzw"[i]), value[i], rule);
+            name.resize(length);
+        }
+}
+
+template <class T, class Leaf> void walk_from(std::string name, T& value, Leaf&& leaf)
+{
+    walk(name, value, {}, leaf);
 }
 
 std::vector<std::string_view> choices_in(std::string_view listed) // the list is separated by |
@@ -147,33 +158,33 @@ Track as_taken(Track track, const Parameter& parameter)
 std::vector<Parameter> parameters(const Object& object)
 {
     std::vector<Parameter> out;
-    walk("", object, {}, gather(out));
+    walk_from("", object, gather(out));
     return out;
 }
 
 std::vector<Parameter> scene_parameters(const Document& document)
 {
     std::vector<Parameter> out;
-    walk("render", *document.render, {}, gather(out));
+    walk_from("render", *document.render, gather(out));
     for (const auto& [name, camera] : document.kept_views)
-        walk("camera." + name, camera, {}, gather(out));
+        walk_from("camera." + name, camera, gather(out));
     return out;
 }
 
 Object with_values(Object object, const NewValue& value)
 {
-    walk("", object, {}, change(value));
+    walk_from("", object, change(value));
     return object;
 }
 
 Document with_scene_values(Document document, const NewValue& value)
 {
     RenderSettings settings = *document.render;
-    walk("render", settings, {}, change(value));
+    walk_from("render", settings, change(value));
     if (settings != *document.render) document.render = make_ref(std::move(settings));
     for (auto& [name, camera] : document.kept_views) {
         Camera moved = camera;
-        walk("camera." + name, moved, {}, change(value));
+        walk_from("camera." + name, moved, change(value));
         try {
             check_view(moved);
             camera = moved;

@@ -22,9 +22,10 @@ public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput&) override
     {
         return known_(before, [&] {
+            if (is_within_reach(*before)) return before;
             Stage stage = *before;
             leave_out_what_is_out_of_reach(stage);
-            return stage.lacks.size() == before->lacks.size() ? before : make_ref(std::move(stage));
+            return make_ref(std::move(stage));
         });
     }
 

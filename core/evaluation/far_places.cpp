@@ -28,8 +28,9 @@ Box place_of(const Document& document, Id id, const Shape& shape)
     if (bends_others(object.source)) out.add(glm::dvec3(to_world[3]));
     const auto add = [&](const Box& box, const glm::dmat4& to_model) {
         if (box.empty()) return;
+        const glm::dmat4 matrix = to_world * to_model;
         for (const glm::dvec3& corner : box.corners())
-            out.add(glm::dvec3(to_world * to_model * glm::dvec4(corner, 1)));
+            out.add(glm::dvec3(matrix * glm::dvec4(corner, 1)));
     };
     for (const Shape::NodeMesh& hung : shape.meshes) add(hung.bounds, hung.to_model);
     for (const Shape::NodeCurves& hung : shape.curves) add(hung.bounds, hung.to_model);

@@ -3,7 +3,9 @@
 
 #include "core/base/finite.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <utility>
 
 namespace trivar {
@@ -19,24 +21,40 @@ bool displaces_within_reach(const Lattice& volume)
     return within_reach(displacements);
 }
 
+class IsOutOfReach {
+public:
+    bool operator()(const Part& part)
+    {
+        if (!part.bent) return !within_reach(part.bounds, part.to_world);
+        // A vertex is at its rest position plus a mean of displacements.
+        const auto [known, fresh] = volumes_.try_emplace(part.bent->volume);
+        if (fresh) known->second = displaces_within_reach(*part.bent->volume);
+        return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);
+    }
+    bool operator()(const CurvePart& curve) { return (*this)(curve.points); }
+
+private:
+    std::map<Ref<Lattice>, bool> volumes_; // whether they do
+};
+
 } // namespace
+
+bool is_within_reach(const Stage& stage)
+{
+    IsOutOfReach is_out;
+    return std::ranges::none_of(stage.curves, std::ref(is_out)) &&
+           std::ranges::none_of(stage.parts, std::ref(is_out));
+}
 
 void leave_out_what_is_out_of_reach(Stage& stage)
 {
-    std::map<Ref<Lattice>, bool> volumes; // whether they do
-    const auto is_out = [&](const Part& part) {
-        if (!part.bent) return !within_reach(part.bounds, part.to_world);
-        // A vertex is at its rest position plus a mean of displacements.
-        const auto [known, fresh] = volumes.try_emplace(part.bent->volume);
-        if (fresh) known->second = displaces_within_reach(*part.bent->volume);
-        return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);
-    };
-    if (std::erase_if(stage.curves, [&](const CurvePart& c) { return is_out(c.points); }) > 0) {
+    IsOutOfReach is_out;
+    if (std::erase_if(stage.curves, std::ref(is_out)) > 0) {
         stage.lacks.push_back(fmt::format(
             "curves are left out: where they lie their coordinates are {}", too_large_words));
         stage.notices.push_back(stage.lacks.back());
     }
-    const std::size_t all = stage.parts.size(), gone = std::erase_if(stage.parts, is_out);
+    const std::size_t all = stage.parts.size(), gone = std::erase_if(stage.parts, std::ref(is_out));
     if (gone == 0) return;
     stage.lacks.push_back(
         gone == all ? fmt::format("where it lies its coordinates are {}", too_large_words)

@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// Removes parts whose vertices would be out of range where they lie (core/mesh/extent.h), and adds
-// a notice. Deforms nothing.
+// Whether no vertex is out of range where its part lies (core/mesh/extent.h).
+bool is_within_reach(const Stage& stage);
+// Removes parts whose vertices would be, and adds a notice. Deforms nothing.
 void leave_out_what_is_out_of_reach(Stage& stage);
 
 // One sentence "NAME: WHY" per thing that the evaluated objects lack: models and fonts named by
