@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cstring>
 #include <dcmtk/dcmdata/dccodec.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 #include <fmt/format.h>
 
@@ -186,9 +188,52 @@ template <class T> TakenSamples samples_as(DicomDataset& file, std::size_t count
         return {std::move(samples), 0};
 }
 
+// Whether DCMTK 3.6.7 would look for ever at a marker of a packed picture: it never leaves TEM, which
+// no file has any more (ITU-T T.81, table B.1).
+bool has_endless_marker(const Uint8* jpeg, std::size_t size)
+{
+    for (std::size_t at = 2; at + 4 < size;) {
+        const unsigned marker = jpeg[at + 1];
+        const bool frame =
+            marker == 0xC0 || (marker >= 0xC0 && marker <= 0xCF && marker % 4 != 0);
+        if (jpeg[at] != 0xFF || frame) return false;
+        if (marker == 0x01) return true;
+        if (marker == 0xFF) // a fill byte
+            ++at;
+        else if (marker <= 0xBF || (marker >= 0xD0 && marker <= 0xD9)) // it stands alone
+            at += 2;
+        else
+            at += 2 + 256u * jpeg[at + 2] + jpeg[at + 3];
+    }
+    return false;
+}
+
+bool has_endless_marker(DcmDataset& data)
+{
+    DcmElement* element = nullptr;
+    if (data.findAndGetElement(DCM_PixelData, element).bad()) return false;
+    auto* pixels = dynamic_cast<DcmPixelData*>(element);
+    if (!pixels) return false;
+    E_TransferSyntax type = EXS_Unknown;
+    const DcmRepresentationParameter* parameter = nullptr;
+    pixels->getOriginalRepresentationKey(type, parameter);
+    if (type < EXS_JPEGProcess1 || type > EXS_JPEGProcess14SV1) return false;
+    DcmPixelSequence* fragments = nullptr;
+    if (pixels->getEncapsulatedRepresentation(type, parameter, fragments).bad()) return false;
+    for (unsigned long i = 0; i < fragments->card(); ++i) {
+        DcmPixelItem* item = nullptr;
+        Uint8* bytes = nullptr;
+        if (fragments->getItem(item, i).good() && item->getUint8Array(bytes).good() && bytes &&
+            has_endless_marker(bytes, item->getLength()))
+            return true;
+    }
+    return false;
+}
+
 TakenSamples samples_of_file(std::string_view bytes, const DicomHead& head, const std::string& name)
 {
     DicomDataset file(bytes, name);
+    if (has_endless_marker(file.data())) file.refuse("its packed pixels are damaged");
     OFCondition decoded;
     try {
         decoded = file.data().chooseRepresentation(EXS_LittleEndianExplicit, nullptr);

@@ -78,6 +78,22 @@ TEST(DamagedDicom, IsRefusedOrSoundWithChangedBytes)
         }
 }
 
+// DCMTK 3.6.7 never goes on from a marker that stands alone in packed pixels.
+TEST(DamagedDicom, EndsWhereAMarkerOfItsPackedPixelsIsAnother)
+{
+    const std::string sound = packed_file(DicomPacking::jpeg_lossless);
+    const std::size_t picture = sound.find("\xff\xd8\xff");
+    ASSERT_NE(picture, std::string::npos);
+    for (int marker = 0; marker < 256; ++marker) {
+        std::string bytes = sound;
+        bytes[picture + 3] = static_cast<char>(marker);
+        taken(bytes);
+    }
+    std::string filled = sound; // fill bytes before the marker
+    filled.replace(picture + 2, 5, "\xff\xff\xff\xff\x01");
+    EXPECT_FALSE(taken(filled));
+}
+
 // Sequences in sequences take stack in DCMTK; 100,000 of them end a process that does not see to
 // it.
 TEST(DamagedDicom, MayBeNestedAsDeepAsItsBytesGo)
