@@ -137,7 +137,8 @@ std::optional<unsigned> sides_of(const Box& box, const CuttingStep::Whole& whole
     unsigned out = whole.above;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (!has(key.made, i)) continue;
-        const glm::dvec3 off = from_own * drawn_off(key.cutting.cuts[i], out, key.made | key.earlier);
+        const glm::dvec3 off =
+            from_own * drawn_off(key.cutting.cuts[i], out, key.made | key.earlier);
         const std::optional<bool> above = side_of({box.lo + off, box.hi + off}, sheets[i]);
         if (!above) return std::nullopt;
         out |= (*above ? 1u : 0u) << i;
@@ -162,8 +163,7 @@ std::vector<CuttingStep::Piece> cut_pieces(const CuttingStep::Whole& whole,
         if (set != whole.tiles) out.back().tiles = set;
     }
     if (!tiles.crossed) return out;
-    for (CuttingStep::Piece& each :
-         mesh_pieces(*tiles.crossed, nullptr, whole, key, facts)) {
+    for (CuttingStep::Piece& each : mesh_pieces(*tiles.crossed, nullptr, whole, key, facts)) {
         if (!each.mesh && whole.alone) { // it was not cut: hulls are larger than tiles
             each.mesh = tiles.crossed;
             each.bounds = bounding_box(*tiles.crossed);
@@ -194,7 +194,6 @@ std::vector<glm::dvec3> half_gaps(const CutsOf& cuts, unsigned made)
     return out;
 }
 
-// Where the pieces on each side go: by all of these.
 Part moved_by(Part part, const glm::dvec3& way)
 {
     part.to_world[3] += glm::dvec4(way, 0);
@@ -280,7 +279,8 @@ std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
     return out;
 }
 
-// Those that a step makes. Keys can take the direction of a cut away; it then cuts nothing.
+// The cuts that a step makes, by bits. Keys can take the direction of a cut away; it then cuts
+// nothing.
 unsigned made_by(bool of_parted, const Cutting& cutting)
 {
     unsigned out = 0;
@@ -290,7 +290,9 @@ unsigned made_by(bool of_parted, const Cutting& cutting)
     return out;
 }
 
-// `open`: where the part above each of the earlier cuts went since, in the world.
+// A part and where it was before the gaps of earlier cuts.
+//  - base: the number of what has the cuts, in the order of cuts_of(); the same in both steps
+//  - open: where the part above each of the earlier cuts went, in the world
 CuttingStep::Whole whole_of(const Part& part, std::size_t base, const glm::dmat4& own_to_world,
                             const std::vector<glm::dvec3>& open, bool filled, Timings& timings)
 {
@@ -313,8 +315,8 @@ CuttingStep::Whole whole_of(const Part& part, std::size_t base, const glm::dmat4
 }
 
 // The stage after some cuts; `known` is what the same cuts made before.
-Ref<Stage> cut_stage(const Ref<Stage>& before, const CutsOf& cuts, std::size_t base,
-                     bool of_parted, const StepInput& input, CuttingStep::Known& known)
+Ref<Stage> cut_stage(const Ref<Stage>& before, const CutsOf& cuts, std::size_t base, bool of_parted,
+                     const StepInput& input, CuttingStep::Known& known)
 {
     using Piece = CuttingStep::Piece;
     using Pieces = CuttingStep::Pieces;

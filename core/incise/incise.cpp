@@ -23,7 +23,7 @@ constexpr double worth_it = 0.7;    // of what an opening lacks, for less depth
 constexpr double much_lacks = 0.05; // of openings: for less nothing else is tried
 constexpr double much_narrowed = 0.6, rung = 0.70710678; // shares of widths
 constexpr int most_rungs = 20;                           // down to a thousandth of the length
-constexpr std::size_t triangles_made_in_a_look = 4;      // that are made, by what it costs
+constexpr std::size_t triangles_made_in_a_look = 4;      // for what one look costs
 constexpr std::size_t most_looks = 150'000;              // a second or two of one processor
 constexpr double edges_of_dent_in_depth = 1.5;
 constexpr const char* no_room = "the body has no room for its depth there";

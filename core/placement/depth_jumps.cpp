@@ -16,7 +16,7 @@ namespace {
 constexpr double least_jump = 0.15;
 constexpr double over_width = 0.6;   // share of that which counts over the width
 constexpr double longest_end = 0.15; // share of the way that may overshoot an edge
-constexpr double far_behind = 0.5;      // of the way: a step that is less high is followed
+constexpr double far_behind = 0.5;   // of the way: a step that is less high is followed
 constexpr int halvings = 12;         // a steep surface keeps less than a thousandth of its step
 
 } // namespace

@@ -188,14 +188,13 @@ template <class T> TakenSamples samples_as(DicomDataset& file, std::size_t count
         return {std::move(samples), 0};
 }
 
-// Whether DCMTK 3.6.7 would look for ever at a marker of a packed picture: it never leaves TEM, which
-// no file has any more (ITU-T T.81, table B.1).
+// Whether DCMTK 3.6.7 would look for ever at a marker of a packed picture: it never leaves TEM,
+// which no file has any more (ITU-T T.81, table B.1).
 bool has_endless_marker(const Uint8* jpeg, std::size_t size)
 {
     for (std::size_t at = 2; at + 4 < size;) {
         const unsigned marker = jpeg[at + 1];
-        const bool frame =
-            marker == 0xC0 || (marker >= 0xC0 && marker <= 0xCF && marker % 4 != 0);
+        const bool frame = marker == 0xC0 || (marker >= 0xC0 && marker <= 0xCF && marker % 4 != 0);
         if (jpeg[at] != 0xFF || frame) return false;
         if (marker == 0x01) return true;
         if (marker == 0xFF) // a fill byte

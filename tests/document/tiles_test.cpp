@@ -287,9 +287,8 @@ TEST(PaintedTiles, ThatAreFarTooLargeSayWhyNoneIsThere)
     stroke.size = 100;
     for (const TileBrush brush : {TileBrush::scatter, TileBrush::line, TileBrush::fill}) {
         stroke.brush = brush;
-        const Evaluation all = evaluation_of(
-            after(after(fitting_document(), ClearTiles{{stud_id}}),
-                  PaintTiles{stud_id, painted_ball, stroke}));
+        const Evaluation all = evaluation_of(after(after(fitting_document(), ClearTiles{{stud_id}}),
+                                                   PaintTiles{stud_id, painted_ball, stroke}));
         EXPECT_FALSE(shown_in(all, stud_id).notices.empty());
     }
 }
