@@ -19,9 +19,9 @@ struct InciseOptions {
 // Cuts a skin. An incision that cannot be cut is left out, and its outcome says why. Closed stays
 // closed and 2-manifold, with the Euler number that it had; seams stay and none is made; vertices
 // of the mesh keep their numbers and bits. Costs what the region of the cuts costs, and one copy of
-// the arrays; cuts in each other's way are tried again, shallower and narrower, for a counted number
-// of looks at triangles, a second or two. The same bits for any number of threads. Generalizes the one slit in one patch of
-// [Schein, thesis, 6.8]; docs/incise.md tells the steps.
+// the arrays; cuts in each other's way are tried again, shallower and narrower, for a counted
+// number of looks at triangles, a second or two. The same bits for any number of threads.
+// Generalizes the one slit in one patch of [Schein, thesis, 6.8]; docs/incise.md tells the steps.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
 // The same; `made` lends the mesh, in the memory of one that nobody has any more, and `progress` is
