@@ -9,15 +9,21 @@ namespace trivar {
 namespace {
 
 constexpr double least_det = 0.02;
+constexpr std::size_t most_samples = 100'000; // of 0.5 to 2 KB
 
 std::vector<glm::vec3> samples(std::span<const Ref<SimplexBasis<3>>> layers)
 {
+    std::size_t cells = 0, number = 0;
+    for (const Ref<SimplexBasis<3>>& layer : layers) cells += layer->domain().cells.size();
+    const std::size_t every = 1 + cells / most_samples;
     std::vector<glm::vec3> out;
     for (const Ref<SimplexBasis<3>>& layer : layers)
-        for (std::size_t c = 0; c < layer->domain().cells.size(); ++c) {
+        for (std::size_t c = 0; c < layer->domain().cells.size(); ++c, ++number) {
+            if (number % every != 0) continue;
             const auto corner = corners(layer->domain(), c);
             const glm::dvec3 middle = (corner[0] + corner[1] + corner[2] + corner[3]) / 4.0;
             out.emplace_back(middle);
+            if (5 * cells > most_samples) continue;
             for (const glm::dvec3& each : corner) out.emplace_back(glm::mix(middle, each, 0.8));
         }
     return out;
