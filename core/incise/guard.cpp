@@ -151,7 +151,14 @@ std::vector<CutGuard::Walls> CutGuard::walls_in_the_way() const
     return out;
 }
 
-double CutGuard::lacks(std::uint32_t incision, const Admitted& admitted) const
+double CutGuard::lack(std::span<const Admission> admitted) const
+{
+    double sum = 0;
+    for (std::uint32_t k = 0; k < admitted.size(); ++k) sum += lack(k, admitted[k].with_others);
+    return sum;
+}
+
+double CutGuard::lack(std::uint32_t incision, const Admitted& admitted) const
 {
     double sum = 0;
     for (const Part& part : parts_)
@@ -171,7 +178,7 @@ bool CutGuard::admits_all() const
     return piercings(moves(all, open), shares, moved_by(any)).empty();
 }
 
-std::vector<Admission> CutGuard::admitted() const
+std::optional<std::vector<Admission>> CutGuard::admitted(double most) const
 {
     const auto count = static_cast<std::uint32_t>(radius_.size());
     std::vector<Admission> out(count);
@@ -185,16 +192,13 @@ std::vector<Admission> CutGuard::admitted() const
         open[k] = 1;
         out[k] = admitted(k, all, open);
         all[k] = out[k].with_others;
-        if (out[k].held_by.empty()) continue;
-        std::vector<char> alone(count, 0);
-        alone[k] = 1;
-        out[k].alone = admitted(k, std::vector<Admitted>(count), alone).with_others;
+        if (lack(out) >= most) return std::nullopt;
     }
     std::vector<char> moving = moved_by(any);
     for (;;) { // what one of those that are open already kept apart
         const std::vector<glm::dvec3> quite = moves(all, open);
         const std::vector<PiercingPair> pairs = piercings(quite, looked_at, moving);
-        if (pairs.empty()) return out;
+        if (pairs.empty()) return lack(out) < most ? std::optional(out) : std::nullopt;
         const std::vector<Admitted> before = all;
         std::vector<char> done(terms_.size(), 0);
         for (const PiercingPair& pair : pairs)
@@ -205,15 +209,26 @@ std::vector<Admission> CutGuard::admitted() const
     }
 }
 
+void CutGuard::find_alone(std::vector<Admission>& admitted) const
+{
+    for (std::uint32_t k = 0; k < admitted.size(); ++k) {
+        if (admitted[k].held_by.empty()) continue;
+        std::vector<char> alone(admitted.size(), 0);
+        alone[k] = 1;
+        admitted[k].alone =
+            this->admitted(k, std::vector<Admitted>(admitted.size()), alone).with_others;
+    }
+}
+
 Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>& all,
                              std::span<const char> open) const
 {
     Admission out;
     std::vector<char> holds(all.size(), 0);
     out.with_others = narrowed(incision, all, open, 1, holds);
-    if (const double lack = lacks(incision, out.with_others); lack > hardly_lacks)
+    if (const double lacks = lack(incision, out.with_others); lacks > hardly_lacks)
         if (const Admitted other = narrowed(incision, all, open, shorter_dent, holds);
-            lacks(incision, other) < so_much_wider * lack)
+            lack(incision, other) < so_much_wider * lacks)
             out.with_others = other;
     out.alone = out.with_others;
     for (std::uint32_t k = 0; k < holds.size(); ++k)

@@ -6,6 +6,7 @@
 #include "core/incise/piercing.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace trivar {
 
@@ -24,14 +25,17 @@ public:
     // Whether nothing pierces at any share at which it is looked at, with all that was asked for.
     bool admits_all() const;
     // How far incisions may open along their length: quite where nothing pierces then. Where two
-    // are in each other's way the later one opens less, where it moves what pierces.
-    std::vector<Admission> admitted() const;
-    // By how much an incision opens less than was asked for, in all its parts.
-    double lacks(std::uint32_t incision, const Admitted& admitted) const;
+    // are in each other's way the later one opens less, where it moves what pierces. None where
+    // they lack `most` or more. As if each were alone, too, once that is asked for.
+    std::optional<std::vector<Admission>> admitted(double most) const;
+    void find_alone(std::vector<Admission>& admitted) const;
+    // By how much incisions open less than was asked for, in all their parts.
+    double lack(std::span<const Admission> admitted) const;
     // What all of that has cost so far: looks at a triangle or at a pair of them.
     std::size_t looks() const { return looks_; }
 
 private:
+    double lack(std::uint32_t incision, const Admitted& admitted) const;
     struct Part { // of an incision, as shares of its length
         std::uint32_t incision;
         double from, to;

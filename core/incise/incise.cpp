@@ -53,15 +53,6 @@ struct Made {
     double lacks = 0; // of openings, in all
 };
 
-// By how much incisions open less than was asked for, in all.
-double lacking(const Made& made, const CutGuard& guard)
-{
-    double sum = 0;
-    for (std::uint32_t k = 0; k < made.admitted.size(); ++k)
-        sum += guard.lacks(k, made.admitted[k].with_others);
-    return sum;
-}
-
 // An Effort is what attempts have cost, as looks at triangles. What is only better is tried while
 // it is small, so that a scribble over itself is cut as soon as a plain stroke.
 struct Effort {
@@ -114,9 +105,8 @@ public:
         if (!made || guard->admits_all()) return made;
         std::unique_ptr<Made> other = with_halved_folds(*made);
         if (other && CutGuard(other->shape, all_).admits_all()) return other;
-        admit(*made, *guard);
-        if (made->lacks < much_lacks) return made;
-        if (other) take_better(made, other);
+        admit(*made, *guard, infinite);
+        if (other && made->lacks >= much_lacks) take_better(made, other);
         for (int turn = 0;
              turn < most_when_open && made->lacks > much_lacks && effort_.may_try_more(); ++turn) {
             for (std::size_t k = 0; k < all_.size(); ++k)
@@ -126,6 +116,7 @@ public:
             if (!other) break;
             take_better(made, other);
         }
+        CutGuard(made->shape, all_).find_alone(made->admitted);
         return made;
     }
 
@@ -138,20 +129,23 @@ private:
                 pieces_of_skin_.push_back(piece);
     }
 
-    void admit(Made& made, const CutGuard& guard) const
+    // Tells how far incisions may open. False: they lack `most` or more.
+    bool admit(Made& made, const CutGuard& guard, double most) const
     {
-        made.admitted = guard.admitted();
-        made.lacks = lacking(made, guard);
+        std::optional<std::vector<Admission>> admitted = guard.admitted(most);
         effort_.looks += guard.looks();
+        if (!admitted) return false;
+        made.admitted = *std::move(admitted);
+        made.lacks = guard.lack(made.admitted);
+        return true;
     }
 
     // Takes another attempt where it lacks less by so much that it is worth it.
     void take_better(std::unique_ptr<Made>& made, std::unique_ptr<Made>& other) const
     {
         const CutGuard guard(other->shape, all_);
-        if (!guard.walls_in_the_way().empty()) return;
-        admit(*other, guard);
-        if (other->lacks < worth_it * made->lacks) made = std::move(other);
+        if (guard.walls_in_the_way().empty() && admit(*other, guard, worth_it * made->lacks))
+            made = std::move(other);
     }
 
     // With pieces of skin that can follow the field where those of another attempt turn over; of

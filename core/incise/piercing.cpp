@@ -140,10 +140,10 @@ bool stay_apart(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec
 
 bool pierce(std::span<const glm::dvec3> p, const glm::uvec3& s, const glm::uvec3& t)
 {
-    for (int i = 0; i < 3; ++i) // most are far from each other at a time
-        if (std::max({p[s.x][i], p[s.y][i], p[s.z][i]}) <
+    for (int i = 0; i < 3; ++i) // most are far from each other at a time, or touch
+        if (std::max({p[s.x][i], p[s.y][i], p[s.z][i]}) <=
                 std::min({p[t.x][i], p[t.y][i], p[t.z][i]}) ||
-            std::max({p[t.x][i], p[t.y][i], p[t.z][i]}) <
+            std::max({p[t.x][i], p[t.y][i], p[t.z][i]}) <=
                 std::min({p[s.x][i], p[s.y][i], p[s.z][i]}))
             return false;
     const unsigned common = common_corners(s, t);
