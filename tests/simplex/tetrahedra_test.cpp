@@ -124,6 +124,25 @@ TEST(Tetrahedra, StopBeforeTheyFold)
     EXPECT_LT(guard.least(shaper(shape).volume->displacements), 0);
 }
 
+TEST(Tetrahedra, StopBeforeTheyFoldWithMoreCellsThanAreSampledFiveTimes)
+{
+    TetrahedraShape shape = box;
+    TetrahedraPull far = to_the_right;
+    far.by = {-4, 0, 0};
+    shape.edits = {pull(far)};
+    for (const int boxes : {15, 26}) { // 20,250 and 105,456 cells
+        shape.boxes = glm::ivec3(boxes);
+        TetrahedraShaper shaper;
+        const ShapedTetrahedra held = shaper(shape);
+        EXPECT_LT(held.outcomes[0].share, 1);
+        EXPECT_GT(held.outcomes[0].share, 0);
+        const FoldGuard guard(held.volume->layers);
+        EXPECT_GE(guard.sample_count(), 20000U);
+        EXPECT_LE(guard.sample_count(), 100000U);
+        EXPECT_GE(guard.least(held.volume->displacements), 0.019);
+    }
+}
+
 TEST(Tetrahedra, PullOneSideOfACut)
 {
     TetrahedraShape shape = box;
