@@ -28,19 +28,26 @@ std::string tiles(int count)
 // Of strokes that should lay tiles and have none.
 void tell_empty_strokes(Stage& stage, const TileLayout& layout, const Tiling& tiling)
 {
-    std::vector<char> lays(tiling.strokes.size(), 0);
-    for (const Tile& tile : layout.tiles)
-        if (tile.stroke >= 0) lays[static_cast<std::size_t>(tile.stroke)] = 1;
-    for (std::size_t i = 0; i < lays.size(); ++i) {
-        const TileStroke& stroke = *tiling.strokes[i];
+    std::vector<char> lacks; // by stroke
+    for (const auto& stroke : tiling.strokes) {
         using enum TileBrush;
-        const bool should = stroke.brush == scatter || stroke.brush == line || stroke.brush == fill;
-        if (lays[i] || stroke.hidden || !should) continue;
-        stage.notices.push_back(
-            fmt::format("stroke {} lays no tile, as there is no room for tiles of {} m; make them "
-                        "smaller or remove the stroke",
-                        i + 1, number_text(stroke.size)));
+        lacks.push_back(!stroke->hidden && (stroke->brush == scatter || stroke->brush == line ||
+                                            stroke->brush == fill));
     }
+    const auto look_at = [&](const Tile& tile) {
+        if (tile.stroke >= 0) lacks[static_cast<std::size_t>(tile.stroke)] = 0;
+    };
+    for (const auto& run : layout.tiles.runs()) { // mostly these tell it all
+        look_at(run->front());
+        look_at(run->back());
+    }
+    if (std::ranges::find(lacks, 1) != lacks.end()) std::ranges::for_each(layout.tiles, look_at);
+    for (std::size_t i = 0; i < lacks.size(); ++i)
+        if (lacks[i])
+            stage.notices.push_back(fmt::format(
+                "stroke {} lays no tile, as there is no room for tiles of {} m; make them "
+                "smaller or remove the stroke",
+                i + 1, number_text(tiling.strokes[i]->size)));
 }
 
 void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)

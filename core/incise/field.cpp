@@ -155,14 +155,15 @@ private:
     glm::dvec3 way_at(const glm::dvec3& p, const CutCurve::Foot& foot, int side) const
     {
         const auto bump = [](double x) { return x < 1 ? (1 - x * x) * (1 - x * x) : 0; };
+        const double near = bump(foot.distance / reach);
+        if (near == 0) return glm::dvec3(0);
         const glm::dvec3 up = curve.up(foot.s, foot.segment),
                          left = double(side) * curve.left(foot.s, foot.segment);
         const glm::dvec3 off = p - curve.point(foot.s, foot.segment);
         const double below = -glm::dot(off, up);
         const double most =
             glm::mix(room[foot.segment], room[foot.segment + 1], curve.share(foot.s, foot.segment));
-        const double faded =
-            bump(foot.distance / reach) * bump(std::max(0.0, 2 * below / most - 1));
+        const double faded = near * bump(std::max(0.0, 2 * below / most - 1));
         const glm::dvec3 level = off + below * up;
         const double beside = glm::length(level);
         if (!(faded > 0) || !(beside > 0)) return faded * left;

@@ -42,15 +42,21 @@ Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : 
     }
     std::vector<glm::dvec3> now, next(points.size());
     for (const std::uint32_t p : points) now.push_back(skin.normal(p));
+    std::vector<std::uint32_t> around; // numbers of all corners of the faces round each point
+    std::vector<std::size_t> end_of;   // by point
+    for (const std::uint32_t p : points) {
+        skin.around(p, [&](std::uint32_t side) {
+            for (int k = 0; k < 3; ++k)
+                if (const std::uint32_t n = number_.find(skin.triangle(side / 3)[k]);
+                    n != KeyNumbers::none)
+                    around.push_back(n);
+        });
+        end_of.push_back(around.size());
+    }
     for (int round = 0; round < smoothing_rounds; ++round) {
-        for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t i = 0, k = 0; i < points.size(); ++i) {
             glm::dvec3 sum(0);
-            skin.around(points[i], [&](std::uint32_t side) {
-                for (int k = 0; k < 3; ++k) {
-                    const std::uint32_t n = number_.find(skin.triangle(side / 3)[k]);
-                    if (n != KeyNumbers::none) sum += now[n];
-                }
-            });
+            for (; k < end_of[i]; ++k) sum += now[around[k]];
             next[i] = unit_or_zero(sum);
         }
         now.swap(next);
