@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
 #include "core/evaluation/evaluated.h"
-#include "core/evaluation/ray_meshes.h"
+#include "core/rays/ray_meshes.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/limit/surface_point.h"
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 
 #include <optional>
 #include <span>

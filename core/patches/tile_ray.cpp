@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/patches/tile_ray.h"
 
-#include "core/mesh/nearest_face.h"
+#include "core/rays/nearest_face.h"
 
 #include <algorithm>
 

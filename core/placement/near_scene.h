@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/ray_scene.h"
 #include "core/placement/strip_index.h"
+#include "core/rays/ray_scene.h"
 
 #include <array>
 #include <cstdint>

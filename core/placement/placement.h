@@ -4,7 +4,7 @@
 #include "core/base/camera.h"
 #include "core/base/timing.h"
 #include "core/ffd/deform.h"
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 #include "core/spline/surface.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 #include "core/silhouette/level_drawing.h"
 #include "core/silhouette/line_drawing.h"
 #include "core/silhouette/mesh_shape.h"

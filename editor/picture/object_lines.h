@@ -3,7 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 #include "core/silhouette/drawing_layer.h"
 #include "core/silhouette/mesh_drawing.h"
 #include "gpu/curve.h"
@@ -19,8 +19,8 @@ namespace trivar {
 class ObjectLines {
 public:
     // The curves of an object; `wider` as in VolumeLines. Parts that are drawn from tiles have
-    // none, and others are deformed. The first view of a mesh costs 0.4 us per triangle, each further
-    // one 10 ns per triangle and 1 us per point of its lines.
+    // none, and others are deformed. The first view of a mesh costs 0.4 us per triangle, each
+    // further one 10 ns per triangle and 1 us per point of its lines.
     const std::vector<gpu::Curve>& operator()(const EvaluatedObject& object,
                                               const LineDrawing& drawing, const Camera& camera,
                                               float wider);

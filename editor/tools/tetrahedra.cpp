@@ -3,7 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
-#include "core/mesh/nearest_face.h"
+#include "core/rays/nearest_face.h"
 #include "core/simplex/pulled_layer.h"
 #include "core/simplex/pulling.h"
 #include "core/simplex/tetrahedra_layers.h"

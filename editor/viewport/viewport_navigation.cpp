@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The camera's share of the mouse, and what a ray of the picture meets.
-#include "core/mesh/nearest_face.h"
 #include "core/patches/tile_ray.h"
+#include "core/rays/nearest_face.h"
 #include "editor/session/session_facts.h"
 #include "editor/viewport/viewport.h"
 #include "ui/camera_control.h"

@@ -3,7 +3,7 @@
 
 #include "core/evaluation/evaluated.h"
 #include "core/evaluation/footing.h"
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/nearest_face.h"
+#include "core/rays/nearest_face.h"
 
 #include <algorithm>
 #include <cmath>

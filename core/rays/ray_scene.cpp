@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/placement/ray_scene.h"
+#include "core/rays/ray_scene.h"
 
 #include "core/base/mistake.h"
 #include "core/base/parallel.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/ray_meshes.h"
+#include "core/rays/ray_meshes.h"
 
 namespace trivar {
 
