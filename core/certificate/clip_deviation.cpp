@@ -2,8 +2,8 @@
 #include "core/certificate/clip_deviation.h"
 
 #include "core/base/finite.h"
-#include "core/mesh/foot_lock.h"
-#include "core/mesh/planting_rates.h"
+#include "core/walking/foot_lock.h"
+#include "core/walking/planting_rates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/base/recent.h"
 #include "core/document/object.h"
 #include "core/evaluation/shape.h"
-#include "core/mesh/foot_lock.h"
+#include "core/walking/foot_lock.h"
 
 namespace trivar {
 

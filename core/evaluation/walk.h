@@ -3,7 +3,7 @@
 
 #include "core/base/lazy.h"
 #include "core/document/document.h"
-#include "core/mesh/foot_lock.h"
+#include "core/walking/foot_lock.h"
 
 namespace trivar {
 

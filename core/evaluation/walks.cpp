@@ -3,8 +3,8 @@
 
 #include "core/base/text.h"
 #include "core/evaluation/reaching.h"
-#include "core/mesh/pose_rates.h"
 #include "core/placement/embed.h"
+#include "core/walking/pose_rates.h"
 
 #include <algorithm>
 #include <cmath>

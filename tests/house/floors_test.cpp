@@ -23,7 +23,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/kernel"},
     {"core/spline"},
     {"core/mesh"},
-    {"core/rays", "core/plane"},
+    {"core/rays", "core/walking", "core/plane"},
     {"core/text"},
     {"core/files"},
     {"core/simplify", "core/unwrap", "core/voxels"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/pose_rates.h"
+#include "core/walking/pose_rates.h"
 #include "tests/support/rigged.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/gait.h"
-#include "core/mesh/pose_rates.h"
+#include "core/walking/gait.h"
+#include "core/walking/pose_rates.h"
 
 namespace trivar {
 
@@ -14,7 +14,7 @@ namespace trivar {
 //
 // o and e are the joint above the point and the direction to the next joint, l and L the lengths of
 // the leg down to o and of the whole leg, and s the mean share of the sole, or 1
-// (core/mesh/foot_lock.h). d moves evenly. A point that keeps its place beside a joint of a leg
+// (core/walking/foot_lock.h). d moves evenly. A point that keeps its place beside a joint of a leg
 // that only turns takes the same share at all times. Otherwise the product rule bounds it; e, l and
 // p are seen from the joint, where all nodes above it keep lengths. Units of the model, seconds.
 class PlantingRates {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/foot_lock.h"
-#include "core/mesh/planting_rates.h"
+#include "core/walking/foot_lock.h"
+#include "core/walking/planting_rates.h"
 
 #include <gtest/gtest.h>
 

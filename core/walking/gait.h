@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/low_vertices.h"
+#include "core/walking/low_vertices.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/gait.h"
+#include "core/walking/gait.h"
 
 #include "core/base/parallel.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/gait.h"
+#include "core/walking/gait.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/foot_lock.h"
 #include "core/mesh/primitives.h"
+#include "core/walking/foot_lock.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/planting_rates.h"
+#include "core/walking/planting_rates.h"
 
-#include "core/mesh/foot_lock.h"
+#include "core/walking/foot_lock.h"
 
 #include <algorithm>
 #include <cmath>

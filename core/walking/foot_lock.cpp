@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/foot_lock.h"
+#include "core/walking/foot_lock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/low_vertices.h"
+#include "core/walking/low_vertices.h"
 
 #include "core/base/parallel.h"
 

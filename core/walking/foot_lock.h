@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/gait.h"
+#include "core/walking/gait.h"
 
 namespace trivar {
 
