@@ -5,9 +5,9 @@
 #include "core/document/volume_casting.h"
 #include "core/document/volume_reading.h"
 #include "core/silhouette/ink.h"
+#include "core/silhouette/level_side.h"
 #include "core/silhouette/more_lines.h"
 #include "core/silhouette/tetrahedra_fit.h"
-#include "core/silhouette/visibility.h"
 
 #include <string>
 #include <vector>

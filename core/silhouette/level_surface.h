@@ -3,7 +3,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/silhouette/level_mesh.h"
-#include "core/silhouette/visibility.h"
+#include "core/silhouette/level_side.h"
 
 namespace trivar {
 

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/field_hulls.h"
+#include "core/silhouette/level_body.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar {
-
-// On which side of its level a body is.
-enum class LevelSide : std::uint8_t { above, below };
-
-// A LevelBody is what is on one side of a level of a field, and hides what is behind it.
-struct LevelBody {
-    const ScalarField<float>& field;
-    const FieldHulls& hulls;
-    float level;
-    LevelSide side = LevelSide::above;
-    // It is looked at between these slices alone, voxels: of a slab.
-    float low = -1e30f, high = 1e30f;
-};
 
 // Whether a body hides a point from an eye in a direction (unit, voxels), at most `distance` away.
 // A line of sight that leaves a point of the body's own silhouette is at a double root there, so it

@@ -3,8 +3,8 @@
 
 #include "core/base/ref.h"
 #include "core/mesh/mesh.h"
+#include "core/silhouette/level_body.h"
 #include "core/silhouette/level_mesh.h"
-#include "core/silhouette/visibility.h"
 #include "core/voxels/cropped.h"
 
 namespace trivar {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace trivar {
+
+// On which side of its level a body is.
+enum class LevelSide : std::uint8_t { above, below };
+
+} // namespace trivar
