@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/casting/transfer_table.h"
-#include "core/silhouette/voxel_field.h"
+#include "core/level/voxel_field.h"
 
 #include <cstdint>
 

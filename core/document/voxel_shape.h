@@ -4,10 +4,10 @@
 #include "core/document/surfacing.h"
 #include "core/document/volume_casting.h"
 #include "core/document/volume_reading.h"
-#include "core/silhouette/ink.h"
-#include "core/silhouette/level_side.h"
-#include "core/silhouette/more_lines.h"
-#include "core/silhouette/tetrahedra_fit.h"
+#include "core/field/level_side.h"
+#include "core/field/tetrahedra_fit.h"
+#include "core/lines/ink.h"
+#include "core/lines/more_lines.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/drawing_layer.h"
+#include "core/lines/drawing_layer.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/line_ids.h"
+#include "core/lines/line_ids.h"
 
 #include <cstddef>
 #include <map>

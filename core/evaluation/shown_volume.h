@@ -4,8 +4,8 @@
 #include "core/base/box.h"
 #include "core/casting/casting.h"
 #include "core/document/voxel_shape.h"
-#include "core/silhouette/level_drawing.h"
-#include "core/silhouette/voxel_field.h"
+#include "core/level/voxel_field.h"
+#include "core/lines/level_drawing.h"
 #include "core/voxels/volume_summary.h"
 
 namespace trivar {

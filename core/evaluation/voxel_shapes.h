@@ -6,7 +6,7 @@
 #include "core/document/asset_store.h"
 #include "core/evaluation/shape.h"
 #include "core/evaluation/shown_volume.h"
-#include "core/silhouette/fitted_volume.h"
+#include "core/level/fitted_volume.h"
 
 #include <tuple>
 

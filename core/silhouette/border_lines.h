@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/key_numbers.h"
-#include "core/silhouette/level_mesh.h"
+#include "core/level/level_mesh.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar {

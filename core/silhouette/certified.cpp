@@ -4,7 +4,7 @@
 #include "core/base/key_numbers.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/silhouette/bezier_net.h"
+#include "core/field/bezier_net.h"
 #include "core/silhouette/leaf_march.h"
 #include "core/silhouette/silhouette_curves.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/silhouette/field_hulls.h"
+#include "core/field/field_hulls.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/field_hulls.h"
+#include "core/field/field_hulls.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar {

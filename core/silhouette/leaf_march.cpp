@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/silhouette/leaf_march.h"
 
-#include "core/silhouette/kuhn_cells.h"
+#include "core/level/kuhn_cells.h"
 #include "core/silhouette/silhouette_curves.h"
 
 namespace trivar {

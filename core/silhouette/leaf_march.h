@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field/field_hulls.h"
 #include "core/silhouette/edge_chains.h"
-#include "core/silhouette/field_hulls.h"
 #include "core/silhouette/silhouettes.h"
 
 #include <array>

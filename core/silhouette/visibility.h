@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/level_body.h"
+#include "core/level/level_body.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar {

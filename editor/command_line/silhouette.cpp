@@ -10,7 +10,7 @@
 #include "core/drawing/line_list.h"
 #include "core/files/file_bytes.h"
 #include "core/files/sample_models.h"
-#include "core/silhouette/slab_drawing.h"
+#include "core/lines/slab_drawing.h"
 #include "core/voxels/read_volume.h"
 #include "core/voxels/segments.h"
 #include "core/voxels/usual_level.h"

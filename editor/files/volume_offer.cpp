@@ -3,7 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/rejected.h"
-#include "core/silhouette/field_slabs.h"
+#include "core/level/field_slabs.h"
 #include "core/voxels/dicom_file.h"
 #include "core/voxels/segments.h"
 #include "editor/files/volume_names.h"

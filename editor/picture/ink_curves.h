@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/ink.h"
+#include "core/lines/ink.h"
 #include "gpu/curve.h"
 
 #include <vector>

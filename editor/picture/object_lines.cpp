@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/object_lines.h"
 
-#include "core/silhouette/line_budget.h"
+#include "core/lines/line_budget.h"
 #include "editor/picture/ink_curves.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
+#include "core/lines/drawing_layer.h"
+#include "core/lines/mesh_drawing.h"
 #include "core/rays/ray_scene.h"
-#include "core/silhouette/drawing_layer.h"
-#include "core/silhouette/mesh_drawing.h"
 #include "gpu/curve.h"
 #include "gpu/picture.h"
 

@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/recent.h"
 #include "core/evaluation/evaluated.h"
-#include "core/silhouette/level_drawing.h"
+#include "core/lines/level_drawing.h"
 #include "gpu/curve.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/level_scouts.h"
 
-#include "core/silhouette/level_scout.h"
+#include "core/lines/level_scout.h"
 #include "editor/jobs/job.h"
 
 #include <utility>

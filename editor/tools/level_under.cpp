@@ -2,7 +2,7 @@
 #include "editor/tools/level_under.h"
 
 #include "core/document/bases.h"
-#include "core/silhouette/level_drawing.h"
+#include "core/lines/level_drawing.h"
 
 namespace trivar {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/ref.h"
-#include "core/silhouette/level_mesh.h"
+#include "core/level/level_mesh.h"
 #include "core/silhouette/silhouettes.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/volumes_campaign.h"
 
-#include "core/silhouette/voxel_field.h"
+#include "core/level/voxel_field.h"
 #include "core/voxels/read_volume.h"
 #include "core/voxels/segments.h"
 #include "core/voxels/usual_level.h"

@@ -7,11 +7,11 @@
 // manual_silhouette_views recall VIEWS [FOLDER]: compares certified silhouettes with boxes of 1/16
 // voxel with what an exhaustive search finds, and points that are hidden with a march in small
 // steps.
+#include "core/level/voxel_field.h"
+#include "core/lines/level_drawing.h"
 #include "core/silhouette/certified.h"
-#include "core/silhouette/level_drawing.h"
 #include "core/silhouette/silhouette_curves.h"
 #include "core/silhouette/silhouette_finder.h"
-#include "core/silhouette/voxel_field.h"
 #include "core/voxels/read_volume.h"
 #include "core/voxels/usual_level.h"
 #include "tests/silhouette/scenes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/silhouette/fitted_volume.h"
+#include "core/level/fitted_volume.h"
 #include "core/voxels/coarsened.h"
 #include "core/voxels/read_volume.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/silhouette/bezier_net.h"
+#include "core/field/bezier_net.h"
 #include "core/silhouette/certified.h"
 #include "tests/silhouette/scenes.h"
 #include "tests/silhouette/true_silhouette.h"

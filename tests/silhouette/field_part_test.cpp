@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/level/voxel_field.h"
 #include "core/silhouette/border_lines.h"
 #include "core/silhouette/certified.h"
-#include "core/silhouette/voxel_field.h"
 #include "tests/silhouette/scenes.h"
 
 #include <gtest/gtest.h>

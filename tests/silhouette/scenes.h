@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/silhouette/silhouette_finder.h"
-#include "tests/silhouette/fields.h"
+#include "tests/field/fields.h"
 
 namespace trivar::testing {
 

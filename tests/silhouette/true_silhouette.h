@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/scalar_field.h"
+#include "core/field/scalar_field.h"
 #include "core/silhouette/silhouettes.h"
 
 namespace trivar::testing {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/field.h"
-#include "core/silhouette/line_drawing.h"
+#include "core/lines/line_drawing.h"
 
 namespace trivar {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/silhouette/line_drawing.h"
+#include "core/lines/line_drawing.h"
 #include "editor/panels/inspector/value_rows.h"
 
 namespace trivar {
