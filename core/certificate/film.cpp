@@ -4,8 +4,8 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
-#include "core/evaluation/lacking.h"
 #include "core/evaluation/pattern_colors.h"
+#include "core/steps/lacking.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -50,7 +50,7 @@ Document unrefined(Document document);
 // or where the triangles of an object change very often; throws Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
-// One sentence per thing that the scene lacks at some moment (core/evaluation/lacking.h).
+// One sentence per thing that the scene lacks at some moment (core/steps/lacking.h).
 std::vector<std::string> lacks(const Film& film, const Document& document);
 // The moments of a range, `per_frame` to each frame.
 std::vector<double> moments_of(const FrameRange& range, int per_frame);

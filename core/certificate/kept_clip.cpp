@@ -3,7 +3,7 @@
 
 #include "core/certificate/keys.h"
 #include "core/document/parameters.h"
-#include "core/evaluation/posing.h"
+#include "core/steps/moving/posing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,10 +9,10 @@
 #include "core/document/bases.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/far_places.h"
-#include "core/evaluation/inside_material.h"
-#include "core/evaluation/lattices.h"
-#include "core/evaluation/shapes.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/inside_material.h"
+#include "core/stages/shapes.h"
+#include "core/stages/shown_volume.h"
+#include "core/steps/bending/lattices.h"
 
 #include <algorithm>
 #include <fmt/format.h>

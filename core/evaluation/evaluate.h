@@ -3,8 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
-#include "core/evaluation/evaluated.h"
-#include "core/evaluation/step.h"
+#include "core/stages/evaluated.h"
+#include "core/stages/step.h"
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 
 #include "core/base/joined_sets.h"
 #include "core/document/bases.h"
-#include "core/evaluation/riding.h"
 #include "core/mesh/far_origin.h"
+#include "core/steps/laying/riding.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/finite.h"
 #include "core/base/rejected.h"
-#include "core/evaluation/refining.h"
+#include "core/steps/bending/refining.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/certificate/certificate.h"
-#include "core/evaluation/lacking.h"
 #include "core/export/point_cache.h"
 #include "core/export/usd_writer.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
+#include "core/steps/lacking.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -8,8 +8,8 @@
 #include "core/certificate/sag.h"
 #include "core/certificate/target_keys.h"
 #include "core/document/document_digest.h"
-#include "core/evaluation/lacking.h"
 #include "core/export/animated_nodes.h"
+#include "core/steps/lacking.h"
 
 #include <algorithm>
 #include <cmath>

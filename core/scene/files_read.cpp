@@ -4,8 +4,8 @@
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
 #include "core/document/named_files.h"
-#include "core/evaluation/shapes.h"
 #include "core/files/companions.h"
+#include "core/stages/shapes.h"
 #include <filesystem>
 #include <utility>
 

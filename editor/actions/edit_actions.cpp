@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/edit_actions.h"
 
-#include "core/evaluation/attaching.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/actions/chords.h"
 #include "editor/actions/left_behind.h"
 #include "editor/actions/log_lines.h"

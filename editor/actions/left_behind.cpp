@@ -3,8 +3,8 @@
 
 #include "core/commands/edits.h"
 #include "core/document/bases.h"
-#include "core/evaluation/attaching.h"
 #include "core/placement/attachment.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
 #include "editor/session/topics.h"

@@ -5,7 +5,7 @@
 #include "core/base/rounded.h"
 #include "core/commands/heights.h"
 #include "core/commands/mask_tiles.h"
-#include "core/evaluation/tiled_base.h"
+#include "core/stages/tiled_base.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"

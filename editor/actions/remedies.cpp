@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/remedies.h"
 
-#include "core/evaluation/covers.h"
-#include "core/evaluation/refining.h"
+#include "core/steps/bending/refining.h"
+#include "core/steps/tiles/covers.h"
 #include "core/tiles/cell_counts.h"
 #include "editor/session/scene_facts.h"
 

@@ -3,9 +3,9 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
-#include "core/evaluation/lacking.h"
 #include "core/scene/files_read.h"
 #include "core/scene/log.h"
+#include "core/steps/lacking.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/command_line/status.h"
 

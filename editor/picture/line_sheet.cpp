@@ -3,7 +3,7 @@
 
 #include "core/document/drawn_lines.h"
 #include "core/drawing/line_list.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/picture/object_lines.h"
 
 #include <fmt/format.h>

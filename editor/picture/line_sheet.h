@@ -4,7 +4,7 @@
 #include "core/base/camera.h"
 #include "core/document/document.h"
 #include "core/drawing/hand_edits.h"
-#include "core/evaluation/evaluated.h"
+#include "core/stages/evaluated.h"
 
 namespace trivar {
 

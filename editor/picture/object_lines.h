@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/recent.h"
-#include "core/evaluation/evaluated.h"
 #include "core/lines/drawing_layer.h"
 #include "core/lines/mesh_drawing.h"
 #include "core/rays/ray_scene.h"
+#include "core/stages/evaluated.h"
 #include "gpu/curve.h"
 #include "gpu/picture.h"
 

@@ -2,7 +2,7 @@
 #include "editor/picture/picture.h"
 
 #include "core/document/drawn_lines.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/picture/curves_picture.h"
 #include "editor/picture/volume_casts.h"
 #include "editor/picture/volume_picture.h"

@@ -2,8 +2,8 @@
 #include "editor/picture/shown_values.h"
 
 #include "core/base/rejected.h"
-#include "core/evaluation/refining.h"
 #include "core/ffd/volume_change.h"
+#include "core/steps/bending/refining.h"
 #include "editor/picture/checker.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
-#include "core/evaluation/evaluated.h"
+#include "core/stages/evaluated.h"
 #include "gpu/picture.h"
 #include "ui/palette.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/recent.h"
-#include "core/evaluation/evaluated.h"
 #include "core/lines/level_drawing.h"
+#include "core/stages/evaluated.h"
 #include "gpu/curve.h"
 
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 
 #include <memory>
 #include <optional>

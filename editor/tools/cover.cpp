@@ -2,7 +2,7 @@
 #include "editor/tools/cover.h"
 
 #include "core/base/rounded.h"
-#include "core/evaluation/tiled_base.h"
+#include "core/stages/tiled_base.h"
 
 #include <algorithm>
 

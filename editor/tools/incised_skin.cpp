@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/incised_skin.h"
 
-#include "core/evaluation/tiled_base.h"
 #include "core/incise/incised.h"
 #include "core/mesh/barycentric.h"
+#include "core/stages/tiled_base.h"
 #include "editor/tools/uv_line.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/laid_motion.h"
 
-#include "core/evaluation/attaching.h"
 #include "core/placement/view.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/tools/placement_handles.h"
 
 #include <algorithm>

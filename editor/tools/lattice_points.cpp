@@ -3,8 +3,8 @@
 
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
-#include "core/evaluation/attaching.h"
 #include "core/placement/shifting.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/session/topics.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/hand_motion.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/painted_surface.h"
 
-#include "core/evaluation/tiled_base.h"
 #include "core/mesh/barycentric.h"
+#include "core/stages/tiled_base.h"
 
 namespace trivar {
 namespace {

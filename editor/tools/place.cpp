@@ -2,10 +2,10 @@
 #include "editor/tools/place.h"
 
 #include "core/base/rounded.h"
-#include "core/evaluation/attaching.h"
-#include "core/evaluation/ground_plane.h"
 #include "core/placement/embed.h"
 #include "core/placement/redraw.h"
+#include "core/steps/laying/attaching.h"
+#include "core/steps/laying/ground_plane.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/topics.h"

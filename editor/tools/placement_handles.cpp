@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/placement_handles.h"
 
-#include "core/evaluation/attaching.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/tools/arrow_head.h"
 #include "editor/tools/handle_drag.h"
 #include "editor/tools/strip_paint.h"

@@ -2,8 +2,8 @@
 #include "editor/tools/press.h"
 
 #include "core/base/rounded.h"
-#include "core/evaluation/attaching.h"
 #include "core/ffd/resolution.h"
+#include "core/steps/laying/attaching.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/topics.h"
 #include "editor/tools/falloff_option.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/evaluated.h"
+#include "core/stages/evaluated.h"
 
 #include <array>
 

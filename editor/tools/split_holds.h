@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
-#include "core/evaluation/evaluated.h"
+#include "core/stages/evaluated.h"
 #include "editor/tools/motion.h"
 
 #include <optional>

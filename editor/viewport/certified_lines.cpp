@@ -2,7 +2,7 @@
 #include "editor/viewport/certified_lines.h"
 
 #include "core/base/number_text.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/picture/picture.h"
 #include "ui/widgets.h"
 

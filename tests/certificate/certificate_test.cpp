@@ -2,7 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/export/still_export.h"
-#include "tests/document/commands.h"
+#include "tests/support/scenes/commands.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "core/commands/text.h"
 #include "core/export/animated_files.h"
 #include "core/mesh/closed_body.h"
-#include "tests/document/incised_ball.h"
 #include "tests/export/scenes.h"
+#include "tests/support/scenes/incised_ball.h"
 
 #include <gmock/gmock.h>
 

@@ -7,8 +7,8 @@
 #include "core/files/formats.h"
 #include "core/files/glb_content.h"
 #include "core/files/read_model.h"
-#include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/scenes/commands.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -2,9 +2,9 @@
 #include "core/certificate/film.h"
 #include "core/certificate/film_check.h"
 #include "core/certificate/kept_clip.h"
-#include "core/evaluation/posing.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
+#include "core/steps/moving/posing.h"
 #include "tests/export/scenes.h"
 
 #include <cmath>

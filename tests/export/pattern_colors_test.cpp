@@ -6,8 +6,8 @@
 #include "core/export/still_export.h"
 #include "core/files/formats.h"
 #include "core/files/read_model.h"
-#include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/scenes/commands.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -8,9 +8,9 @@
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
 #include "core/scene/log.h"
-#include "tests/document/commands.h"
 #include "tests/mesh/edges.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

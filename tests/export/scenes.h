@@ -3,9 +3,9 @@
 
 #include "core/certificate/film_check.h"
 #include "core/export/animated_model.h"
-#include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"
+#include "tests/support/scenes/commands.h"
 
 namespace trivar::testing {
 

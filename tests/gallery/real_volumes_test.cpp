@@ -3,11 +3,11 @@
 
 #include "core/base/text.h"
 #include "core/drawing/drawing_file.h"
-#include "core/evaluation/shown_volume.h"
 #include "core/scene/log.h"
 #include "core/silhouette/border_lines.h"
 #include "core/silhouette/silhouette_curves.h"
 #include "core/silhouette/silhouette_finder.h"
+#include "core/stages/shown_volume.h"
 #include "editor/picture/line_sheet.h"
 #include "editor/picture/picture.h"
 #include "editor/picture/still.h"

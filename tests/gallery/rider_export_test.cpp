@@ -7,8 +7,8 @@
 #include "core/export/animated_model.h"
 #include "core/files/formats.h"
 #include "core/scene/log.h"
-#include "tests/document/lying.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/scenes/lying.h"
 
 #include <filesystem>
 #include <fstream>

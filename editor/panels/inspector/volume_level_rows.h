@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/session/level_scouts.h"
 

@@ -2,7 +2,7 @@
 #include "editor/actions/remedies.h"
 
 #include "core/commands/tiles.h"
-#include "core/evaluation/covers.h"
+#include "core/steps/tiles/covers.h"
 #include "core/tiles/cell_counts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/files/volume_names.h"
 #include "editor/files/volume_slices.h"
 #include "editor/session/session_facts.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/panels/inspector/transfer_rows.h"
 #include "editor/session/volume_levels.h"
 #include "tests/editor/panels/number_rows.h"

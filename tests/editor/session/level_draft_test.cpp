@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/session/level_draft.h"
 #include "tests/editor/volume_rig.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/attaching.h"
+#include "core/steps/laying/attaching.h"
 #include "tests/editor/laid.h"
 
 #include <gmock/gmock.h>

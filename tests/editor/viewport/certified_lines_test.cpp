@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
-#include "core/evaluation/shown_volume.h"
+#include "core/stages/shown_volume.h"
 #include "editor/jobs/newest_work.h"
 #include "editor/picture/line_sheet.h"
 #include "editor/picture/picture.h"

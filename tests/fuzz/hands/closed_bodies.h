@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/object.h"
-#include "core/evaluation/evaluated.h"
+#include "core/stages/evaluated.h"
 
 namespace trivar::testing {
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/recent.h"
+#include "core/stages/step.h"
+#include "core/steps/laying/footing.h"
+#include "core/steps/laying/ground_plane.h"
+
+namespace trivar {
+
+// A part of an evaluated object as a stroke sees it, where a matrix takes the object's own space to
+// that of the stroke. `part` is in the world of the stroke.
+Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& own_to_drawn);
+
+// Finds out how an attached stroke is carried, from where its hosts are and where they were when it
+// was drawn. Where they turned, grew evenly or moved as one, that is their motion, to the bits of
+// the matrices; else it is the nearest motion of the places under the stroke, and each sample goes
+// to where its place is. Shoots no rays. O(number of samples); where a host is posed or bent, its
+// mesh is searched once for the samples' places.
+class Carriages {
+public:
+    // Null: the object is attached to nothing that is left. Equal input gives the same pointer, as
+    // for a Step.
+    Ref<Carriage> operator()(const StepInput& input);
+
+private:
+    struct From {
+        PlacementStep step;
+        std::vector<Ref<EvaluatedObject>> hosts, others; // null where one is not there
+        bool operator==(const From&) const = default;
+    };
+    Footings footings_;
+    GroundPlane ground_;
+    Recent<From, Ref<Carriage>> known_;
+};
+
+} // namespace trivar

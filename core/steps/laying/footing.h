@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/stages/stage.h"
+#include "core/stages/step.h"
+
+#include <optional>
+#include <vector>
+
+namespace trivar {
+
+// Where a place of a mesh is in any pose of it: at these vertices, by these shares.
+struct Footing {
+    glm::uvec3 vertices{0};
+    glm::dvec3 shares{1, 0, 0};
+};
+// The place on the mesh that is nearest to a point. O(number of triangles), most of them passed
+// over in blocks.
+Footing nearest_footing(const RayMesh& mesh, const glm::dvec3& p);
+
+// A mesh of a shape before a pose moves its vertices; null: it has none of that slot.
+Ref<Mesh> rest_mesh(const Shape& shape, int slot);
+
+// Where a sample's place on its host is now, in the host's own space.
+struct FootPlace {
+    glm::dvec3 p{0}, normal{0};
+};
+
+// Finds the places of samples on their hosts, however these are posed and bent; keeps where on the
+// mesh at rest they are.
+class Footings {
+public:
+    // Nothing where the host does not show that mesh.
+    std::optional<FootPlace> operator()(const AttachedSample& sample, std::size_t index,
+                                        const EvaluatedObject& host, const std::vector<Part>& parts,
+                                        const StepInput& input);
+
+private:
+    // A SampleFooting is where on a mesh at rest a sample is; it holds for this mesh and place
+    // alone.
+    struct SampleFooting {
+        glm::dvec3 rest{0};
+        Ref<Mesh> mesh;
+        Footing footing;
+    };
+    std::vector<std::optional<SampleFooting>> known_; // by sample
+};
+
+} // namespace trivar

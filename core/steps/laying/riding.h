@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/recent.h"
+#include "core/steps/laying/carriages.h"
+
+#include <memory>
+
+namespace trivar {
+
+// Carries what lies on a stroke that is attached to where its hosts are now, volume and all: by one
+// matrix, so nothing is laid again and no vertex is worked out before somebody asks for it.
+class Riding : public Step {
+public:
+    explicit Riding(std::shared_ptr<Carriages> carriages) : carriages_(std::move(carriages)) {}
+    Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
+
+private:
+    std::shared_ptr<Carriages> carriages_;
+    Recent<std::pair<Ref<Stage>, Ref<Carriage>>, Ref<Stage>> known_;
+};
+
+// A placement where a matrix takes it that turns, scales evenly and shifts; lengths of its report
+// go with the scale.
+Placement carried(Placement placement, const glm::dmat4& to_world);
+Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world); // likewise
+
+} // namespace trivar

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/limit/chart_uvs.h"
+#include "core/stages/tiled_base.h"
+#include "core/steps/tiles/masking.h"
+#include "core/steps/tiles/tile_kinds.h"
+#include "core/tiles/tile_counts.h"
+
+namespace trivar {
+
+struct CoverLayout;
+
+// What tiles that cover a base come from.
+struct CoverInput {
+    const Tiling& tiling;
+    const TileKinds& kinds; // of its tiles
+    const TiledPieces& pieces;
+    const FoundLimit& limit;
+    const std::map<int, std::vector<Part>>& members; // of the base
+    const FoundMasks& masks;
+    Timings& timings;
+};
+struct CoverParts {
+    std::vector<Part> parts; // in the world
+    TileCounts counts;
+    std::vector<std::string> notices; // why nothing is covered
+    // The greatest height of its tiles as a share of that which is proven; 0: nobody asked.
+    double of_limit = 0;
+};
+
+// Covers lays tiles all over a base: over its limit surface where it is shown as a subdivision
+// surface, and else over the faces of its meshes. The cells are laid out on the base at rest, and
+// again only when its shape or the pattern changes. Tiles that one patch carries are a TileSet,
+// whose mesh nevertheless fits its neighbours to the last bit; the others are a mesh.
+class Covers {
+public:
+    CoverParts operator()(const CoverInput& input);
+
+private:
+    struct LayoutKey {
+        TiledPieces pieces;
+        Ref<LimitBase> limit; // null: over the faces
+        TilePattern pattern;
+        glm::dvec2 size;
+        int per_face;
+        bool operator==(const LayoutKey&) const = default;
+    };
+    struct ModelKey {
+        Ref<Mesh> mesh;
+        glm::dmat4 to_unit;
+        std::uint32_t first_material;
+        bool operator==(const ModelKey&) const = default;
+    };
+    struct CoverModel {
+        Ref<Mesh> mesh; // with the materials of the layer
+        Ref<TileModel> tile;
+    };
+    struct MaskKey {
+        Ref<CoverLayout> layout;
+        Ref<TileMasks> masks;
+        Ref<TileBase> textured;
+        bool operator==(const MaskKey&) const = default;
+    };
+    struct CoverMasks {
+        std::vector<MaskFactors> tiles; // #tiles; empty: 1
+        std::vector<double> heights;    // factors of the nodes; empty: 1
+    };
+    Ref<CoverLayout> layout(const CoverInput& input, const glm::dvec2& size);
+    Ref<CoverMasks> masks(const CoverInput& input, const Ref<CoverLayout>& layout);
+
+    using Uvs = std::optional<ChartUvs>;
+    Recent<LayoutKey, Ref<CoverLayout>> layouts_;
+    Recent<Ref<CoverLayout>, Ref<Uvs>> uvs_;
+    Recent<MaskKey, Ref<CoverMasks>> masks_;
+    Recent<ModelKey, CoverModel> models_{64};
+};
+
+// What helps where tiles have too many vertices to be drawn.
+inline constexpr const char* too_heavy_tiles_words =
+    "simplify the object that the tiles are copies of, or lay fewer or larger ones";
+
+// Of what is covered by its texture coordinates or displaced.
+inline constexpr const char* lacks_uvs_words = "has no UVs";
+
+// A sentence for so many tiles of each kind that they cannot be shown; else empty.
+std::string too_many_words(const std::vector<TileKind>& kinds, std::span<const std::size_t> counts);
+
+} // namespace trivar
