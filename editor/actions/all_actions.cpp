@@ -20,9 +20,9 @@
 #include "editor/actions/view_actions.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
+#include "editor/hands/last_shaping.h"
+#include "editor/hands/placement_handles.h"
 #include "editor/tools/all_tools.h"
-#include "editor/tools/last_shaping.h"
-#include "editor/tools/placement_handles.h"
 
 #include <tuple>
 

@@ -5,9 +5,9 @@
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
 #include "editor/files/kept_shapes.h"
+#include "editor/hands/lattice_round.h"
 #include "editor/session/scene_facts.h"
-#include "editor/tools/lattice_round.h"
-#include "editor/tools/tetrahedra_round.h"
+#include "editor/tools/tetrahedra/tetrahedra_round.h"
 
 namespace trivar {
 

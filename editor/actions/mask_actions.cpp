@@ -9,7 +9,7 @@
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
-#include "editor/tools/mask.h"
+#include "editor/tools/tiles/mask.h"
 #include "editor/words/file_words.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "editor/commands/as_it_is.h"
 #include "editor/commands/typed_command.h"
 #include "editor/editor.h"
-#include "editor/tools/place.h"
+#include "editor/tools/place/place.h"
 #include "ui/icons.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "editor/editor.h"
 #include "editor/files/kept_shapes.h"
 #include "editor/files/plain_mesh.h"
-#include "editor/tools/cover.h"
-#include "editor/tools/place_round.h"
+#include "editor/tools/place/place_round.h"
+#include "editor/tools/tiles/cover.h"
 
 namespace trivar {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/commands/incise.h"
 #include "editor/editor.h"
-#include "editor/tools/motion.h"
+#include "editor/hands/motion.h"
 
 namespace trivar {
 namespace {

@@ -2,8 +2,8 @@
 #include "editor/actions/selection_actions.h"
 
 #include "editor/editor.h"
+#include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"
-#include "editor/tools/select.h"
 
 #include <algorithm>
 #include <functional>

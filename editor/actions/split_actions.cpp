@@ -4,7 +4,7 @@
 #include "core/commands/cut.h"
 #include "core/commands/split.h"
 #include "editor/editor.h"
-#include "editor/tools/split.h"
+#include "editor/tools/split/split.h"
 
 namespace trivar {
 namespace {

@@ -2,7 +2,7 @@
 #include "editor/commands/adjustment.h"
 
 #include "core/scene/tries.h"
-#include "editor/tools/motion.h"
+#include "editor/hands/motion.h"
 
 namespace trivar {
 namespace {

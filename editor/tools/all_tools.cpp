@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/all_tools.h"
 
-#include "editor/tools/incise.h"
-#include "editor/tools/lattice_points.h"
-#include "editor/tools/mask.h"
-#include "editor/tools/place.h"
-#include "editor/tools/press.h"
-#include "editor/tools/select.h"
-#include "editor/tools/silhouettes.h"
-#include "editor/tools/split.h"
-#include "editor/tools/tetrahedra.h"
-#include "editor/tools/tiles.h"
-#include "editor/tools/transform.h"
+#include "editor/hands/select.h"
+#include "editor/hands/transform.h"
+#include "editor/tools/incise/incise.h"
+#include "editor/tools/lattice/lattice_points.h"
+#include "editor/tools/lattice/press.h"
+#include "editor/tools/place/place.h"
+#include "editor/tools/silhouettes/silhouettes.h"
+#include "editor/tools/split/split.h"
+#include "editor/tools/tetrahedra/tetrahedra.h"
+#include "editor/tools/tiles/mask.h"
+#include "editor/tools/tiles/tiles.h"
 
 namespace trivar {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/hands/tool.h"
 #include "editor/picture/shown_values.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/preferences/mouse_manners.h"
-#include "editor/tools/tool.h"
 #include "editor/viewport/certified_lines.h"
 #include "editor/viewport/draft_pace.h"
 #include "editor/viewport/refined_view.h"

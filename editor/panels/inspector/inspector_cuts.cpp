@@ -5,7 +5,7 @@
 #include "core/commands/cut.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/tools/drawn_cut.h"
+#include "editor/tools/split/drawn_cut.h"
 #include "ui/icons.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
-#include "editor/tools/mask.h"
+#include "editor/tools/tiles/mask.h"
 #include "editor/words/file_words.h"
 #include "ui/icons.h"
 

@@ -8,7 +8,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/profile_rows.h"
 #include "editor/panels/panels.h"
-#include "editor/tools/place_round.h"
+#include "editor/tools/place/place_round.h"
 
 #include <algorithm>
 #include <fmt/format.h>

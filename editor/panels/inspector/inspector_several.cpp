@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/hands/motion.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/session/session_facts.h"
-#include "editor/tools/motion.h"
 #include "ui/icons.h"
 
 #include <algorithm>

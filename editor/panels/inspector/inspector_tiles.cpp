@@ -8,7 +8,7 @@
 #include "editor/panels/inspector/inspector_masks.h"
 #include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/inspector/tile_cell.h"
-#include "editor/tools/cover.h"
+#include "editor/tools/tiles/cover.h"
 #include "ui/icons.h"
 
 #include <algorithm>

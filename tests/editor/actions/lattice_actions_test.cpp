@@ -5,8 +5,8 @@
 #include "core/document/document_digest.h"
 #include "core/scene/kept_scenes.h"
 #include "editor/actions/actions.h"
+#include "editor/hands/lattice_round.h"
 #include "editor/session/outline.h"
-#include "editor/tools/lattice_round.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 

@@ -5,7 +5,7 @@
 #include "editor/actions/actions.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
-#include "editor/tools/place.h"
+#include "editor/tools/place/place.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/hands/placement_handles.h"
+#include "editor/hands/tool.h"
+
+namespace trivar {
+
+// A SelectTool selects what is under the mouse by a click; Shift or Ctrl click adds or removes it.
+// A drag that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with
+// Shift or Ctrl it adds.
+class SelectTool : public Tool {
+public:
+    explicit SelectTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
+    std::string name() const override { return "Select"; }
+    const char* icon() const override;
+    std::string help() const override { return "Click an object to select it."; }
+    std::string page() const override { return "select"; }
+    std::vector<ui::Chord> keys() const override { return {{'Q'}, {'1'}}; }
+    bool crosshair() const override { return box_ == Box::armed || box_ == Box::drawn; }
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override
+    {
+        return box_ == Box::armed || box_ == Box::drawn || handles_.busy();
+    }
+    bool shows_volume() const override { return true; }
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+    void begin_box() { box_ = Box::armed; }
+
+private:
+    // armed: the next drag draws the box; pressed: on nothing, so far a click.
+    enum class Box { none, armed, pressed, drawn } box_ = Box::none;
+    glm::dvec2 corner_px_{0}; // of the box, where the drag began
+    PlacementHandles handles_;
+};
+
+// Paints the box of a choice that is being drawn from one corner to the mouse, in pixels of the
+// picture.
+void paint_choice_box(const ui::Theme& theme, const ViewportInput& input,
+                      const glm::dvec2& corner_px);
+
+// Whether a key is held that adds to the selection rather than replacing it: Shift or Ctrl.
+bool adds_to_selection();
+
+// Changes the selection for a click on an object, or on nothing. A click on nothing that would add
+// changes nothing.
+void select_by_click(Session& session, Id under);
+
+} // namespace trivar

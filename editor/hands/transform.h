@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/hands/gesture.h"
+#include "editor/hands/laid_motion.h"
+#include "editor/hands/tool.h"
+
+#include <memory>
+#include <optional>
+
+namespace trivar {
+
+// A TransformTool moves, turns or scales the selection: by a drag on a handle, or after its key
+// with the mouse free until a click. The proposal is what is seen; a gesture is one step. A click
+// beside the handles selects. What lies on a stroke moves over the surface, with its stroke.
+class TransformTool : public Tool {
+public:
+    TransformTool(MotionKind kind, std::shared_ptr<TransformChoices> choices)
+        : kind_(kind),
+          choices_(std::move(choices))
+    {
+    }
+    std::string name() const override;
+    const char* icon() const override;
+    std::string help() const override;
+    std::string page() const override { return "move-rotate-scale"; }
+    std::vector<ui::Chord> keys() const override;
+    std::optional<MotionKind> motion() const override { return kind_; }
+    void begin(Session& session) override;
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return gesture_.has_value() || beginning_; }
+    bool waits() const override { return beginning_; }
+    void take_keys(Session& session) override;
+    bool awaits(const ui::Chord& chord) const override;
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    std::optional<MotionFrame> handles_at(const Session& session) const;
+    std::vector<HandleShape> handles(const Session& session, double scale) const;
+    void start(const Session& session, Grasp grasp);
+    void refuse(Session& session);
+    // Where the selected object lies is not known yet.
+    bool is_coming(const Session& session) const;
+    // What the present motion asks for; nothing: the mouse is where nothing can lie.
+    std::optional<Command> wanted(const Camera& camera) const;
+    std::string amount(const Session& session) const;
+    std::string words(const Session& session) const;
+    void show(Session& session); // proposes the present result of the gesture
+    void finish(Session& session);
+    void gesture_overlay(const Session& session, const ui::Theme& theme,
+                         const ViewportInput& input) const;
+    std::vector<Hint> hints_at_work(const Session& session) const;
+    std::vector<Hint> hints_at_rest(const Session& session) const;
+
+    MotionKind kind_;
+    std::shared_ptr<TransformChoices> choices_;
+    std::optional<TransformGesture> gesture_;
+    std::optional<LaidStand> laid_; // what the gesture moves, where it lies on a stroke
+    bool by_key_ = false;           // a click ends the gesture, not a release
+    // Begun by its key, as soon as it is known where the mouse is and where the objects lie.
+    bool beginning_ = false;
+    bool outside_ = false;    // the mouse is not over the picture
+    double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
+    Handle hovered_;
+    std::optional<Command> shown_; // the last proposal
+};
+
+} // namespace trivar

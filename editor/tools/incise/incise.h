@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/hands/tool.h"
+#include "editor/hands/typed_amounts.h"
+#include "editor/tools/incise/crossing_holds.h"
+#include "editor/tools/incise/cut_stroke.h"
+
+namespace trivar {
+
+// Cuts the skin of what is under the mouse open along a stroke, which opens while it is drawn. The
+// incision that is chosen has handles; a drag of one is one step. A click on an incision chooses
+// it.
+class InciseTool : public Tool {
+public:
+    std::string name() const override { return "Incise"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Cut a skin open along a stroke, with flesh and depth inside.";
+    }
+    std::string page() const override { return "incise"; }
+    std::vector<ui::Chord> keys() const override { return {{'C'}}; }
+    bool crosshair() const override { return gesture_ || (over_ && !hovers() && !dragging()); }
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return gesture_ || in_air_ || dragging() || finishing_; }
+    void take_keys(Session& session) override;
+    bool awaits(const ui::Chord& chord) const override;
+    bool takes_wheel() const override { return gesture_.has_value(); }
+    int mode() const override { return looks_; }
+    bool resize(Session& session, double factor) override;
+    std::optional<std::vector<std::string>> numbers(const Session& session) const override;
+    bool choose_parts(Session& session, PartChoice choice) override;
+    bool remove_parts(Session& session) override;
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+    // The handles of the chosen incision, as they are seen.
+    std::vector<IncisionHoldPoint> holds(const Session& session, double scale) const;
+    // Those where it crosses others; of flaps, those at the crossing near the mouse.
+    std::vector<CrossingHold> crossing_holds(const Session& session, double scale) const;
+
+private:
+    enum class Way { free, straight, uv }; // of strokes
+    struct Gesture {
+        Id object = 0, under = 0;
+        CutStroke stroke;
+        int clicked = 0;     // the incision under the mouse when it began; 0: none
+        double factor = 1;   // of the width, by the wheel
+        bool changed = true; // since it was proposed
+        // the incision of which a part is drawn anew, and where that begins; none: it is a new one
+        std::optional<NamedIncision> redrawn = {};
+        double from = 0;
+    };
+    struct InAir {    // a stroke that has come to no object yet
+        Id under = 0; // when it began
+        glm::dvec2 begun_px{0}, p_px{0};
+    };
+    struct Finishing { // the last proposal of a stroke, until it is known what became of it
+        Id object = 0;
+        int number = 0;
+    };
+    static const NamedIncision* chosen(const Session& session);
+    static Id base_of(const Session& session, Id under); // what would be cut; 0: nothing
+    bool hovers() const { return hovered_ != IncisionHold::none || hovered_crossing_; }
+    bool dragging() const { return drag_ || crossing_drag_; }
+    void keep_chosen(Session& session) const;
+    void look(const Session& session);
+    void hover(Session& session, const ViewportInput& input);
+    void press(Session& session, const ViewportInput& input);
+    bool begin_stroke(Session& session, const ViewportInput& input, glm::dvec2 at_px, Id under);
+    void come_from_air(Session& session, const ViewportInput& input);
+    void drag_by_key(Session& session, const ViewportInput& input);
+    void begin_drag(const Session& session, const IncisionHoldPoint& held,
+                    const ViewportInput& input, glm::dvec2 at_px);
+    void begin_crossing_drag(const Session& session, const CrossingHold& held,
+                             const ViewportInput& input, glm::dvec2 at_px);
+    void drag_on(Session& session, const ViewportInput& input);
+    bool ends_drag(const ViewportInput& input) const;
+    std::optional<Command> typed_command() const;
+    std::string typed_words(const std::string& said) const;
+    void go_on(Session& session, const ViewportInput& input);
+    void finish(Session& session);
+    void tell_how_it_ended(Session& session);
+    NamedIncision drawn(const Gesture& gesture) const;
+    Command command_of(const Gesture& gesture) const;
+    const SeenCut* seen_chosen(const Session& session) const; // null: it is not seen
+    CutSnaps snaps_but(int number) const;
+    void paint_crossings(const Session& session, const ui::Theme& theme,
+                         const ViewportInput& input) const;
+    std::vector<IncisionHoldPoint> paint_holds(const Session& session, const ui::Theme& theme,
+                                               const ViewportInput& input) const;
+    void paint_stroke(const Session& session, const ui::Theme& theme,
+                      const ViewportInput& input) const;
+
+    NamedIncision settings_; // of the next incision; depth and width are those below
+    double width_world_ = 0, depth_world_ = 0; // metres; 0: in proportion to object and stroke
+    bool opens_ = true, snaps_ = true;
+    Way way_ = Way::free;
+    IncisedSkin skin_;              // of the selected object
+    std::optional<Incising> known_; // of which the cuts are
+    Id known_of_ = 0;
+    Incising open_; // the same, as far as blades open them now
+    Ref<EvaluatedObject> known_shown_;
+    std::vector<std::optional<SeenCut>> cuts_; // by number; nothing: it is not seen
+    std::vector<CutCrossing> crossings_;
+    IncisionHold hovered_ = IncisionHold::none;
+    std::optional<CrossingHold> hovered_crossing_;
+    std::optional<CutEnd> hovered_snap_; // where a stroke from the mouse would begin
+    glm::dvec2 mouse_px_{-1e9};
+    int hovered_cut_ = 0;   // the incision under the mouse; 0: none
+    double hovered_at_ = 0; // share of its length
+    Id over_ = 0;           // what the mouse is over and could be cut
+    std::optional<Gesture> gesture_;
+    std::optional<InAir> in_air_;
+    std::optional<IncisionDrag> drag_;
+    std::optional<CrossingDrag> crossing_drag_;
+    bool moved_ = false, by_key_ = false, entered_ = false;
+    TypedAmounts typed_;
+    std::optional<Finishing> finishing_;
+    ChosenIncision shown_chosen_;
+    int looks_ = 0; // counts up, modulo four, when its lines in the scene change
+};
+
+} // namespace trivar

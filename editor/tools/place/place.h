@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/profile.h"
+#include "editor/hands/placement_handles.h"
+#include "editor/hands/stroke_drawing.h"
+#include "editor/hands/tool.h"
+#include "editor/hands/typed_amounts.h"
+#include "ui/option_bar.h"
+
+namespace trivar {
+
+// What a new stroke does with a model that lies on one already.
+enum class NewStroke { moves, copies };
+
+// Draw one stroke across the scene and a model lies along it. While the mouse is held every new
+// piece of the stroke is proposed, so what is seen is the real result; letting go commits it. A
+// stroke that begins on that of the selected object draws that part of it anew. Any other one moves
+// the model, or lays a copy of it, as the options bar says; Alt does the other of the two.
+class PlaceTool : public Tool {
+public:
+    explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
+    std::string name() const override { return "Place"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Draw a stroke across the scene; the model lies along it.";
+    }
+    std::string page() const override { return "place"; }
+    std::vector<ui::Chord> keys() const override { return {{'D'}, {'2'}}; }
+    bool crosshair() const override { return !handles_.hovers() && !handles_.busy(); }
+    void take_up(Session& session, Id object) override;
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return drawing_ || handles_.busy(); }
+    bool takes_wheel() const override { return drawing_; }
+    void take_keys(Session& session) override;
+    void cancel(Session& session) override;
+    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    std::vector<gpu::Translucent> veils(const Session& session,
+                                        const ui::Theme& theme) const override;
+    bool shows_volume() const override { return !drawing_; }
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    void begin(Session& session, const ViewportInput& input);
+    void finish(Session& session);
+    Command command(const Session& session) const;
+    // Whether a stroke lays a copy of the model now.
+    bool copies(const Session& session) const;
+    Id laid(const Session& session) const; // the object that the present stroke lays
+    void options_of_model(Session& session, const ui::Theme& theme,
+                          std::vector<ui::Option>& options);
+    void paint_stroke(const Session& session, const ui::Theme& theme,
+                      const ViewportInput& input) const;
+
+    Id chosen_ = 0; // in the options bar; 0: by itself
+    Id model_ = 0;  // of the stroke that is being drawn
+    Box stands_;    // it, before it
+    bool drawing_ = false, redrawing_ = false;
+    NewStroke new_stroke_ = NewStroke::moves; // of a model that is placed already
+    bool other_ = false;                      // Alt is held: the other one
+    struct Start {                            // how the stroke lay that is drawn anew
+        Sketch sketch;
+        glm::dmat4 to_world{1};
+        std::optional<Attachment> hosts = {};
+    };
+    Start start_;
+    bool on_line_ = false;   // the mouse is where a stroke would redraw the old one
+    bool on_ground_ = false; // the stroke begins on the ground
+    std::string why_not_;    // what speaks against a stroke that begins at the mouse
+    StrokeDrawing stroke_;
+    Brush brush_ = Brush::even;
+    double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it
+    double width_ = 0;               // that wheel or keys made of this stroke's; 0: none
+    TypedAmounts typed_;             // the width, while it is drawn
+    bool retyped_ = false;           // and not shown yet
+    PlacementParameters parameters_; // for the next new placement
+    PlacementHandles handles_;
+};
+
+// Whether a stroke can lay the object: groups cannot be laid.
+bool can_be_placed(const Document& document, Id id);
+
+// What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,
+// else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.
+Id model_to_place(const Session& session, Id chosen);
+
+// The objects on which the model's strokes fall; empty: all visible ones. Objects that are hidden
+// here are not among them.
+std::vector<Id> bases_for_stroke(const Session& session, Id model);
+
+} // namespace trivar

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/voxels.h"
+#include "editor/hands/tool.h"
+
+#include <optional>
+#include <span>
+
+namespace trivar {
+
+// Works on the levels of volume data: a click on a line chooses its level, a drag up and down
+// changes the value, live, and so does the wheel with Ctrl. A dragged value halts where the length
+// of the lines hardly changes, as on the histogram, unless Ctrl is held.
+class SilhouettesTool : public Tool {
+public:
+    std::string name() const override { return "Silhouettes"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Draw the silhouettes of levels of volume data, and move the levels.";
+    }
+    std::string page() const override { return "volumes"; }
+    std::vector<ui::Chord> keys() const override { return {{'L'}}; }
+    void begin(Session& session) override;
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return drag_ || wheel_; }
+    bool takes_wheel() const override; // while Ctrl is held
+    bool awaits(const ui::Chord& chord) const override;
+    void take_keys(Session& session) override;
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    struct Drag { // of the chosen level, from a press on
+        Id object = 0;
+        int level = 0;
+        double from_value = 0, shift_px = 0;
+        glm::dvec2 last{0};
+        bool moved = false;
+        bool halted = false; // the value is at such a place
+    };
+    void press(Session& session, const ViewportInput& input);
+    void drag(Session& session, const ViewportInput& input, std::span<const double> plateaus);
+    void turn_wheel(Session& session, const ViewportInput& input);
+    void take_digits(Session& session) const;
+    bool propose_value(Session& session, Id object, int level, double value) const;
+    void finish(Session& session);
+
+    std::optional<Drag> drag_;
+    std::optional<Drag> wheel_; // the same by the wheel, while Ctrl is held
+    int levels_ = 0;            // number of them in the last frame: digits choose one of several
+    bool edits_ = false;        // a field of the bar proposes
+};
+
+} // namespace trivar

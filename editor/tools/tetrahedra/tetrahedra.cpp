@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/tetrahedra/tetrahedra.h"
+
+#include "core/base/rounded.h"
+#include "core/commands/edits.h"
+#include "core/rays/nearest_face.h"
+#include "core/simplex/pulled_layer.h"
+#include "core/simplex/pulling.h"
+#include "core/simplex/tetrahedra_layers.h"
+#include "editor/hands/select.h"
+#include "editor/hands/shown_tetrahedra.h"
+#include "editor/picture/tetrahedra_picture.h"
+#include "editor/picture/volume_picture.h"
+#include "ui/icons.h"
+#include "ui/keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// How far a pull by 1 moves the point in its middle. The functions there mix control points of
+// which the ball moves some less, so that it is less than 1.
+double carried_by(TetrahedraPull pull, const TetrahedraShape& shape, const SimplexVolume& volume)
+{
+    constexpr double least = 0.2; // what hangs on less is not forced along
+    const TetrahedraRefinement* refinement = nullptr;
+    int number = 0;
+    for (const TetrahedraEdit& edit : shape.edits)
+        if (edit.refinement && ++number == pull.layer) refinement = &*edit.refinement;
+    pull.by = {1, 0, 0};
+    SimplexVolume moved = volume;
+    moved.displacements = change_by(pull, volume, refinement);
+    return std::clamp(evaluate(moved, pull.at).position.x - pull.at.x, least, 1.0);
+}
+
+} // namespace
+
+const char* TetrahedraTool::icon() const
+{
+    return ui::icon::tetrahedra;
+}
+
+void TetrahedraTool::begin(Session& session)
+{
+    if (session.selected.size() != 1) return;
+    if (const Id id = tetrahedra_holding(session, session.selected); id != 0) session.selected = id;
+}
+
+double TetrahedraTool::radius(const Session& session) const
+{
+    if (radius_ > 0) return radius_;
+    const TetrahedraShape* shape = session.selected.size() == 1
+                                       ? tetrahedra_shape(session.document(), session.selected)
+                                       : nullptr;
+    if (!shape) return 0.25;
+    const glm::dvec3 size = size_of(*shape);
+    const double share = by_ == By::pull || by_ == By::points ? 0.35 : 0.15; // of the middle size
+    return rounded(share * std::cbrt(size.x * size.y * size.z), 2);
+}
+
+std::optional<TetrahedraTool::Place> TetrahedraTool::place_under(const Session& session,
+                                                                 const ViewportInput& input) const
+{
+    const EvaluatedObject* volume = selected_tetrahedra(session);
+    if (!volume) return {};
+    const Ray ray = ray_through(session.view.camera, input.mouse);
+    double nearest = 1e300;
+    for (const Id id : with_contents(session.document(), {volume->id})) {
+        const auto shown = session.evaluated().objects.find(id);
+        if (shown == session.evaluated().objects.end()) continue;
+        for (const Part& part : shown->second->parts)
+            if (!part.drawn_from_tiles())
+                nearest =
+                    nearest_face(*part.mesh(), part.to_world, ray.origin, ray.direction, nearest);
+    }
+    if (nearest > 1e299) return {};
+    const glm::dvec3 world = ray.origin + ray.direction * nearest;
+    const glm::dvec3 inside(glm::inverse(volume->tetrahedra_to_world) * glm::dvec4(world, 1));
+    const std::optional<glm::dvec3> rest = inverse(*volume->tetrahedra->volume, inside, 1e-6);
+    if (!rest) return {};
+    return Place{world, *rest};
+}
+
+TetrahedraEdit TetrahedraTool::edit_at(const TetrahedraShape& shape, const Place& place,
+                                       const Session& session) const
+{
+    const double r = radius(session);
+    if (by_ == By::crease)
+        return {.crease = TetrahedraCrease{{place.rest}, r, std::min(depth_, shape.degree)}};
+    if (by_ == By::refine)
+        return {.refinement = TetrahedraRefinement{{place.rest}, r, rounded(r / 2, 2)}};
+    return {.pull = TetrahedraPull{.layer = pulled_layer(shape, place.rest, r),
+                                   .at = place.rest,
+                                   .radius = r,
+                                   .decay = decay_,
+                                   .guard = guard_}};
+}
+
+void TetrahedraTool::use(Session& session, const ViewportInput& input)
+{
+    if (by_ == By::points) {
+        if (input.wheel != 0 && takes_wheel()) resize(session, std::pow(radius_step, input.wheel));
+        return points_.use(session, input, manner(session));
+    }
+    if (by_ == By::knots) return clouds_.use(session, input);
+    if (gesture_) {
+        if (!shown_tetrahedra(session, gesture_->object)) return cancel(session);
+        return go_on(session, input);
+    }
+    at_.reset();
+    if (input.hovered || input.pressed) at_ = place_under(session, input);
+    if (!input.pressed || session.committing()) return;
+    if (!at_)
+        if (const Id id = tetrahedra_holding(session, input.under); id != 0) {
+            session.selected = id;
+            at_ = place_under(session, input);
+        }
+    if (at_)
+        start(session, input);
+    else
+        select_by_click(session, input.under);
+}
+
+void TetrahedraTool::start(Session& session, const ViewportInput& input)
+{
+    const EvaluatedObject& volume = *shown_tetrahedra(session, session.selected);
+    const TetrahedraShape& shape = *tetrahedra_shape(session.document(), volume.id);
+    gesture_ = Gesture{volume.id, edit_at(shape, *at_, session), at_->world,
+                       glm::inverse(glm::dmat3(volume.tetrahedra_to_world)), input.mouse};
+    take_hold(session);
+}
+
+void TetrahedraTool::take_hold(const Session& session)
+{
+    const EvaluatedObject* volume = shown_tetrahedra(session, gesture_->object);
+    const TetrahedraShape* shape = tetrahedra_shape(session.committed(), gesture_->object);
+    if (gesture_->edit.pull && volume && shape)
+        gesture_->carried = carried_by(*gesture_->edit.pull, *shape, *volume->tetrahedra->volume);
+}
+
+void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    const TetrahedraEdit before = g.edit;
+    g.moved = g.moved || glm::length(input.mouse - g.from_px) >= click_slip_px * input.scale;
+    if (input.wheel != 0 && g.edit.pull) {
+        g.edit.pull->radius = radius_ =
+            rounded(g.edit.pull->radius * std::pow(radius_step, input.wheel), 3);
+        take_hold(session);
+    }
+    if (g.edit.pull && g.moved) {
+        // in the plane through the grabbed point that the camera faces
+        const Camera& camera = session.view.camera;
+        const double depth = project(camera, g.grabbed).depth_world;
+        const double pixel = pixel_size_world(camera, std::max(1e-9, depth));
+        const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
+                         right = glm::normalize(glm::cross(ahead, camera.up)),
+                         up = glm::cross(right, ahead);
+        const glm::dvec2 by = (input.mouse - g.from_px) * pixel;
+        g.edit.pull->by = g.to_volume * (right * by.x - up * by.y) / g.carried;
+    }
+    if (!g.edit.pull)
+        if (const std::optional<Place> place = place_under(session, input)) {
+            std::vector<glm::dvec3>& places =
+                g.edit.crease ? g.edit.crease->places : g.edit.refinement->places;
+            const double r = g.edit.crease ? g.edit.crease->radius : g.edit.refinement->radius;
+            constexpr std::size_t most_places = 500;
+            if (glm::distance(places.back(), place->rest) > 0.4 * r && places.size() < most_places)
+                places.push_back(place->rest);
+            g.moved = true;
+        }
+    if (input.released || !input.down) return finish(session);
+    const bool begins = !g.edit.pull && !g.proposed;
+    if ((!(g.edit == before) || begins) && session.up_to_date())
+        g.proposed = session.propose_quietly(EditTetrahedra{g.object, g.edit}) || g.proposed;
+}
+
+void TetrahedraTool::finish(Session& session)
+{
+    const Gesture done = *gesture_;
+    gesture_.reset();
+    const bool nothing = done.edit.pull && (!done.moved || done.edit.pull->by == glm::dvec3(0));
+    if (!nothing && session.propose(EditTetrahedra{done.object, done.edit}))
+        session.commit();
+    else
+        session.cancel();
+}
+
+void TetrahedraTool::cancel(Session& session)
+{
+    points_.cancel(session);
+    clouds_.cancel(session);
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+bool TetrahedraTool::resize(Session& session, double factor)
+{
+    radius_ = rounded(radius(session) * factor, 3);
+    return true;
+}
+
+bool TetrahedraTool::grab(Session& session, MotionKind kind)
+{
+    if (by_ == By::points) return points_.grab(session, kind);
+    return by_ == By::knots && clouds_.grab(session, kind);
+}
+
+std::optional<std::vector<std::string>> TetrahedraTool::numbers(const Session& session) const
+{
+    if (by_ != By::points) return {};
+    return points_.numbers(session);
+}
+
+bool TetrahedraTool::choose_parts(Session& session, PartChoice choice)
+{
+    return by_ == By::points && points_.choose(session, choice);
+}
+
+std::optional<bool> TetrahedraTool::proportional() const
+{
+    return by_ == By::points ? std::optional(proportional_) : std::nullopt;
+}
+
+void TetrahedraTool::take_keys(Session& session)
+{
+    if (points_.drags() && ui::struck({'O'})) proportional_ = !proportional_;
+    for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
+        if (points_.drags() && proportional_ && ui::struck({key}, true))
+            resize(session, std::pow(radius_step, steps));
+    points_.take_keys(session);
+    clouds_.take_keys(session);
+}
+
+int TetrahedraTool::mode() const
+{
+    return static_cast<int>(by_) + 5 * ((clouds_.picks() + points_.layer()) % 10000);
+}
+
+TetrahedraPoints::Manner TetrahedraTool::manner(const Session& session) const
+{
+    return {proportional_, radius(session), decay_, guard_};
+}
+
+std::vector<gpu::Line> TetrahedraTool::lines(const Session& session, const ui::Theme& theme) const
+{
+    const EvaluatedObject* volume = selected_tetrahedra(session);
+    if (!volume) return {};
+    std::vector<gpu::Line> out;
+    if (by_ == By::knots || by_ == By::points)
+        out =
+            domain_lines(*volume, by_ == By::knots ? 0 : static_cast<std::size_t>(points_.layer()),
+                         theme.color, theme.line(1));
+    if (by_ == By::knots) std::ranges::move(clouds_.lines(session, theme), std::back_inserter(out));
+    const TetrahedraPull* pull = points_.pull();
+    if (gesture_ && gesture_->edit.pull) pull = &*gesture_->edit.pull;
+    if (pull)
+        std::ranges::move(support_lines(*volume, *pull, theme.color, theme.line(1)),
+                          std::back_inserter(out));
+    return out;
+}
+
+std::vector<gpu::Translucent> TetrahedraTool::veils(const Session& session,
+                                                    const ui::Theme& theme) const
+{
+    if (by_ == By::knots) return clouds_.veils(theme);
+    if (!gesture_ || !gesture_->edit.pull) return {};
+    const EvaluatedObject* volume = shown_tetrahedra(session, gesture_->object);
+    if (!volume) return {};
+    const TetrahedraPull& pull = *gesture_->edit.pull;
+    const glm::dvec3 now = evaluate(*volume->tetrahedra->volume, pull.at).position;
+    return {ball_veil(glm::dvec3(volume->tetrahedra_to_world * glm::dvec4(now, 1)),
+                      pull.radius * length_of(*volume), theme.color)};
+}
+
+} // namespace trivar

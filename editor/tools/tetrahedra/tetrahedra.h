@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/tetrahedra.h"
+#include "editor/tools/tetrahedra/tetrahedra_clouds.h"
+#include "editor/tools/tetrahedra/tetrahedra_points.h"
+#include "editor/tools/tetrahedra/tetrahedra_round.h"
+#include "ui/option_bar.h"
+
+#include <optional>
+
+namespace trivar {
+
+// Works on a volume of tetrahedra: a ball pulls the control points of what stands in it, or a hand
+// some of them, a brush lowers the continuity across faces or cuts them, a stroke refines, and
+// knots of the domain are moved.
+class TetrahedraTool : public Tool {
+public:
+    std::string name() const override { return "Tetrahedra"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Pull, crease, cut and refine what stands in tetrahedra.";
+    }
+    std::string page() const override { return "tetrahedra"; }
+    std::vector<ui::Chord> keys() const override { return {{'Y'}}; }
+    enum class By { pull, points, crease, refine, knots };
+    void choose(By by) { by_ = by; }
+
+    void begin(Session& session) override;
+    bool grab(Session& session, MotionKind kind) override;
+    std::optional<std::vector<std::string>> numbers(const Session& session) const override;
+    bool choose_parts(Session& session, PartChoice choice) override;
+    std::optional<bool> proportional() const override;
+    void set_proportional(bool on) override { proportional_ = on; }
+    void take_keys(Session& session) override;
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return gesture_ || points_.busy() || clouds_.busy(); }
+    bool takes_wheel() const override { return gesture_ || (points_.drags() && proportional_); }
+    bool resize(Session& session, double factor) override;
+    void cancel(Session& session) override;
+    int mode() const override;
+    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    std::vector<gpu::Translucent> veils(const Session& session,
+                                        const ui::Theme& theme) const override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    struct Place {                    // on what stands in the volume
+        glm::dvec3 world{0}, rest{0}; // and where that rests in the volume
+    };
+    struct Gesture {
+        Id object = 0;
+        TetrahedraEdit edit;
+        glm::dvec3 grabbed{0}; // world
+        glm::dmat3 to_volume{1};
+        glm::dvec2 from_px{0};
+        bool moved = false, proposed = false;
+        double carried = 1; // how far a pull by 1 moves what was grabbed
+    };
+    std::optional<Place> place_under(const Session& session, const ViewportInput& input) const;
+    double radius(const Session& session) const; // metres in the volume
+    void start(Session& session, const ViewportInput& input);
+    void take_hold(const Session& session); // so that what a pull grabs goes with the mouse
+    void go_on(Session& session, const ViewportInput& input);
+    void finish(Session& session);
+    TetrahedraEdit edit_at(const TetrahedraShape& shape, const Place& place,
+                           const Session& session) const;
+
+    TetrahedraPoints::Manner manner(const Session& session) const;
+    void add_layer_option(std::vector<ui::Option>& options, const ui::Theme& theme,
+                          const TetrahedraShape& shape);
+    void add_ball_options(std::vector<ui::Option>& options, const ui::Theme& theme,
+                          const Session& session);
+    void around_options(Session& session, const ui::Theme& theme, float width);
+
+    By by_ = By::pull;
+    TetrahedraPoints points_;
+    TetrahedraClouds clouds_;
+    bool proportional_ = false;
+    Around around_ = Around::box;
+    double shown_radius_ = 0; // in the field
+    Decay decay_ = Decay::smooth;
+    bool guard_ = true;
+    double radius_ = 0; // 0: a share of the volume
+    int depth_ = 3;     // of creases; the degree and more: a cut; 0: smooth again
+    std::optional<Place> at_;
+    std::optional<Gesture> gesture_;
+};
+
+} // namespace trivar

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/tetrahedra/tetrahedra_points.h"
+
+#include "core/base/rounded.h"
+#include "core/commands/edits.h"
+#include "core/commands/tetrahedra.h"
+#include "editor/hands/gesture_keys.h"
+#include "editor/hands/hand_motion.h"
+#include "editor/hands/select.h"
+#include "editor/hands/shown_tetrahedra.h"
+#include "editor/session/topics.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <imgui.h>
+#include <set>
+
+namespace trivar {
+namespace {
+
+constexpr double place_reach_px = 11; // of the mouse, at scale 1
+constexpr std::size_t most_points = 400000;
+
+// Rounding by a transform that was undone is no digit of what a hand or keys said.
+glm::dvec3 tidied(const glm::dvec3& v)
+{
+    return glm::round(v * 1e9) / 1e9;
+}
+
+// Those that can be moved: of a refinement not the ones at its rim.
+std::vector<ControlPlace> movable_places(const TetrahedraShape& shape, const SimplexVolume& volume,
+                                         int layer)
+{
+    const SimplexBasis<3>& basis = *volume.layers[static_cast<std::size_t>(layer)];
+    if (basis.domain().cells.size() * 10 > most_points) return {};
+    std::vector<ControlPlace> out = control_places(basis);
+    int number = 0;
+    for (const TetrahedraEdit& edit : shape.edits)
+        if (edit.refinement && ++number == layer)
+            std::erase_if(out, [&](const ControlPlace& place) {
+                return share_inside(*edit.refinement, place.rest) <= 0;
+            });
+    return out;
+}
+
+// Places that a cut parts are seen a little apart even where it is closed.
+glm::dvec3 seen_place(const SimplexVolume& volume, int layer, const ControlPlace& place)
+{
+    const auto of = static_cast<std::size_t>(layer);
+    glm::dvec3 out(0);
+    if (layer > 0)
+        out = place_of(volume, of, static_cast<std::size_t>(place.points.front()));
+    else {
+        for (const int p : place.points) out += place_of(volume, of, static_cast<std::size_t>(p));
+        out /= static_cast<double>(place.points.size());
+    }
+    constexpr double apart = 0.12;
+    return out + place.inward * (apart * place.spacing);
+}
+
+bool are_alike(const TetrahedraPull& a, const TetrahedraPull& b)
+{
+    const auto less = [](const glm::dvec3& p, const glm::dvec3& q) {
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    std::vector<glm::dvec3> p = middles(a), q = middles(b);
+    std::ranges::sort(p, less);
+    std::ranges::sort(q, less);
+    return a.layer == b.layer && p.size() == q.size() &&
+           std::ranges::equal(p, q, [&](const glm::dvec3& x, const glm::dvec3& y) {
+               return glm::distance(x, y) <= 0.01 * b.radius;
+           });
+}
+
+} // namespace
+
+void TetrahedraPoints::follow(const Session& session)
+{
+    const EvaluatedObject* volume = selected_tetrahedra(session);
+    const TetrahedraShape* shape =
+        volume ? tetrahedra_shape(session.document(), volume->id) : nullptr;
+    if (!volume || !shape) {
+        *this = TetrahedraPoints();
+        return;
+    }
+    const Ref<SimplexVolume>& shown = volume->tetrahedra->volume;
+    layer_ = std::clamp(layer_, 0, static_cast<int>(shown->layers.size()) - 1);
+    const Ref<SimplexBasis<3>>& basis = shown->layers[static_cast<std::size_t>(layer_)];
+    if (object_ != volume->id || basis_ != basis) {
+        std::vector<ControlPlace> places = movable_places(*shape, *shown, layer_);
+        if (object_ != volume->id || places.size() != places_.size()) chosen_.clear();
+        object_ = volume->id;
+        basis_ = basis;
+        places_ = std::move(places);
+        volume_ = nullptr;
+    }
+    if (volume_ == shown && to_world_ == volume->tetrahedra_to_world) return;
+    volume_ = shown;
+    to_world_ = volume->tetrahedra_to_world;
+    at_world_.clear();
+    for (const ControlPlace& place : places_)
+        at_world_.emplace_back(to_world_ * glm::dvec4(seen_place(*shown, layer_, place), 1));
+}
+
+MotionFrame TetrahedraPoints::frame(const EvaluatedObject& volume) const
+{
+    glm::dvec3 middle(0);
+    for (const int i : chosen_) middle += at_world_[static_cast<std::size_t>(i)];
+    return {middle / static_cast<double>(chosen_.size()), axes_of(volume)};
+}
+
+std::optional<int> TetrahedraPoints::place_at(const Session& session,
+                                              const ViewportInput& input) const
+{
+    std::optional<int> nearest;
+    double distance = place_reach_px * input.scale, depth = 1e300;
+    for (std::size_t i = 0; i < at_world_.size(); ++i) {
+        const PicturePoint p = project(session.view.camera, at_world_[i]);
+        const double far = glm::distance(p.p_px, input.mouse);
+        // of two that cover each other the nearer one to the eye
+        if (p.depth_world <= 0 || far > distance + 1 ||
+            (far > distance - 1 && p.depth_world > depth))
+            continue;
+        distance = std::min(distance, far);
+        depth = p.depth_world;
+        nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
+void TetrahedraPoints::use(Session& session, const ViewportInput& input, const Manner& manner)
+{
+    outside_ = !input.hovered;
+    manner_ = manner;
+    if (gesture_) {
+        if (!selected_tetrahedra(session)) return cancel(session);
+        follow(session);
+        return go_on(session, input, manner);
+    }
+    follow(session);
+    hovered_.reset();
+    hovered_handle_ = {};
+    if (object_ == 0) {
+        if (input.pressed) {
+            const Id id = tetrahedra_holding(session, input.under);
+            select_by_click(session, id != 0 ? id : input.under);
+        }
+        return;
+    }
+    if (box_px_) {
+        if (!input.released && input.down) return;
+        if (glm::distance(*box_px_, input.mouse) >= click_slip_px)
+            choose_in_box(session, input);
+        else if (input.under != 0 && tetrahedra_holding(session, input.under) != object_)
+            select_by_click(session, input.under);
+        else if (!adds_to_selection())
+            chosen_.clear();
+        box_px_.reset();
+        return;
+    }
+    if (const auto kind = std::exchange(grabbing_, std::nullopt); kind && !chosen_.empty()) {
+        begin(session, input, {}, *kind);
+        by_key_ = true;
+        return;
+    }
+    if (!input.hovered && !input.pressed) return;
+    const EvaluatedObject& volume = *selected_tetrahedra(session);
+    if (!chosen_.empty())
+        hovered_handle_ = handle_at(
+            gizmo_shapes(MotionKind::move, session.view.camera, frame(volume), input.scale),
+            glm::vec2(input.mouse), input.scale);
+    // The middle of the handles covers a single chosen point: both move it.
+    if (hovered_handle_.grip == Grip::none || hovered_handle_.grip == Grip::center)
+        hovered_ = place_at(session, input);
+    if (hovered_ || hovered_handle_.grip != Grip::none)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!input.pressed || session.committing()) return;
+    pressed_ = hovered_;
+    if (hovered_ && adds_to_selection())
+        choose_at(session, input);
+    else if (hovered_handle_.grip != Grip::none)
+        begin(session, input, hovered_handle_, MotionKind::move);
+    else if (hovered_)
+        choose_at(session, input);
+    else
+        box_px_ = input.mouse;
+}
+
+void TetrahedraPoints::choose_at(const Session& session, const ViewportInput& input)
+{
+    const int place = *hovered_;
+    if (adds_to_selection()) {
+        if (std::erase(chosen_, place) == 0) chosen_.push_back(place);
+        return;
+    }
+    if (std::ranges::find(chosen_, place) == chosen_.end()) chosen_ = {place};
+    begin(session, input, {Grip::center, 0}, MotionKind::move);
+}
+
+void TetrahedraPoints::choose_in_box(const Session& session, const ViewportInput& input)
+{
+    const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
+    if (!adds_to_selection()) chosen_.clear();
+    const std::set<int> before(chosen_.begin(), chosen_.end());
+    for (std::size_t i = 0; i < at_world_.size(); ++i) {
+        const PicturePoint p = project(session.view.camera, at_world_[i]);
+        if (p.depth_world > 0 && glm::all(glm::greaterThanEqual(p.p_px, lo)) &&
+            glm::all(glm::lessThanEqual(p.p_px, hi)) && !before.contains(static_cast<int>(i)))
+            chosen_.push_back(static_cast<int>(i));
+    }
+}
+
+bool TetrahedraPoints::choose(const Session& session, PartChoice choice)
+{
+    follow(session);
+    if (object_ == 0 || choice == PartChoice::same) return false;
+    std::vector<bool> chosen(places_.size(), choice == PartChoice::all);
+    if (choice == PartChoice::others || choice == PartChoice::more)
+        for (const int i : chosen_) chosen[static_cast<std::size_t>(i)] = true;
+    if (choice == PartChoice::others) chosen.flip();
+    if (choice == PartChoice::more) { // those that share a cell with one
+        std::set<int> cells;
+        for (const int i : chosen_) {
+            const std::vector<int>& of = places_[static_cast<std::size_t>(i)].cells;
+            cells.insert(of.begin(), of.end());
+        }
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            chosen[i] = chosen[i] || std::ranges::any_of(places_[i].cells, [&](int cell) {
+                            return cells.contains(cell);
+                        });
+    }
+    chosen_.clear();
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) chosen_.push_back(static_cast<int>(i));
+    return true;
+}
+
+bool TetrahedraPoints::grab(Session& session, MotionKind kind)
+{
+    follow(session);
+    grabbing_.reset();
+    if (object_ == 0) return false;
+    if (chosen_.empty())
+        say_no_point_is_selected(session);
+    else if (!session.committing())
+        grabbing_ = kind;
+    return true;
+}
+
+std::optional<std::vector<std::string>> TetrahedraPoints::numbers(const Session& session) const
+{
+    if (chosen_.empty() || object_ != session.selected) return {};
+    TetrahedraPull chosen = pull_of(places_, chosen_);
+    chosen.layer = layer_;
+    std::vector<std::string> names;
+    const TetrahedraShape* shape = tetrahedra_shape(session.document(), object_);
+    for (std::size_t i = shape ? shape->edits.size() : 0; i-- > 0 && names.empty();) {
+        if (!shape->edits[i].pull || !are_alike(*shape->edits[i].pull, chosen)) continue;
+        for (const char* part : {"by", "rotation_deg", "factors"})
+            for (const char axis : {'x', 'y', 'z'})
+                names.push_back(fmt::format("shape.edits.{}.pull.{}.{}", i, part, axis));
+    }
+    return names;
+}
+
+void TetrahedraPoints::begin(const Session& session, const ViewportInput& input,
+                             const Handle& handle, MotionKind kind)
+{
+    const EvaluatedObject& volume = *selected_tetrahedra(session);
+    const MotionFrame stands = frame(volume);
+    by_key_ = false;
+    proposed_ = false;
+    kind_ = kind;
+    axes_ = stands.axes;
+    to_volume_ = glm::inverse(glm::dmat3(volume.tetrahedra_to_world));
+    alone_ = pull_of(places_, chosen_);
+    alone_.layer = layer_;
+    alone_.radius = rounded(alone_.radius, 3);
+    pull_ = alone_;
+    // The gesture is that of an object which stands there, turned as the volume is.
+    const Stand stand{object_,
+                      {.translation = stands.pivot,
+                       .rotation_deg = decomposed(glm::dmat4(stands.axes)).rotation_deg},
+                      glm::dmat4(1)};
+    gesture_.emplace(kind, std::vector<Stand>{stand}, object_,
+                     TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
+                     session.view.camera, Grasp{stands.pivot, handle, input.mouse, input.scale});
+}
+
+TetrahedraPull TetrahedraPoints::wanted(const Manner& manner) const
+{
+    const Motion motion = gesture_->motion();
+    TetrahedraPull out = alone_;
+    out.guard = manner.guard;
+    if (manner.proportional) {
+        out.radius = manner.radius;
+        out.decay = manner.decay;
+    }
+    if (motion.kind == MotionKind::move) out.by = tidied(to_volume_ * (axes_ * motion.offset));
+    if (motion.kind == MotionKind::scale) out.factors = motion.factors;
+    if (motion.kind == MotionKind::rotate) {
+        const glm::dvec3 axis = tidied(glm::normalize(motion.turn_axis));
+        for (int a = 0; a < 3; ++a) // about one of them it may be more than a whole turn
+            if (std::abs(axis[a]) == 1) out.rotation_deg[a] = axis[a] * motion.angle_deg;
+        if (out.rotation_deg == glm::dvec3(0))
+            out.rotation_deg =
+                decomposed(glm::rotate(glm::dmat4(1), glm::radians(motion.angle_deg), axis))
+                    .rotation_deg;
+    }
+    return out;
+}
+
+void TetrahedraPoints::go_on(Session& session, const ViewportInput& input, const Manner& manner)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    gesture_->move_hand(session.view.camera, input.mouse,
+                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
+    if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
+    // One proposal at a time: the next waits until the last one can be seen.
+    if (!session.up_to_date()) return;
+    const TetrahedraPull now = wanted(manner);
+    if (now == pull_ || (gesture_->motion().is_nothing() && !proposed_)) return;
+    pull_ = now;
+    proposed_ = session.propose_quietly(EditTetrahedra{object_, {.pull = pull_}}) || proposed_;
+}
+
+void TetrahedraPoints::finish(Session& session)
+{
+    const TetrahedraPull last = wanted(manner_);
+    const bool moved = !gesture_->motion().is_nothing();
+    const bool meant =
+        by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
+    const bool clicked = !meant && pressed_ && !by_key_;
+    gesture_.reset();
+    if (clicked && *pressed_ < static_cast<int>(places_.size())) chosen_ = {*pressed_};
+    if (meant && moved && session.propose(EditTetrahedra{object_, {.pull = last}}))
+        session.commit();
+    else
+        session.cancel();
+}
+
+void TetrahedraPoints::cancel(Session& session)
+{
+    box_px_.reset();
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+void TetrahedraPoints::take_keys(Session& session)
+{
+    if (!gesture_) return;
+    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
+}
+
+std::string TetrahedraPoints::words() const
+{
+    return fmt::format("{} of {}", chosen_.size(), places_.size());
+}
+
+} // namespace trivar
