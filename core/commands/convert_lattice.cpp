@@ -6,7 +6,7 @@
 #include "core/commands/edits.h"
 #include "core/placement/box_volume.h"
 #include "core/placement/shaper.h"
-#include "core/simplex/from_lattice.h"
+#include "core/tetrahedra/from_lattice.h"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include "core/commands/entry_tracks.h"
 #include "core/commands/group.h"
 #include "core/simplex/cell_displacements.h"
-#include "core/simplex/remaining_edits.h"
-#include "core/simplex/tetrahedra_layers.h"
+#include "core/tetrahedra/remaining_edits.h"
+#include "core/tetrahedra/tetrahedra_layers.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 
 #include "core/document/voxel_shape.h"
 #include "core/files/read_model.h"
-#include "core/simplex/simplex_sheet.h"
-#include "core/simplex/tetrahedra_shape.h"
+#include "core/tetrahedra/simplex_sheet.h"
+#include "core/tetrahedra/tetrahedra_shape.h"
 #include "core/text/text_shape.h"
 
 #include <glm/glm.hpp>

@@ -3,12 +3,12 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/simplex/boundary_fit.h"
+#include "core/meshing/boundary_fit.h"
+#include "core/meshing/parted_cells.h"
 #include "core/simplex/cell_search.h"
 #include "core/simplex/clouds.h"
 #include "core/simplex/field_surface.h"
 #include "core/simplex/multi_index.h"
-#include "core/simplex/parted_cells.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -3,13 +3,13 @@
 
 #include "core/placement/shaper.h"
 #include "core/refinement/refine.h"
-#include "core/simplex/tetrahedra_shaper.h"
 #include "core/split/split_field.h"
 #include "core/stages/carriage.h"
 #include "core/stages/curve_part.h"
 #include "core/stages/incising_effects.h"
 #include "core/stages/shape.h"
 #include "core/stages/walk.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "core/unwrap/unwrap.h"
 
 #include <limits>

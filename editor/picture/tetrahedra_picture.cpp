@@ -2,8 +2,8 @@
 #include "editor/picture/tetrahedra_picture.h"
 
 #include "core/simplex/cell_faces.h"
-#include "core/simplex/pulling.h"
 #include "core/simplex/simplex_rows.h"
+#include "core/tetrahedra/pulling.h"
 
 #include <algorithm>
 #include <map>

@@ -4,9 +4,9 @@
 #include "core/placement/box_volume.h"
 #include "core/simplex/box_domain.h"
 #include "core/simplex/clouds.h"
-#include "core/simplex/fold_guard.h"
 #include "core/simplex/simplex_rows.h"
-#include "core/simplex/tetrahedra_layers.h"
+#include "core/tetrahedra/fold_guard.h"
+#include "core/tetrahedra/tetrahedra_layers.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/evaluation/evaluate.h"
-#include "core/simplex/from_lattice.h"
 #include "core/simplex/simplex_volume.h"
+#include "core/tetrahedra/from_lattice.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/world_points.h"

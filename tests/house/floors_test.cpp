@@ -32,6 +32,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/refinement"},
     {"core/placement", "core/split"},
     {"core/simplex"},
+    {"core/meshing", "core/tetrahedra"},
     {"core/field"},
     {"core/level"},
     {"core/silhouette"},

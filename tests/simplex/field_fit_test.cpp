@@ -3,9 +3,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/meshing/parted_cells.h"
 #include "core/simplex/box_domain.h"
 #include "core/simplex/clouds.h"
-#include "core/simplex/parted_cells.h"
 
 #include <cmath>
 #include <functional>

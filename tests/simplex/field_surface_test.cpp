@@ -2,9 +2,9 @@
 #include "core/simplex/field_surface.h"
 
 #include "core/base/parallel.h"
+#include "core/meshing/parted_cells.h"
 #include "core/simplex/box_domain.h"
 #include "core/simplex/field_fit.h"
-#include "core/simplex/parted_cells.h"
 
 #include <cmath>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/evaluation/evaluate.h"
-#include "core/simplex/pulled_layer.h"
+#include "core/tetrahedra/pulled_layer.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/world_points.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/fields/shaping_fields.h"
-#include "core/simplex/simplex_sheet.h"
+#include "core/tetrahedra/simplex_sheet.h"
 
 namespace trivar {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/fields/shaping_fields.h"
-#include "core/simplex/tetrahedra_shape.h"
+#include "core/tetrahedra/tetrahedra_shape.h"
 
 namespace trivar {
 

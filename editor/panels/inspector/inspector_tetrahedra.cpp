@@ -4,7 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
 #include "core/commands/tetrahedra.h"
-#include "core/simplex/from_lattice.h"
+#include "core/tetrahedra/from_lattice.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/warp_rows.h"

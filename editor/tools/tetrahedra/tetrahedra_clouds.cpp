@@ -3,7 +3,7 @@
 
 #include "core/commands/edits.h"
 #include "core/commands/tetrahedra.h"
-#include "core/simplex/cloud_room.h"
+#include "core/tetrahedra/cloud_room.h"
 #include "editor/hands/gesture_keys.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"

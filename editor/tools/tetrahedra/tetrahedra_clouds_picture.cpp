@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
-#include "core/simplex/cloud_room.h"
+#include "core/tetrahedra/cloud_room.h"
 #include "editor/hands/shown_tetrahedra.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/tools/tetrahedra/tetrahedra_clouds.h"

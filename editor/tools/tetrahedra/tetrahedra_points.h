@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simplex/control_places.h"
+#include "core/tetrahedra/control_places.h"
 #include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
 

@@ -6,8 +6,8 @@
 #include "core/commands/arrange.h"
 #include "core/commands/numbering.h"
 #include "core/commands/tetrahedra.h"
-#include "core/simplex/cage_cells.h"
-#include "core/simplex/hull_cells.h"
+#include "core/meshing/cage_cells.h"
+#include "core/meshing/hull_cells.h"
 #include "editor/hands/lattice_round.h"
 #include "editor/session/scene_facts.h"
 

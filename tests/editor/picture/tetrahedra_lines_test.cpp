@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/tetrahedra_picture.h"
 
-#include "core/simplex/tetrahedra_shaper.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 
 #include <gtest/gtest.h>
 

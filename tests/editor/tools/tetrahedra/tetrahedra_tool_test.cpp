@@ -2,7 +2,7 @@
 #include "core/commands/primitives.h"
 #include "core/mesh/mesh.h"
 #include "core/simplex/cell_search.h"
-#include "core/simplex/cloud_room.h"
+#include "core/tetrahedra/cloud_room.h"
 #include "editor/tools/tetrahedra/tetrahedra.h"
 #include "tests/editor/rig.h"
 
