@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/animate.h"
-#include "core/commands/field_words.h"
 #include "core/commands/keying.h"
-#include "core/commands/number_words.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/words/field_words.h"
+#include "core/commands/words/number_words.h"
 
 #include <algorithm>
 #include <cctype>

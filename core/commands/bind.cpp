@@ -2,10 +2,10 @@
 #include "core/commands/bind.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/edits.h"
-#include "core/commands/field_words.h"
-#include "core/commands/mix_tiles.h"
-#include "core/commands/tiles.h"
+#include "core/commands/edits/edits.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
+#include "core/commands/words/field_words.h"
 #include "core/document/bases.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/step_title.h"
+#include "core/commands/words/step_title.h"
 #include "core/document/field.h"
 
 namespace trivar {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/commands/copied_tiling.h"
-#include "core/commands/split.h"
+#include "core/commands/cutting/split.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/commands/copied_object.h"
-#include "core/commands/step_title.h"
+#include "core/commands/words/step_title.h"
 
 namespace trivar {
 

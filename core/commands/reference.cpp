@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/commands/field_words.h"
 #include "core/commands/json_text.h"
+#include "core/commands/words/field_words.h"
 
 #include <fmt/format.h>
 #include <utility>

@@ -7,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/files/companions.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/sample_models.h"
 #include "core/voxels/read_volume.h"
 

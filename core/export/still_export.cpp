@@ -2,11 +2,11 @@
 #include "core/export/still_export.h"
 
 #include "core/base/finite.h"
-#include "core/commands/refine.h"
+#include "core/commands/objects/refine.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/pattern_colors.h"
-#include "core/files/repeated_nodes.h"
+#include "core/files/gltf/repeated_nodes.h"
 
 #include <algorithm>
 #include <filesystem>

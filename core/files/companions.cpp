@@ -3,10 +3,10 @@
 
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "core/files/plain_text.h"
 #include "core/files/text_scan.h"
-#include "core/files/wavefront_names.h"
+#include "core/files/wavefront/wavefront_names.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/folder_files.h"
 
-#include "core/files/gltf_uri.h"
+#include "core/files/gltf/gltf_uri.h"
 
 #include <algorithm>
 #include <cctype>

@@ -8,7 +8,7 @@
 #include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
 #include "core/files/flattened.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/writable.h"
 #include "core/mesh/extent.h"
 

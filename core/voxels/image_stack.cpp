@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "core/files/file_sentences.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/voxels/volume_readers.h"
 
 #include <algorithm>

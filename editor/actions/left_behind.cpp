@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/left_behind.h"
 
-#include "core/commands/edits.h"
+#include "core/commands/edits/edits.h"
 #include "core/document/bases.h"
 #include "core/placement/attachment.h"
 #include "core/steps/laying/attaching.h"

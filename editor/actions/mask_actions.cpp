@@ -3,8 +3,8 @@
 
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
-#include "core/commands/heights.h"
-#include "core/commands/mask_tiles.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
 #include "core/stages/tiled_base.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"

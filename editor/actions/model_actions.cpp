@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/model_actions.h"
 
-#include "core/commands/place.h"
+#include "core/commands/placement/place.h"
 #include "editor/actions/lent_tool.h"
 #include "editor/editor.h"
 #include "editor/words/file_words.h"

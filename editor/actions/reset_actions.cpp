@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/reset_actions.h"
 
-#include "core/commands/incise.h"
+#include "core/commands/cutting/incise.h"
 #include "editor/editor.h"
 #include "editor/hands/motion.h"
 

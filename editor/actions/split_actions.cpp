@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/split_actions.h"
 
-#include "core/commands/cut.h"
-#include "core/commands/split.h"
+#include "core/commands/cutting/cut.h"
+#include "core/commands/cutting/split.h"
 #include "editor/editor.h"
 #include "editor/tools/split/split.h"
 

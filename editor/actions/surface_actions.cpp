@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/surface_actions.h"
 
-#include "core/commands/shade.h"
-#include "core/commands/unwrap.h"
+#include "core/commands/objects/shade.h"
+#include "core/commands/objects/unwrap.h"
 #include "editor/editor.h"
 
 namespace trivar {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/tile_actions.h"
 
-#include "core/commands/mix_tiles.h"
-#include "core/commands/tiles.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
 

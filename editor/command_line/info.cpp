@@ -8,7 +8,7 @@
 #include "core/document/document_digest.h"
 #include "core/document/named_files.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/read_model.h"
 #include "core/mesh/extent.h"
 #include "core/mesh/pose.h"

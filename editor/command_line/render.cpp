@@ -3,7 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/document/parameters.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/record/contact_sheet.h"
 #include "editor/record/sequence.h"
 #include "editor/record/video.h"

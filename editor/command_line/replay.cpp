@@ -12,7 +12,7 @@
 #include "core/export/animated_model.h"
 #include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/write_model.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/words/volume_words.h"

@@ -8,7 +8,7 @@
 #include "core/document/document_digest.h"
 #include "core/export/animated_model.h"
 #include "core/files/formats.h"
-#include "core/files/glb_differences.h"
+#include "core/files/gltf/glb_differences.h"
 #include "core/scene/log.h"
 #include "editor/command_line/scene_log.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/kept_shapes.h"
 
-#include "core/commands/group.h"
+#include "core/commands/objects/group.h"
 #include "core/files/copies.h"
 #include "core/files/write_model.h"
 #include "editor/session/scene_facts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/keep_shape.h"
+#include "core/commands/objects/keep_shape.h"
 #include "editor/session/session.h"
 
 namespace trivar {

@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/files/copies.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"

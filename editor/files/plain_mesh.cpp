@@ -4,7 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
-#include "core/commands/apply_shape.h"
+#include "core/commands/placement/apply_shape.h"
 #include "core/document/parameters.h"
 #include "core/files/write_model.h"
 #include "core/steps/bending/refining.h"

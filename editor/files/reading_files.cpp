@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes in: scenes that are opened, models that are imported, files that are dropped.
 #include "core/base/rejected.h"
-#include "core/commands/shade.h"
+#include "core/commands/objects/shade.h"
 #include "core/files/file_bytes.h"
 #include "core/mesh/shading.h"
 #include "editor/files/files.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/lattice_round.h"
 
-#include "core/commands/numbering.h"
+#include "core/commands/edits/numbering.h"
 #include "editor/session/scene_facts.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
-#include "core/commands/changes.h"
+#include "core/commands/words/changes.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"

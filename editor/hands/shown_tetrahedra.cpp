@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/shown_tetrahedra.h"
 
-#include "core/commands/edits.h"
+#include "core/commands/edits/edits.h"
 
 namespace trivar {
 

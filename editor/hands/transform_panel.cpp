@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the transform tools show: handles, the axis at work, the amount, settings and hints.
-#include "core/commands/field_words.h"
+#include "core/commands/words/field_words.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/transform.h"
 #include "ui/option_bar.h"

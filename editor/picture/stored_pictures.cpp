@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/stored_pictures.h"
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>

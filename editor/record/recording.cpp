@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/document/parameters.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/scene/files_read.h"
 #include "editor/picture/picture.h"
 #include "editor/picture/stored_pictures.h"

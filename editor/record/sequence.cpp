@@ -5,7 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/base/whole_numbers.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/scene/files_read.h"
 #include "editor/help/about.h"
 

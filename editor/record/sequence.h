@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/asset_store.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/picture/still.h"
 
 #include <functional>

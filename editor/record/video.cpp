@@ -5,7 +5,7 @@
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
 #include "core/files/growing_file.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 
 #include <algorithm>
 #include <array>

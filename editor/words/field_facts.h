@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/field_words.h"
+#include "core/commands/words/field_words.h"
 
 #include <string>
 #include <type_traits>

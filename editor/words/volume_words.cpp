@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/words/volume_words.h"
 
-#include "core/commands/changes.h"
+#include "core/commands/words/changes.h"
 #include "core/document/fields/shaping_fields.h"
 #include "core/placement/warping.h"
 #include "ui/widgets.h"

@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/companions.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/full_disk.h"
 

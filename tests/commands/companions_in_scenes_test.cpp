@@ -2,7 +2,7 @@
 // What goes with a model never costs a scene the model.
 #include "core/commands/collect.h"
 #include "core/document/asset_store.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>

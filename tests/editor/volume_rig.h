@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/volume_writers.h"

@@ -5,7 +5,7 @@
 #include "core/export/still_export.h"
 #include "core/export/usd_instances.h"
 #include "core/files/formats.h"
-#include "core/files/glb_content.h"
+#include "core/files/gltf/glb_content.h"
 #include "core/files/read_model.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/export/animated_files.h"
 #include "core/files/file_bytes.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
 #include "core/scene/log.h"

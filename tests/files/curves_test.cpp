@@ -2,7 +2,7 @@
 #include "tests/files/curves.h"
 
 #include "core/files/formats.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "core/files/write_model.h"
 #include "tests/files/gltf_texts.h"
 #include "tests/files/text_models.h"

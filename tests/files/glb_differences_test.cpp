@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/glb_differences.h"
+#include "core/files/gltf/glb_differences.h"
 
 #include "core/base/rejected.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "tests/files/curves.h"
 #include "tests/files/sample_models.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What Khronos's validator and other programs ask of a GLB, whatever the model holds.
 #include "core/files/file_bytes.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "core/files/write_model.h"
 #include "tests/files/gltf_texts.h"
 #include "tests/support/fixtures.h"

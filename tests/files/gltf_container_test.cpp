@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chunks of a GLB file.
-#include "core/files/glb_chunks.h"
-#include "core/files/gltf_uri.h"
+#include "core/files/gltf/glb_chunks.h"
+#include "core/files/gltf/gltf_uri.h"
 #include "tests/files/gltf_texts.h"
 
 #include <cstring>

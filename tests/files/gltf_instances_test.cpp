@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // EXT_mesh_gpu_instancing, read and written.
 #include "core/files/formats.h"
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "core/mesh/primitives.h"
 #include "tests/files/gltf_texts.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a glTF file names and cannot be had is said once, with how often; the rest is read.
-#include "core/files/gltf_uri.h"
+#include "core/files/gltf/gltf_uri.h"
 #include "tests/files/gltf_texts.h"
 #include "tests/fuzz/sound_pictures.h"
 #include "tests/support/fixtures.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/read_model.h"
 #include "tests/files/sample_models.h"
 #include "tests/support/rigged.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/gltf_uv_transform.h"
+#include "core/files/gltf/gltf_uv_transform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/fuzz/sound_pictures.h"
 #include "tests/support/fixtures.h"
 

@@ -2,7 +2,7 @@
 // Files that nobody should believe: a sentence or a stated repair, never a crash, hang or a memory
 // that the bytes do not account for.
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/read_model.h"
 #include "tests/files/sample_models.h"
 #include "tests/support/fixtures.h"

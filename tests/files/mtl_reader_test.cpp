@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/formats.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/files/sample_models.h"
 #include "tests/support/fixtures.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/files/image.h"
 #include "core/files/pictures/apart.h"
+#include "core/files/pictures/image.h"
 #include "core/files/pictures/kinds.h"
 #include "tests/fuzz/pictures_campaign.h"
 #include "tests/fuzz/sound_pictures.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/png_chunks.h"
+#include "core/files/pictures/png_chunks.h"
 
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 
 #include <gmock/gmock.h>
 

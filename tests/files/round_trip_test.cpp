@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
 #include "core/mesh/pose.h"

@@ -3,8 +3,8 @@
 #include "core/certificate/certificate.h"
 #include "core/ffd/lattice.h"
 #include "core/files/formats.h"
-#include "core/files/glb_content.h"
-#include "core/files/glb_differences.h"
+#include "core/files/gltf/glb_content.h"
+#include "core/files/gltf/glb_differences.h"
 #include "core/mesh/primitives.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/mesh/height_sheet.h"
 
 #include <cmath>

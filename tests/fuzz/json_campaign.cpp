@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/json_campaign.h"
 
-#include "core/files/glb_chunks.h"
+#include "core/files/gltf/glb_chunks.h"
 #include "tests/fuzz/json_damage.h"
 #include "tests/fuzz/model_use.h"
 #include "tests/fuzz/sound_files.h"

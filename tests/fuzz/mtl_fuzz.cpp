@@ -2,7 +2,7 @@
 // A material library, and its text as the words that name libraries.
 #include "core/base/rejected.h"
 #include "core/files/formats.h"
-#include "core/files/wavefront_names.h"
+#include "core/files/wavefront/wavefront_names.h"
 
 #include <cstddef>
 

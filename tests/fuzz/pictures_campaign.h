@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 
 #include <cstdint>
 #include <string>

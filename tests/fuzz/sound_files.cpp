@@ -4,8 +4,8 @@
 #include "core/base/text.h"
 #include "core/files/flattened.h"
 #include "core/files/formats.h"
-#include "core/files/glb_chunks.h"
-#include "core/files/image.h"
+#include "core/files/gltf/glb_chunks.h"
+#include "core/files/pictures/image.h"
 #include "tests/fuzz/sound_models.h"
 
 #include <algorithm>

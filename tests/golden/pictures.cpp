@@ -2,7 +2,7 @@
 #include "tests/golden/pictures.h"
 
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 
 #include <algorithm>
 #include <cstdlib>

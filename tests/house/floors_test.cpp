@@ -39,6 +39,10 @@ const std::vector<std::vector<std::string>> floors{
     {"core/lines"},
     {"core/casting", "core/drawing"},
     {"core/document"},
+    {"core/commands/words", "core/commands/edits"},
+    {"core/commands/objects"},
+    {"core/commands/cutting", "core/commands/placement", "core/commands/tiles",
+     "core/commands/volumes"},
     {"core/commands", "core/stages"},
     {"core/steps/bending", "core/steps/laying", "core/steps/moving"},
     {"core/steps/tiles"},
@@ -253,10 +257,10 @@ TEST(Floors, AHouseWithAStairUpIsNoticed)
     };
     write("core/mesh/mesh.h", "#pragma once\n#include \"core/spline/knots.h\"\n");
     EXPECT_TRUE(complaints_about(house.path()).empty());
-    write("core/mesh/climbs.cpp", "#include \"core/files/image.h\"\n");
+    write("core/mesh/climbs.cpp", "#include \"core/files/pictures/image.h\"\n");
     const auto found = complaints_about(house.path());
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0], "core/mesh/climbs.cpp climbs to core/files/image.h");
+    EXPECT_EQ(found[0], "core/mesh/climbs.cpp climbs to core/files/pictures/image.h");
 }
 
 TEST(Floors, OnlyAnArrowDownOrWithinARoomIsNoComplaint)

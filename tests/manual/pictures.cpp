@@ -2,7 +2,7 @@
 // Draws the pictures of docs/manual anew: each is the editor, without a screen, in the state that
 // the page speaks of. Without arguments all of them, else those that are named.
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/help/welcome.h"
 #include "editor/panels/inspector/profile_rows.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/scene/moved_history.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

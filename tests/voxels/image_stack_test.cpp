@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/voxels/image_stack.h"
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/reading.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/voxels/coarsened.h"
 #include "tests/support/fixtures.h"
 #include "tests/voxels/dicom_files.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/image_tags.h"
+#include "core/files/pictures/image_tags.h"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 #include "core/files/pictures/kinds.h"
 
 #include "core/base/rejected.h"
-#include "core/files/png_chunks.h"
+#include "core/files/pictures/png_chunks.h"
 
 #include <algorithm>
 #include <array>

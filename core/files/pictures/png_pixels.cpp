@@ -3,7 +3,7 @@
 
 #include "core/files/codec/grey.h"
 #include "core/files/pictures/kinds.h"
-#include "core/files/png_chunks.h"
+#include "core/files/pictures/png_chunks.h"
 
 #include <csetjmp>
 #include <cstring>

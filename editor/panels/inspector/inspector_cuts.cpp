@@ -2,7 +2,7 @@
 #include "editor/panels/inspector/inspector_cuts.h"
 
 #include "core/base/number_text.h"
-#include "core/commands/cut.h"
+#include "core/commands/cutting/cut.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/tools/split/drawn_cut.h"

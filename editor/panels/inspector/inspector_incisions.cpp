@@ -2,8 +2,8 @@
 #include "editor/panels/inspector/inspector_incisions.h"
 
 #include "core/base/number_text.h"
-#include "core/commands/edits.h"
-#include "core/commands/peel.h"
+#include "core/commands/cutting/peel.h"
+#include "core/commands/edits/edits.h"
 #include "editor/hands/usual_layers.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/incision_rows.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
-#include "core/commands/step_title.h"
+#include "core/commands/words/step_title.h"
 #include "core/placement/embed.h"
 #include "editor/actions/edit_actions.h"
 #include "editor/panels/inspector/field_rows.h"

@@ -2,7 +2,7 @@
 #include "editor/panels/inspector/inspector_split.h"
 
 #include "core/base/number_text.h"
-#include "core/commands/split.h"
+#include "core/commands/cutting/split.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/session/scene_facts.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
-#include "core/commands/tetrahedra.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "core/tetrahedra/from_lattice.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"

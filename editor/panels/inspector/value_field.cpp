@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/value_field.h"
 
-#include "core/commands/number_words.h"
+#include "core/commands/words/number_words.h"
 #include "editor/words/field_words.h"
 
 #include <cmath>

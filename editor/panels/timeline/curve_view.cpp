@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/number_words.h"
+#include "core/commands/words/number_words.h"
 #include "editor/panels/timeline/curve_scale.h"
 #include "editor/panels/timeline/key_hands.h"
 #include "ui/widgets.h"

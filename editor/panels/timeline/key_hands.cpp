@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/timeline/key_hands.h"
 
-#include "core/commands/number_words.h"
+#include "core/commands/words/number_words.h"
 #include "editor/actions/key_actions.h"
 #include "ui/input.h"
 #include "ui/keys.h"

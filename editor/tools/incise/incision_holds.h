@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/incise.h"
+#include "core/commands/cutting/incise.h"
 #include "editor/tools/incise/cut_snap.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "editor/tools/lattice/lattice_points.h"
 
 #include "core/base/rounded.h"
-#include "core/commands/edits.h"
+#include "core/commands/edits/edits.h"
 #include "core/placement/shifting.h"
 #include "core/steps/laying/attaching.h"
 #include "editor/hands/gesture_keys.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/shape.h"
+#include "core/commands/objects/shape.h"
 #include "editor/hands/tool.h"
 #include "editor/hands/typed_amounts.h"
 #include "editor/picture/volume_surface.h"

@@ -2,7 +2,7 @@
 #include "editor/tools/place/place_round.h"
 
 #include "core/base/rounded.h"
-#include "core/commands/place.h"
+#include "core/commands/placement/place.h"
 #include "core/document/band.h"
 #include "core/placement/embed.h"
 #include "editor/session/scene_facts.h"

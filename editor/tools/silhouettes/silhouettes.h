@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/voxels.h"
+#include "core/commands/objects/voxels.h"
 #include "editor/hands/tool.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/cut.h"
+#include "core/commands/cutting/cut.h"
 #include "editor/hands/tool.h"
 #include "editor/tools/split/drawn_cut.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/split.h"
+#include "core/commands/cutting/split.h"
 #include "editor/tools/split/cut_gesture.h"
 #include "editor/tools/split/split_handles.h"
 #include "ui/option_bar.h"

@@ -2,7 +2,7 @@
 #include "editor/tools/tetrahedra/tetrahedra.h"
 
 #include "core/base/rounded.h"
-#include "core/commands/edits.h"
+#include "core/commands/edits/edits.h"
 #include "core/rays/nearest_face.h"
 #include "core/tetrahedra/pulled_layer.h"
 #include "core/tetrahedra/pulling.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/tetrahedra/tetrahedra_clouds.h"
 
-#include "core/commands/edits.h"
-#include "core/commands/tetrahedra.h"
+#include "core/commands/edits/edits.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "core/tetrahedra/cloud_room.h"
 #include "editor/hands/gesture_keys.h"
 #include "editor/hands/select.h"

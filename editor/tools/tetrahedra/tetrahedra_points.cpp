@@ -2,8 +2,8 @@
 #include "editor/tools/tetrahedra/tetrahedra_points.h"
 
 #include "core/base/rounded.h"
-#include "core/commands/edits.h"
-#include "core/commands/tetrahedra.h"
+#include "core/commands/edits/edits.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "editor/hands/gesture_keys.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/select.h"

@@ -3,9 +3,9 @@
 
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
-#include "core/commands/arrange.h"
-#include "core/commands/numbering.h"
-#include "core/commands/tetrahedra.h"
+#include "core/commands/edits/numbering.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "core/meshing/cage_cells.h"
 #include "core/meshing/hull_cells.h"
 #include "editor/hands/lattice_round.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "editor/hands/painted_surface.h"
 #include "editor/hands/tool.h"
 

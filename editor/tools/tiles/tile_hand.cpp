@@ -2,7 +2,7 @@
 #include "editor/tools/tiles/tile_hand.h"
 
 #include "core/base/number_text.h"
-#include "core/commands/field_words.h"
+#include "core/commands/words/field_words.h"
 #include "core/limit/tangent.h"
 #include "core/patches/tile_ray.h"
 #include "ui/paint.h"

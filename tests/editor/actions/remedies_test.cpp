@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/remedies.h"
 
-#include "core/commands/tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/steps/tiles/covers.h"
 #include "core/tiles/cell_counts.h"
 #include "tests/editor/rig.h"

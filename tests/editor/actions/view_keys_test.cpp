@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys change of the window's picture alone.
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/palette_entries.h"
 #include "editor/record/record_plan.h"

@@ -2,7 +2,7 @@
 #include "editor/command_line/command_line.h"
 
 #include "core/base/text.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/scene/log.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

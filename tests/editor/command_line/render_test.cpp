@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sequences of pictures by the command line.
 #include "core/base/text.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/command_line/command_line.h"
 #include "editor/record/sequence.h"
 #include "tests/editor/scenes.h"

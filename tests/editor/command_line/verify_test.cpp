@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/files/glb_chunks.h"
-#include "core/files/glb_content.h"
-#include "core/files/second_reader.h"
+#include "core/files/gltf/glb_chunks.h"
+#include "core/files/gltf/glb_content.h"
+#include "core/files/gltf/second_reader.h"
 #include "core/scene/log.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/scenes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/plain_mesh.h"
 
-#include "core/commands/apply_shape.h"
+#include "core/commands/placement/apply_shape.h"
 #include "core/document/document_digest.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/placement_actions.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/relink.h"
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "tests/editor/notice_buttons.h"
 #include "tests/editor/volume_rig.h"
 #include "tests/support/fixtures.h"

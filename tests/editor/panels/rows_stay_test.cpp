@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // While an object stays selected, no edit of a value moves a row of the inspector.
 #include "core/commands/command.h"
-#include "core/commands/cut.h"
-#include "core/commands/incise.h"
-#include "core/commands/mask_tiles.h"
-#include "core/commands/tiles.h"
+#include "core/commands/cutting/cut.h"
+#include "core/commands/cutting/incise.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "tests/editor/scenes.h"
 #include "tests/editor/volume_rig.h"
 

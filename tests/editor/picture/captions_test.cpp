@@ -2,7 +2,7 @@
 #include "core/base/number_text.h"
 #include "editor/picture/captions.h"
 
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/command_line/replay.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

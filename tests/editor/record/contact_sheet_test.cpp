@@ -2,7 +2,7 @@
 #include "editor/record/contact_sheet.h"
 
 #include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_edits.h"
 
-#include "core/commands/number_words.h"
+#include "core/commands/words/number_words.h"
 #include "editor/timeline/rows.h"
 #include "tests/editor/scenes.h"
 

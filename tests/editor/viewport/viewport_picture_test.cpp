@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/document_digest.h"
-#include "core/files/image.h"
+#include "core/files/pictures/image.h"
 #include "core/scene/log.h"
 #include "editor/command_line/replay.h"
 #include "tests/editor/rig.h"

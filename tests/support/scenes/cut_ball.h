@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/edits.h"
+#include "core/commands/edits/edits.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/cut.h"
+#include "core/commands/cutting/cut.h"
 #include "core/split/cut_sheet.h"
 #include "editor/tools/split/drawn_cut.h"
 #include "editor/tools/split/split.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/incise.h"
+#include "core/commands/cutting/incise.h"
 #include "editor/tools/split/split.h"
 #include "tests/editor/laid.h"
 #include "tests/editor/tools/incise/incise_rig.h"

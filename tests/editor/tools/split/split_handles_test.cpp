@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/animate.h"
+#include "core/commands/objects/animate.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "editor/tools/split/split.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/split/split.h"
 
-#include "core/commands/animate.h"
-#include "core/commands/arrange.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
 #include "editor/tools/split/split_holds.h"
 #include "tests/editor/rig.h"
 

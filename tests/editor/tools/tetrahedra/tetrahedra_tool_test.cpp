@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/primitives.h"
+#include "core/commands/objects/primitives.h"
 #include "core/mesh/mesh.h"
 #include "core/simplex/cell_search.h"
 #include "core/tetrahedra/cloud_room.h"

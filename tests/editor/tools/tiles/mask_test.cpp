@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/tiles.h"
-#include "core/files/image.h"
+#include "core/commands/tiles/tiles.h"
+#include "core/files/pictures/image.h"
 #include "editor/actions/actions.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/words/step_title.h"
+#include "core/document/field.h"
+
+namespace trivar {
+
+struct SetTransform {
+    static constexpr std::string_view verb = "transform",
+                                      summary = "Set the whole transform of an object.";
+    static constexpr CommandNature nature{.icon = CommandIcon::move};
+    Id object = 0;
+    Transform transform;
+    bool operator==(const SetTransform&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id", required);
+        FieldsOf<Transform>::fields(c.transform, field);
+    }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetTransform> as_it_is(const Object& object, Id id)
+    {
+        return SetTransform{id, object.transform};
+    }
+};
+Document applied(Document document, const SetTransform& command);
+StepTitle title(const SetTransform& c, const StepDocuments& step);
+
+struct Arrange {
+    static constexpr std::string_view verb = "arrange",
+                                      summary = "Set the whole transforms of objects, one each.";
+    static constexpr CommandNature nature{.icon = CommandIcon::move,
+                                          .asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    std::vector<Transform> transforms;
+    bool operator==(const Arrange&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("transforms", c.transforms, "transforms of the objects, in the same order", required);
+    }
+};
+Document applied(Document document, const Arrange& command);
+StepTitle title(const Arrange& c, const StepDocuments& step);
+
+struct Rename {
+    static constexpr std::string_view verb = "rename", summary = "Rename an object.";
+    static constexpr CommandNature nature{.icon = CommandIcon::rename,
+                                          .asked = Invocation::by_actions};
+    Id object = 0;
+    std::string name;
+    bool operator==(const Rename&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id", required);
+        field("name", c.name, "the new name, not empty", required);
+    }
+};
+Document applied(Document document, const Rename& command);
+StepTitle title(const Rename& c, const StepDocuments& step);
+
+struct Hide {
+    static constexpr std::string_view verb = "hide", summary = "Hide objects.";
+    static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Invocation::at_once};
+    std::vector<Id> objects;
+    bool operator==(const Hide&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+Document applied(Document document, const Hide& command);
+StepTitle title(const Hide& c, const StepDocuments& step);
+
+struct Show {
+    static constexpr std::string_view verb = "show", summary = "Show hidden objects again.";
+    static constexpr CommandNature nature{.icon = CommandIcon::show, .asked = Invocation::at_once};
+    std::vector<Id> objects;
+    bool only = false;
+    bool operator==(const Show&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("only", c.only, "hides everything else, and shows the groups that they are in");
+    }
+};
+Document applied(Document document, const Show& command);
+StepTitle title(const Show& c, const StepDocuments& step);
+
+struct Lock {
+    static constexpr std::string_view
+        verb = "lock",
+        summary = "Protect objects from being picked, moved and deleted by hand.";
+    static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Invocation::at_once};
+    std::vector<Id> objects;
+    bool operator==(const Lock&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+Document applied(Document document, const Lock& command);
+StepTitle title(const Lock& c, const StepDocuments& step);
+
+struct Unlock {
+    static constexpr std::string_view verb = "unlock", summary = "Unlock objects.";
+    static constexpr CommandNature nature{.icon = CommandIcon::unlock,
+                                          .asked = Invocation::at_once};
+    std::vector<Id> objects;
+    bool operator==(const Unlock&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+Document applied(Document document, const Unlock& command);
+StepTitle title(const Unlock& c, const StepDocuments& step);
+
+struct Delete {
+    static constexpr std::string_view verb = "delete",
+                                      summary =
+                                          "Delete objects, and groups with their contents. Objects "
+                                          "that lay on a deleted one no longer use it.";
+    static constexpr CommandNature nature{.icon = CommandIcon::remove,
+                                          .asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    bool operator==(const Delete&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+Document applied(Document document, const Delete& command);
+StepTitle title(const Delete& c, const StepDocuments& step);
+
+struct Duplicate {
+    static constexpr std::string_view
+        verb = "duplicate",
+        summary = "Duplicate objects, and groups with their contents. Where one lay on another, "
+                  "its copy lies on the other's copy.";
+    static constexpr CommandNature nature{.icon = CommandIcon::copy,
+                                          .asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    glm::dvec3 offset{0};
+    bool operator==(const Duplicate&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids; the copies get the next ids in this order", required);
+        field("offset", c.offset, "added to the copies' translation, metres");
+    }
+};
+Document applied(Document document, const Duplicate& command);
+StepTitle title(const Duplicate& c, const StepDocuments& step);
+
+} // namespace trivar

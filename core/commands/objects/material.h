@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/words/step_title.h"
+#include "core/document/fields/surfacing_fields.h"
+
+namespace trivar {
+
+struct SetMaterial {
+    static constexpr std::string_view verb = "set_material",
+                                      summary = "Override the materials of objects with one.";
+    static constexpr CommandNature nature{.icon = CommandIcon::material};
+    std::vector<Id> objects;
+    Surfacing surfacing;
+    bool operator==(const SetMaterial&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        FieldsOf<Surfacing>::fields(c.surfacing, field);
+    }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetMaterial> as_it_is(const Object& object, Id id)
+    {
+        if (!object.surfacing) return std::nullopt;
+        return SetMaterial{{id}, *object.surfacing};
+    }
+};
+Document applied(Document document, const SetMaterial& command);
+StepTitle title(const SetMaterial& c, const StepDocuments& step);
+
+struct ClearMaterial {
+    static constexpr std::string_view verb = "clear_material",
+                                      summary = "Restore the original materials of objects.";
+    static constexpr CommandNature nature{.icon = CommandIcon::material,
+                                          .asked = Invocation::at_once};
+    std::vector<Id> objects;
+    bool operator==(const ClearMaterial&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+Document applied(Document document, const ClearMaterial& command);
+StepTitle title(const ClearMaterial& c, const StepDocuments& step);
+
+} // namespace trivar

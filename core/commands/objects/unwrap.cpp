@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/unwrap.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/edits/edits.h"
+#include "core/commands/words/field_words.h"
+
+namespace trivar {
+
+Document applied(Document document, const Unwrap& command)
+{
+    for (const Id id : distinct(document, command.objects))
+        if (holds_others(object(document, id).source))
+            throw Rejected(named(document, id) +
+                           " has no surface of its own; unwrap the objects in it");
+    return with_all_changed(std::move(document), command.objects,
+                            [&](Object& o) { o.unwrapping = command.unwrapping; });
+}
+
+StepTitle title(const Unwrap& c, const StepDocuments& step)
+{
+    return {"Unwrap " + names_in(step.before, c.objects), {}};
+}
+
+Document applied(Document document, const ClearUnwrap& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.unwrapping.reset(); });
+}
+
+StepTitle title(const ClearUnwrap& c, const StepDocuments& step)
+{
+    return {"Give " + names_in(step.before, c.objects) + " its own UVs back", {}};
+}
+
+} // namespace trivar

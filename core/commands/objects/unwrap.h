@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/words/step_title.h"
+#include "core/document/fields/unwrapping_fields.h"
+
+namespace trivar {
+
+struct Unwrap {
+    static constexpr std::string_view
+        verb = "unwrap",
+        summary = "Give objects new UVs (texture coordinates), in place of those of their files: "
+                  "the surface is cut into charts, which are laid flat and packed into a square.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    Unwrapping unwrapping;
+    bool operator==(const Unwrap&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of objects with a shape", required);
+        FieldsOf<Unwrapping>::fields(c.unwrapping, field);
+    }
+    static std::optional<Unwrap> as_it_is(const Object& object, Id id)
+    {
+        return Unwrap{{id}, object.unwrapping.value_or(Unwrapping{})};
+    }
+};
+Document applied(Document document, const Unwrap& command);
+StepTitle title(const Unwrap& c, const StepDocuments& step);
+
+struct ClearUnwrap {
+    static constexpr std::string_view verb = "clear_unwrap",
+                                      summary =
+                                          "Give unwrapped objects the UVs of their files back.";
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    bool operator==(const ClearUnwrap&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of unwrapped objects", required);
+    }
+};
+Document applied(Document document, const ClearUnwrap& command);
+StepTitle title(const ClearUnwrap& c, const StepDocuments& step);
+
+} // namespace trivar

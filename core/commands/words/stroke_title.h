@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/words/step_title.h"
+#include "core/document/object.h"
+
+#include <optional>
+
+namespace trivar {
+
+// What a history says of a stroke that was carried as a whole, with its camera: moved, turned,
+// scaled or lifted. It turns where its ends go further about its middle than the middle goes: by
+// where its samples met what they belong to, else the ground. Empty: the stroke did not change, or
+// was drawn anew. O(number of samples).
+std::optional<StepTitle> stroke_title(const PlacementStep& before, const PlacementStep& after,
+                                      const std::string& name);
+
+} // namespace trivar
