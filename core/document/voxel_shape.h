@@ -4,6 +4,7 @@
 #include "core/document/surfacing.h"
 #include "core/document/volume_casting.h"
 #include "core/document/volume_reading.h"
+#include "core/field/field_spline.h"
 #include "core/field/level_side.h"
 #include "core/field/tetrahedra_fit.h"
 #include "core/lines/ink.h"

@@ -3,9 +3,10 @@
 
 #include "editor/hands/tool.h"
 
-#include <imgui.h>
-
 namespace trivar {
+
+// Whether the hand wants round steps: Ctrl is held.
+bool wants_round_steps();
 
 // Follows the mouse with a handle in the hand: `drag` knows its camera and pixel at the beginning,
 // and dragged(drag, pixel, snap) gives its command. What that makes is shown all the time; where
@@ -16,7 +17,7 @@ void follow(std::optional<Drag>& drag, bool& moved, Session& session, const View
 {
     drag->camera.size_px = session.view.camera.size_px;
     moved = moved || glm::distance(input.mouse, drag->from_px) > click_slip_px;
-    const bool snap = ImGui::GetIO().KeyCtrl;
+    const bool snap = wants_round_steps();
     if (input.released || !input.down) {
         const Drag done = *drag;
         drag.reset();
@@ -31,13 +32,6 @@ void follow(std::optional<Drag>& drag, bool& moved, Session& session, const View
 }
 
 // Hints for a drag, or else for the handle under the mouse, of which `verb` says what it does.
-inline std::vector<Hint> handle_hints(bool dragging, const char* verb)
-{
-    if (dragging)
-        return {{{"left"}, "Let go when done"},
-                {{"Ctrl"}, "Round steps"},
-                {{"Esc", "/", "right"}, "Cancel"}};
-    return {{{"left"}, verb}, {{"Ctrl"}, "Round steps"}};
-}
+std::vector<Hint> handle_hints(bool dragging, const char* verb);
 
 } // namespace trivar
