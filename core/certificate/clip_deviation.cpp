@@ -2,6 +2,7 @@
 #include "core/certificate/clip_deviation.h"
 
 #include "core/base/finite.h"
+#include "core/stages/walk.h"
 #include "core/walking/foot_lock.h"
 #include "core/walking/planting_rates.h"
 

@@ -2,6 +2,7 @@
 #include "core/certificate/common_mesh.h"
 
 #include "core/mesh/adjacency.h"
+#include "core/refinement/refine.h"
 
 #include <algorithm>
 #include <limits>

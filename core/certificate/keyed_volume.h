@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/shaper.h"
 
 #include <optional>
 

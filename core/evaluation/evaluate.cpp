@@ -13,6 +13,7 @@
 #include "core/stages/shapes.h"
 #include "core/stages/shown_volume.h"
 #include "core/steps/bending/lattices.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 #include "core/base/joined_sets.h"
 #include "core/document/bases.h"
 #include "core/mesh/far_origin.h"
+#include "core/split/split_field.h"
 #include "core/steps/laying/riding.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -7,6 +7,7 @@
 #include "core/document/parameters.h"
 #include "core/evaluation/pattern_colors.h"
 #include "core/files/gltf/repeated_nodes.h"
+#include "core/refinement/refine.h"
 
 #include <algorithm>
 #include <filesystem>

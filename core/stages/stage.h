@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/shaper.h"
-#include "core/refinement/refine.h"
-#include "core/split/split_field.h"
-#include "core/stages/carriage.h"
+#include "core/base/lazy.h"
+#include "core/document/object.h"
 #include "core/stages/curve_part.h"
 #include "core/stages/incising_effects.h"
 #include "core/stages/shape.h"
-#include "core/stages/walk.h"
-#include "core/tetrahedra/tetrahedra_shaper.h"
-#include "core/unwrap/unwrap.h"
 
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace trivar {
+
+// What is seen of a stage names the results of its steps alone; who looks into one includes it.
+struct Carriage;
+class Journey;
+struct Placement;
+class RayScene;
+struct RefinementResult;
+struct ShapedTetrahedra;
+struct ShapedVolume;
+struct SplitField;
+struct Support;
+struct UnwrapFacts;
+struct Walk;
 
 // Each struct holds what one step tells of an object beside what the object shows.
 
@@ -62,7 +70,6 @@ struct TravelEffects {
 struct RefiningEffects {
     Ref<RefinementResult> refined; // null: its triangles are those of the model
 };
-
 struct TilingEffects {
     // of the other objects among its tiles, behind its own; null: none
     Ref<std::vector<Material>> mixed_materials;
@@ -74,15 +81,12 @@ struct TilingEffects {
     std::size_t overlapping = 0;       // of these, where such tiles are not left out
     std::vector<Id> tile_objects = {}; // by the meshes of its parts: of what the tiles are copies
 };
-
 struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
 };
-
 struct UnwrappingEffects {
     Ref<UnwrapFacts> unwrapped; // null: its texture coordinates are those of its file
 };
-
 struct CuttingEffects {
     std::size_t pieces = 0; // into which it is cut; 0: nothing cuts it
     double cut_off = 0;     // metres: bound of the distance of its cuts from curved cut surfaces
@@ -90,7 +94,6 @@ struct CuttingEffects {
     // below stands off as far the other way.
     std::vector<glm::dvec3> cuts_open = {};
 };
-
 struct SplittingEffects {
     // The field that parts it, where it stands at this frame; null: it is parted by nothing.
     Ref<SplitField> split_field;
@@ -125,10 +128,7 @@ struct Stage : SimplifyingEffects,
         return lattice_stroke ? lattice_stroke->placement : placement;
     }
     // Its volume with the control points where they are seen. It must have one.
-    Ref<Lattice> seen_cage() const
-    {
-        return bent_cage ? **bent_cage : Ref<Lattice>(placement, &placement->volume);
-    }
+    Ref<Lattice> seen_cage() const;
     // The parts with the faces of its model: what lies on it by these does not see that it is
     // split.
     const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/replay.h"
+#include "core/stages/walk.h"
 #include "editor/picture/line_sheet.h"
 
 #include "core/base/number_text.h"

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
+#include "core/refinement/refine.h"
 #include "gpu/look.h"
 #include "ui/headless.h"
 #include "ui/widgets.h"

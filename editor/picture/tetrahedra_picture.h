@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/stages/evaluated.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "gpu/picture.h"
 #include "ui/palette.h"
 

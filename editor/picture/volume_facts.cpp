@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/ffd/resolution.h"
+#include "core/placement/shaper.h"
 
 #include <algorithm>
 

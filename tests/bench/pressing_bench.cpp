@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 #include "core/evaluation/evaluate.h"
 #include "core/placement/pressing.h"
+#include "core/placement/shaper.h"
 #include "core/scene/scene_file.h"
 
 #include <benchmark/benchmark.h>

@@ -3,6 +3,7 @@
 #include "core/evaluation/evaluate.h"
 #include "core/simplex/simplex_volume.h"
 #include "core/tetrahedra/from_lattice.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/world_points.h"

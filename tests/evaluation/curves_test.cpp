@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/evaluate.h"
 #include "core/files/write_model.h"
+#include "core/placement/shaper.h"
 #include "tests/files/curves.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/shaper.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/document_digest.h"
 #include "core/evaluation/view_refining.h"
+#include "core/refinement/refine.h"
 #include "tests/support/scenes/commands.h"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/certificate/kept_clip.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
+#include "core/stages/walk.h"
 #include "core/steps/moving/posing.h"
 #include "tests/export/scenes.h"
 

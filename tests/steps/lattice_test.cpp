@@ -2,6 +2,8 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/shaper.h"
+#include "core/refinement/refine.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/drawn_off.h"

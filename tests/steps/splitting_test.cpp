@@ -4,6 +4,7 @@
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/mesh/closed_body.h"
+#include "core/split/split_field.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/evaluation/evaluate.h"
 #include "core/tetrahedra/pulled_layer.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/world_points.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/refinement/refine.h"
 #include "core/stages/step.h"
 
 namespace trivar {

@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/stages/step.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 
 #include <tuple>
 

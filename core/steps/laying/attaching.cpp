@@ -3,6 +3,7 @@
 
 #include "core/mesh/barycentric.h"
 #include "core/placement/view.h"
+#include "core/stages/carriage.h"
 
 #include <algorithm>
 #include <map>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/placement/shaper.h"
 #include "core/stages/bending.h"
 #include "core/stages/step.h"
 #include "core/steps/laying/carriages.h"

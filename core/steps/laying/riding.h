@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/placement/shaper.h"
 #include "core/steps/laying/carriages.h"
 
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/stages/step.h"
+#include "core/stages/walk.h"
 #include "core/steps/moving/posing.h"
 #include "core/steps/moving/walks.h"
 

@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/stages/stage.h"
+#include "core/stages/walk.h"
 
 namespace trivar {
 

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/commands/cutting/split.h"
+#include "core/split/split_field.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/session/scene_facts.h"

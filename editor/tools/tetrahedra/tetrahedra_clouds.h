@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simplex/simplex_basis.h"
 #include "core/simplex/simplex_domain.h"
 #include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
