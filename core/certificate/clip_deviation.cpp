@@ -2,6 +2,8 @@
 #include "core/certificate/clip_deviation.h"
 
 #include "core/base/finite.h"
+#include "core/placement/journey.h"
+#include "core/placement/placement.h"
 #include "core/stages/walk.h"
 #include "core/walking/foot_lock.h"
 #include "core/walking/planting_rates.h"

@@ -2,6 +2,7 @@
 #include "core/certificate/motion_bound.h"
 
 #include "core/certificate/clip_deviation.h"
+#include "core/placement/journey.h"
 
 #include <algorithm>
 #include <cmath>

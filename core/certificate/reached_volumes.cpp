@@ -2,6 +2,7 @@
 #include "core/certificate/reached_volumes.h"
 
 #include "core/ffd/prolong.h"
+#include "core/placement/journey.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 
 #include <map>
 #include <optional>

@@ -2,6 +2,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/placement/placement.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -13,6 +13,7 @@
 #include "core/document/band.h"
 #include "core/document/fields/object_fields.h"
 #include "core/document/parameters.h"
+#include "core/placement/round.h"
 
 #include <algorithm>
 #include <filesystem>

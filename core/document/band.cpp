@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/band.h"
 
+#include "core/placement/round.h"
+
 namespace trivar {
 
 std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world)

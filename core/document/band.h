@@ -2,11 +2,12 @@
 #pragma once
 
 #include "core/document/source.h"
-#include "core/placement/round.h"
 
 #include <optional>
 
 namespace trivar {
+
+struct Band;
 
 // The way round an object's axis, `level` metres from its widest circle; empty unless the source is
 // a cylinder, a sphere, a torus or a Moebius band.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/placement.h"
+#include "core/placement/placement_input.h"
 
 #include <functional>
 #include <glm/glm.hpp>

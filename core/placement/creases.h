@@ -3,6 +3,7 @@
 
 #include "core/placement/strip_layout.h"
 #include "core/placement/view.h"
+#include "core/rays/ray_scene.h"
 
 namespace trivar {
 

@@ -4,6 +4,7 @@
 #include "core/placement/depth_jump.h"
 #include "core/placement/ray_grid.h"
 #include "core/placement/view.h"
+#include "core/rays/ray_scene.h"
 
 #include <optional>
 #include <vector>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/placement/layout.h"
+#include "core/rays/ray_scene.h"
 
 namespace trivar {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/placement/strip_layout.h"
+#include "core/rays/ray_scene.h"
 
 namespace trivar {
 

@@ -3,6 +3,7 @@
 
 #include "core/placement/placement.h"
 #include "core/placement/strip.h"
+#include "core/rays/ray_scene.h"
 
 namespace trivar {
 

@@ -3,6 +3,7 @@
 
 #include "core/document/document.h"
 #include "core/ffd/prolong.h"
+#include "core/placement/placement.h"
 #include "core/tetrahedra/tetrahedra_shaper.h"
 
 namespace trivar {

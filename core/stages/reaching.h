@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/placement/journey.h"
 
 #include <vector>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/stages/shown_volume.h"
 
+#include "core/lines/level_drawing.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {

@@ -2,13 +2,19 @@
 #pragma once
 
 #include "core/base/box.h"
-#include "core/casting/casting.h"
+#include "core/base/ref.h"
 #include "core/document/voxel_shape.h"
-#include "core/level/voxel_field.h"
-#include "core/lines/level_drawing.h"
-#include "core/voxels/volume_summary.h"
+#include "core/voxels/cropped.h"
 
 namespace trivar {
+
+struct Casting;
+struct DrawnLevel;
+struct LevelLines;
+struct LevelMesh;
+struct VolumeSummary;
+class VoxelField;
+struct VoxelGrid;
 
 // Certified lines are proven to boxes of a voxel halved so often.
 inline constexpr int certified_halvings = 3;

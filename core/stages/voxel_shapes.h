@@ -3,8 +3,10 @@
 
 #include "core/base/recent.h"
 #include "core/base/timing.h"
+#include "core/casting/casting.h"
 #include "core/document/asset_store.h"
 #include "core/level/fitted_volume.h"
+#include "core/lines/level_lines.h"
 #include "core/stages/shape.h"
 #include "core/stages/shown_volume.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/ref.h"
-#include "core/tiles/tile_base.h"
+#include "core/limit/surface_point.h"
 
 #include <vector>
 

@@ -3,6 +3,7 @@
 
 #include "core/commands/command.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 
 #include <optional>
 #include <string>

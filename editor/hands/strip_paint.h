@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/placement/placement.h"
 #include "editor/hands/tool.h"
 
 namespace trivar {

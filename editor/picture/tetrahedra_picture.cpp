@@ -4,6 +4,7 @@
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/simplex_rows.h"
 #include "core/tetrahedra/pulling.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 
 #include <algorithm>
 #include <map>

@@ -3,13 +3,14 @@
 
 #include "core/base/recent.h"
 #include "core/stages/evaluated.h"
-#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "gpu/picture.h"
 #include "ui/palette.h"
 
 #include <tuple>
 
 namespace trivar {
+
+template <int S> struct SimplexDomain;
 
 // TetrahedraLines draws the edges of the tetrahedra of volumes where these take them: those of the
 // border, and while the volume is selected those inside faintly, creases and cuts strongly. They

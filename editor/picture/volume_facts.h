@@ -3,6 +3,7 @@
 
 #include "core/evaluation/evaluate.h"
 #include "core/ffd/overlap.h"
+#include "core/placement/placement.h"
 #include "editor/jobs/newest_work.h"
 #include "editor/picture/volume_surface.h"
 #include "ui/palette.h"

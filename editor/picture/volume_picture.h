@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "gpu/picture.h"
 #include "ui/palette.h"

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/keying.h"
 #include "core/document/parameters.h"
+#include "core/placement/placement.h"
 #include "core/steps/laying/attaching.h"
 #include "editor/picture/picture.h"
 #include "editor/session/level_draft.h"

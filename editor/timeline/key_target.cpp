@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_target.h"
 
+#include "core/placement/placement.h"
 #include "editor/session/session.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/travel_time.h"
 
+#include "core/placement/journey.h"
 #include "editor/session/scene_facts.h"
 
 #include <algorithm>

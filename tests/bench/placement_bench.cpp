@@ -4,6 +4,7 @@
 #include "core/mesh/primitives.h"
 #include "core/placement/placement.h"
 #include "core/placement/springs.h"
+#include "core/rays/ray_scene.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

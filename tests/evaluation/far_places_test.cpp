@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene gives far from the origin is what it gives near it, moved.
 #include "core/evaluation/far_places.h"
+#include "core/placement/placement.h"
 
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 #include "core/scene/log.h"
 #include "tests/support/fixtures.h"
 

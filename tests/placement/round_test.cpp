@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/journey.h"
 #include "core/placement/round.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/placement_input.h"
 #include "core/placement/shaper.h"
-#include "core/placement/travel.h"
 #include "tests/placement/scenes.h"
 
 #include <gmock/gmock.h>

@@ -3,6 +3,7 @@
 
 #include "core/placement/finish.h"
 #include "core/placement/obstacle.h"
+#include "core/rays/ray_scene.h"
 
 namespace trivar {
 

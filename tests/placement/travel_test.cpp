@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/placement/travel.h"
+#include "core/placement/journey.h"
+#include "core/placement/placement_input.h"
 
 #include "tests/placement/scenes.h"
 

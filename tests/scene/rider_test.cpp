@@ -2,6 +2,7 @@
 // A crocodile 3 on the back of a horse 2 that walks over hills 1, in assets/scenes/rider.trivar.
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "core/placement/placement.h"
 #include "core/scene/log.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/lying.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/casting/casting.h"
 #include "core/commands/command.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"

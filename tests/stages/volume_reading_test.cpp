@@ -3,6 +3,7 @@
 #include "core/commands/command.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/level/voxel_field.h"
 #include "core/scene/log.h"
 #include "core/scene/scene_file.h"
 #include "core/stages/shown_volume.h"

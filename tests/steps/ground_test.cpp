@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/placement.h"
 #include "core/steps/laying/ground_plane.h"
 
 #include "core/base/rejected.h"

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
 #include "core/document/parameters.h"
+#include "core/placement/placement.h"
 #include "core/steps/laying/attaching.h"
 #include "tests/support/scenes/commands.h"
 #include "tests/support/scenes/lying.h"

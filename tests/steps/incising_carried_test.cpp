@@ -8,6 +8,7 @@
 #include "core/files/write_model.h"
 #include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
+#include "core/placement/placement.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"
 #include "tests/support/scenes/incised_ball.h"

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 #include "core/refinement/refine.h"
 #include "core/steps/laying/attaching.h"
 #include "tests/support/fixtures.h"

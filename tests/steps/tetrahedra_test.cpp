@@ -3,6 +3,7 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 #include "core/tetrahedra/tetrahedra_shaper.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

@@ -4,6 +4,7 @@
 #include "core/commands/command.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
+#include "core/placement/placement.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>

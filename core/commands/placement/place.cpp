@@ -12,6 +12,7 @@
 #include "core/document/check_view.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
+#include "core/placement/round.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "core/commands/edits/edits.h"
 #include "core/commands/objects/group.h"
 #include "core/commands/words/changes.h"
+#include "core/placement/placement.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,9 @@
 #include "core/steps/laying/attaching.h"
 
 #include "core/mesh/barycentric.h"
+#include "core/placement/placement.h"
 #include "core/placement/view.h"
+#include "core/rays/ray_scene.h"
 #include "core/stages/carriage.h"
 
 #include <algorithm>

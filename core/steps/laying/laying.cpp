@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/document/band.h"
 #include "core/document/parameters.h"
+#include "core/placement/journey.h"
 #include "core/placement/round.h"
 #include "core/placement/view.h"
 #include "core/stages/standing.h"

@@ -2,6 +2,7 @@
 #include "core/steps/moving/moving.h"
 
 #include "core/document/parameters.h"
+#include "core/placement/placement.h"
 #include "core/stages/bending.h"
 #include "core/stages/reaching.h"
 #include "core/stages/standing.h"

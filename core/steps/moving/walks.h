@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/recent.h"
+#include "core/placement/journey.h"
 #include "core/stages/stage.h"
 #include "core/stages/walk.h"
 

@@ -2,6 +2,7 @@
 #include "core/steps/tiles/masking.h"
 
 #include "core/base/parallel.h"
+#include "core/placement/placement.h"
 #include "core/tiles/strand_masks.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "core/base/rounded.h"
 #include "core/commands/volumes/tetrahedra.h"
 #include "core/tetrahedra/from_lattice.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/warp_rows.h"

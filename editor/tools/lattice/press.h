@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/objects/shape.h"
+#include "core/placement/placement.h"
 #include "editor/hands/tool.h"
 #include "editor/hands/typed_amounts.h"
 #include "editor/picture/volume_surface.h"

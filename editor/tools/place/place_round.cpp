@@ -5,6 +5,7 @@
 #include "core/commands/placement/place.h"
 #include "core/document/band.h"
 #include "core/placement/embed.h"
+#include "core/placement/round.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
 #include "editor/tools/place/place.h"

@@ -3,6 +3,7 @@
 #include "core/mesh/mesh.h"
 #include "core/simplex/cell_search.h"
 #include "core/tetrahedra/cloud_room.h"
+#include "core/tetrahedra/tetrahedra_shaper.h"
 #include "editor/tools/tetrahedra/tetrahedra.h"
 #include "tests/editor/rig.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/placement/travel.h"
+#include "core/placement/journey.h"
 
 #include "core/placement/embed.h"
 

@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/placement.h"
+#include "core/placement/placement_input.h"
+#include "core/spline/surface.h"
 
 namespace trivar {
-
-// What a travelling model does where its stroke ends: stops there, disappears, continues straight,
-// continues from the other end, or goes back without turning round.
-// straight on, goes on from the other end, or turns back without turning round.
-enum class Ends { stay, hide, run_on, loop, back_and_forth };
-
-// A Travel says how a placed model moves along the middle of its volume.
-struct Travel {
-    // metres per second in the direction it looks; negative: backwards; 0: it rests
-    double speed = 0;
-    Ends ends = Ends::stay;
-    double ease_in = 0, ease_out = 0; // seconds from rest to that speed, and back to rest
-    int start_frame = 1;              // when it sets out
-    double duration = 0;              // seconds after which it stops wherever it is; 0: no limit
-    int followers = 0;                // number of further copies that follow one after the other
-    double gap = 0;   // metres along the middle from one to the next; 0: evenly along a loop, else
-                      // as close as they are long
-    double phase = 0; // shift from one follower to the next, as a share of the clip's period
-    bool operator==(const Travel&) const = default;
-};
 
 // A MiddleLine is the line v = 1/2 of a contact surface by its length in the world, as 1,024
 // chords; it continues straight beyond its ends.
