@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/level/fitted_volume.h"
 #include "core/stages/inside_material.h"
 #include "core/voxels/usual_level.h"
 

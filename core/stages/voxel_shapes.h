@@ -5,7 +5,7 @@
 #include "core/base/timing.h"
 #include "core/casting/casting.h"
 #include "core/document/asset_store.h"
-#include "core/level/fitted_volume.h"
+#include "core/level/voxel_field.h"
 #include "core/lines/level_lines.h"
 #include "core/stages/shape.h"
 #include "core/stages/shown_volume.h"
@@ -13,6 +13,8 @@
 #include <tuple>
 
 namespace trivar {
+
+struct FittedVolume;
 
 // VoxelShapes makes shapes of volume data: one mesh per level that shows its surface. It keeps the
 // last fields and levels, so that a level that is dragged costs its own mesh alone.
