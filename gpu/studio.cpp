@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/studio.h"
 
+#include "core/base/smooth_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,17 +26,17 @@ double lobe_step(double x, double s)
     return x / std::sqrt(x * x + s * s);
 }
 
-double smooth_step(double from, double to, double x)
+double step_between(double from, double to, double x)
 {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
+    return smooth_step(t);
 }
 
 double softbox(const Studio::Box& box, const glm::dvec3& r)
 {
     const double d = glm::dot(r, glm::dvec3(box.direction));
     const double k = 1 / std::max(d, 0.08);
-    double product = 0.25 * smooth_step(-0.1, 0.25, d);
+    double product = 0.25 * step_between(-0.1, 0.25, d);
     for (int axis = 0; axis < 2; ++axis) {
         const double p = glm::dot(r, glm::dvec3(axis ? box.up : box.right)) * k;
         const double s = box.softness * (1 + p * p), h = box.half_size[axis];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/narrowing.h"
 
+#include "core/base/smooth_step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +34,7 @@ void Narrowing::narrow(double x, double most, double radius, bool round)
         if (round) way = std::min(way, 1 - way);
         const double away = std::max(0.0, way - 1.0 / steps) / radius;
         if (away >= 1) continue;
-        const double rise = away * away * (3 - 2 * away);
+        const double rise = smooth_step(away);
         share_[i] = std::min(share_[i], most + (1 - most) * rise);
     }
 }

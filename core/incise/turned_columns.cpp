@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/turned_columns.h"
 
+#include "core/base/smooth_step.h"
 #include "core/base/unit.h"
 #include "core/incise/cut_curve.h"
 
@@ -82,7 +83,7 @@ glm::dvec3 offset_of(const Lean& lean, const glm::dvec3& up)
     const double ratio = mean + half > 0 ? (mean - half) / (mean + half) : 0;
     if (ratio > 0) {
         const double t = std::min(1.0, ratio / apart_enough);
-        v += t * t * (3 - 2 * t) * glm::dot(second, b) / (mean - half) * second;
+        v += smooth_step(t) * glm::dot(second, b) / (mean - half) * second;
     }
     return v.x * x + v.y * y;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/split/seam.h"
 
+#include "core/base/smooth_step.h"
 #include "core/split/rim_loops.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct Piece {
     Seam::Slope at(double w) const
     {
         const double x = (w - from.w) / length(), y = 1 - x;
-        const double up = x * x * (3 - 2 * x);
+        const double up = smooth_step(x);
         return {from.target + (to.target - from.target) * up +
                     length() * (from.slope * x * y * y - to.slope * x * x * y),
                 6 * rise() * x * y + from.slope * y * (y - 2 * x) + to.slope * x * (x - 2 * y)};
@@ -136,7 +137,7 @@ Seam::Slope Seam::share(double v) const
 {
     const bool first = v - way.x < way.y - v;
     const double x = std::clamp((first ? v - way.x : way.y - v) / ends, 0.0, 1.0);
-    return {x * x * (3 - 2 * x), (first ? 6 : -6) * x * (1 - x) / ends};
+    return {smooth_step(x), (first ? 6 : -6) * x * (1 - x) / ends};
 }
 
 SeamBound bound(const Seam& seam, double w_from, double w_to)

@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/base/joined_sets.h"
+#include "core/base/smooth_step.h"
 #include "core/simplex/cell_faces.h"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ double share_inside(const TetrahedraRefinement& refinement, const glm::dvec3& p)
     // moved.
     const double end = std::max(refinement.radius - refinement.edge, refinement.radius / 2);
     const double t = glm::clamp((1 - nearest / end) / 0.7, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
+    return smooth_step(t);
 }
 
 std::vector<bool> reached(const SimplexBasis<3>& layer, const glm::dvec3& middle, double radius)

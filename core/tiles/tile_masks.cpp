@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_masks.h"
 
+#include "core/base/smooth_step.h"
 #include "core/tiles/layout.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ double eased(double t, MaskEasing easing)
 {
     switch (easing) {
     case MaskEasing::even: return t;
-    case MaskEasing::smooth: return t * t * (3 - 2 * t);
+    case MaskEasing::smooth: return smooth_step(t);
     case MaskEasing::slow_start: return t * t;
     case MaskEasing::slow_end: return t * (2 - t);
     }

@@ -2,6 +2,7 @@
 #include "core/tiles/tile_motion.h"
 
 #include "core/base/parallel.h"
+#include "core/base/smooth_step.h"
 #include "core/tiles/on_surface.h"
 #include "core/tiles/straightest.h"
 
@@ -13,11 +14,6 @@
 namespace trivar {
 namespace {
 
-double eased(double t)
-{
-    return t * t * (3 - 2 * t);
-}
-
 } // namespace
 
 TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile& tile,
@@ -28,7 +24,7 @@ TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile&
         const double when = layout.duration_s > 0 ? tile.time_s / layout.duration_s : 0;
         const double soft = std::max(look.growth_softness, 1e-6);
         const double since = look.growth * (1 + soft) - when;
-        motion.size = eased(std::clamp(since / soft, 0.0, 1.0));
+        motion.size = smooth_step(std::clamp(since / soft, 0.0, 1.0));
     }
     if (look.wave != 0) {
         const double length = glm::length(look.wave_direction);

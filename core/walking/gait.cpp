@@ -2,6 +2,7 @@
 #include "core/walking/gait.h"
 
 #include "core/base/parallel.h"
+#include "core/base/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -311,7 +312,7 @@ void settle(Foot& foot, const SeenFoot& seen, const Gait& gait, const Ground& gr
                          until = static_cast<double>(poses - i);
             const double x = since / (since + until);
             const auto left = [&](double n) { return std::pow(std::max(0.0, 1 - n / soon), 2); };
-            foot.shift[i] = glm::mix(foot.shift[steps], foot.shift[0], x * x * (3 - 2 * x)) +
+            foot.shift[i] = glm::mix(foot.shift[steps], foot.shift[0], smooth_step(x)) +
                             since * left(since) * lacks(steps - 1) - until * left(until) * lacks(0);
             least += (1 - left(std::min(since, until))) * clear * ground.near;
         }

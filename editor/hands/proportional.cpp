@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/proportional.h"
 
+#include "core/base/smooth_step.h"
 #include "core/placement/shifting.h"
 #include "editor/hands/point_choice.h"
 
@@ -16,7 +17,7 @@ double falloff(Falloff kind, double x)
     if (!(x < 1)) return 0;
     const double near = 1 - x;
     switch (kind) {
-    case Falloff::smooth: return near * near * (3 - 2 * near);
+    case Falloff::smooth: return smooth_step(near);
     case Falloff::sphere: return std::sqrt(near * (2 - near));
     case Falloff::root: return std::sqrt(near);
     case Falloff::linear: return near;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/help/tutorial.h"
 
+#include "core/base/smooth_step.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ Camera mixed(const Camera& a, const Camera& b, double t)
 double smooth(double t)
 {
     t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
+    return smooth_step(t);
 }
 
 // As a hand would have left it: what was worked on is selected.
