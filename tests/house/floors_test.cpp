@@ -78,6 +78,11 @@ const std::map<std::string, std::vector<std::string>> may_know{
       "core/silhouette", "core/document/render_settings"}},
     {"ui", {"core/base", "core/mesh", "core/casting"}}};
 
+// Headers with a class that is a value. Any other class works with something, and the document
+// sees none, as whatever sees the document sees it too.
+const std::set<std::string> classes_that_are_values{"core/animation/track.h", "core/spline/knots.h",
+                                                    "core/text/font.h"};
+
 // A header and its source are one thing, which is called by the path of both.
 std::string thing_of(const std::string& path)
 {
@@ -237,6 +242,40 @@ std::vector<std::string> full_folders(const Files& files)
     return out;
 }
 
+bool defines_a_class(const std::string& text)
+{
+    for (std::size_t at = text.find("class "); at != std::string::npos;
+         at = text.find("class ", at + 1)) {
+        const std::size_t line = text.rfind('\n', at) + 1;
+        const std::string before = text.substr(line, at - line);
+        if (!before.empty() && !(before.starts_with("template") && before.ends_with("> ")))
+            continue;
+        if (text.find('{', at) < text.find(';', at)) return true;
+    }
+    return false;
+}
+
+// What the document's headers see of other rooms beside values, a sentence for each header.
+std::vector<std::string> more_than_values(const Files& files)
+{
+    std::set<std::string> seen;
+    std::vector<std::string> open;
+    for (const auto& [path, text] : files)
+        if (lies_in(path, "core/document") && path.ends_with(".h")) open.push_back(path);
+    std::vector<std::string> out;
+    while (!open.empty()) {
+        const auto file = files.find(open.back());
+        open.pop_back();
+        if (file == files.end() || !seen.insert(file->first).second) continue;
+        const auto& [path, text] = *file;
+        if (!lies_in(path, "core/document") && !lies_in(path, "core/base") &&
+            !classes_that_are_values.contains(path) && defines_a_class(text))
+            out.push_back("core/document sees " + path + ", which holds more than values");
+        for (const std::string& name : includes_of(text, '"', '"')) open.push_back(name);
+    }
+    return out;
+}
+
 // Every header and source of the house.
 Files files_of(const std::filesystem::path& top)
 {
@@ -258,7 +297,8 @@ std::vector<std::string> complaints_about(const std::filesystem::path& top)
 {
     const Files files = files_of(top);
     std::vector<std::string> out = leaks(files);
-    for (const auto& some : {knots(arrows_between(files)), full_folders(files)})
+    for (const auto& some :
+         {knots(arrows_between(files)), full_folders(files), more_than_values(files)})
         out.insert(out.end(), some.begin(), some.end());
     for (const auto& [path, text] : files) {
         const auto some = complaints(path, text);
@@ -347,6 +387,18 @@ TEST(Floors, WhatDrawsKnowsValuesAlone)
     EXPECT_TRUE(complaints("gpu/a.h", "#include \"core/document/render_settings.h\"\n").empty());
     EXPECT_EQ(complaints("gpu/a.cpp", "#include \"core/document/document.h\"\n").size(), 1u);
     EXPECT_EQ(complaints("ui/a.cpp", "#include \"core/silhouette/silhouettes.h\"\n").size(), 1u);
+}
+
+TEST(Floors, TheDocumentSeesValuesAlone)
+{
+    Files files{{"core/document/a.h", "#include \"core/mesh/b.h\"\n"},
+                {"core/mesh/b.h", "#include \"core/mesh/c.h\"\n"},
+                {"core/mesh/c.h", "class Later;\nenum class E { a };\nstruct C { int c; };\n"}};
+    EXPECT_TRUE(more_than_values(files).empty());
+    files["core/mesh/c.h"] += "class D {\n};\n";
+    EXPECT_EQ(more_than_values(files).size(), 1u);
+    files["core/document/a.h"] = "";
+    EXPECT_TRUE(more_than_values(files).empty());
 }
 
 TEST(Floors, FullFoldersAreComplaints)
