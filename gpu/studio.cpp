@@ -26,17 +26,11 @@ double lobe_step(double x, double s)
     return x / std::sqrt(x * x + s * s);
 }
 
-double step_between(double from, double to, double x)
-{
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return smooth_step(t);
-}
-
 double softbox(const Studio::Box& box, const glm::dvec3& r)
 {
     const double d = glm::dot(r, glm::dvec3(box.direction));
     const double k = 1 / std::max(d, 0.08);
-    double product = 0.25 * step_between(-0.1, 0.25, d);
+    double product = 0.25 * smooth_step((d + 0.1) / (0.25 + 0.1));
     for (int axis = 0; axis < 2; ++axis) {
         const double p = glm::dot(r, glm::dvec3(axis ? box.up : box.right)) * k;
         const double s = box.softness * (1 + p * p), h = box.half_size[axis];

@@ -15,11 +15,6 @@ constexpr double widths_of_reach = 3; // where an incision does not say it
 constexpr double widest_of_length = 2 / std::numbers::pi;
 constexpr double blade_taper = 0.1; // share of the length over which a wound closes at the blade
 
-double clamped_step(double x)
-{
-    return smooth_step(std::clamp(x, 0.0, 1.0));
-}
-
 double on_polyline(const std::vector<glm::dvec2>& points, double x)
 {
     if (points.empty()) return 1;
@@ -47,7 +42,7 @@ double value_at(const CutProfile& profile, double x)
         const double c = 2 * x - 1;
         return (1 - c * c) * (1 - c * c);
     }
-    const double ends = clamped_step(x / cut_taper) * clamped_step((1 - x) / cut_taper);
+    const double ends = smooth_step(x / cut_taper) * smooth_step((1 - x) / cut_taper);
     if (profile.shape == CutProfile::Shape::even) return ends;
     return ends * std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
@@ -104,8 +99,8 @@ IncisionOpening reversed(const IncisionOpening& opening)
 
 double share_at(const IncisionOpening& opening, double x)
 {
-    const double behind = opening.from > 0 ? clamped_step((x - opening.from) / blade_taper) : 1;
-    const double before = opening.to < 1 ? clamped_step((opening.to - x) / blade_taper) : 1;
+    const double behind = opening.from > 0 ? smooth_step((x - opening.from) / blade_taper) : 1;
+    const double before = opening.to < 1 ? smooth_step((opening.to - x) / blade_taper) : 1;
     return opening.share * behind * before;
 }
 

@@ -82,8 +82,7 @@ glm::dvec3 offset_of(const Lean& lean, const glm::dvec3& up)
     if (mean + half > 0) v += glm::dot(first, b) / (mean + half) * first;
     const double ratio = mean + half > 0 ? (mean - half) / (mean + half) : 0;
     if (ratio > 0) {
-        const double t = std::min(1.0, ratio / apart_enough);
-        v += smooth_step(t) * glm::dot(second, b) / (mean - half) * second;
+        v += smooth_step(ratio / apart_enough) * glm::dot(second, b) / (mean - half) * second;
     }
     return v.x * x + v.y * y;
 }

@@ -87,8 +87,7 @@ double share_inside(const TetrahedraRefinement& refinement, const glm::dvec3& p)
     // Functions at the rim lack neighbours that would balance their slopes, so theirs are not
     // moved.
     const double end = std::max(refinement.radius - refinement.edge, refinement.radius / 2);
-    const double t = glm::clamp((1 - nearest / end) / 0.7, 0.0, 1.0);
-    return smooth_step(t);
+    return smooth_step((1 - nearest / end) / 0.7);
 }
 
 std::vector<bool> reached(const SimplexBasis<3>& layer, const glm::dvec3& middle, double radius)

@@ -24,7 +24,7 @@ TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile&
         const double when = layout.duration_s > 0 ? tile.time_s / layout.duration_s : 0;
         const double soft = std::max(look.growth_softness, 1e-6);
         const double since = look.growth * (1 + soft) - when;
-        motion.size = smooth_step(std::clamp(since / soft, 0.0, 1.0));
+        motion.size = smooth_step(since / soft);
     }
     if (look.wave != 0) {
         const double length = glm::length(look.wave_direction);

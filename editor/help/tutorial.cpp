@@ -65,12 +65,6 @@ Camera mixed(const Camera& a, const Camera& b, double t)
     return camera;
 }
 
-double smooth(double t)
-{
-    t = std::clamp(t, 0.0, 1.0);
-    return smooth_step(t);
-}
-
 // As a hand would have left it: what was worked on is selected.
 void select_what_was_done(Session& session, std::size_t step)
 {
@@ -93,7 +87,7 @@ void select_what_was_done(Session& session, std::size_t step)
 std::optional<Command> part_of(const Command& command, const Document& before, double done)
 {
     const auto transform_of = [&](Id id) { return object(before, id).transform; };
-    const double t = smooth(done);
+    const double t = smooth_step(done);
     if (const Sketch* sketch = sketch_of(command)) {
         Command part = command;
         if (auto* place = std::get_if<Place>(&part))
@@ -203,7 +197,7 @@ bool Tutorial::advance(Session& session, double time_s, bool at_once)
     const double passed = time_s - *m.began_s;
     if (m.goal) {
         const Camera goal = ui::reshaped(*m.goal, session.view.camera.size_px);
-        session.view.camera = mixed(m.from, goal, smooth(passed / flight_s));
+        session.view.camera = mixed(m.from, goal, smooth_step(passed / flight_s));
         session.view.camera.size_px = m.from.size_px;
         m.set = session.view.camera;
         if (passed < flight_s) return true;
