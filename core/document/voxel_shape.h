@@ -6,7 +6,7 @@
 #include "core/document/volume_reading.h"
 #include "core/field/field_spline.h"
 #include "core/field/level_side.h"
-#include "core/field/tetrahedra_fit.h"
+#include "core/level/tetrahedra_fit.h"
 #include "core/lines/ink.h"
 #include "core/lines/more_lines.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/field/tetrahedra_fit.h"
+#include "core/level/tetrahedra_fit.h"
 #include "core/level/voxel_field.h"
 #include "core/simplex/field_fit.h"
 

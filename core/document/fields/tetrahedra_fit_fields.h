@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/field.h"
-#include "core/field/tetrahedra_fit.h"
+#include "core/level/tetrahedra_fit.h"
 
 namespace trivar {
 
