@@ -24,12 +24,14 @@ public:
     std::vector<Walls> walls_in_the_way() const;
     // Whether nothing pierces at any share at which it is looked at, with all that was asked for.
     bool admits_all() const;
-    // How far incisions may open along their length: quite where nothing pierces then. Where two
-    // are in each other's way the later one opens less, where it moves what pierces. None where
-    // they lack `most` or more. As if each were alone, too, once that is asked for.
+    // Tells how far each incision may open along its length: quite where nothing pierces then.
+    // Where two are in each other's way the later one opens less, where it moves what pierces.
+    // Nothing where their lack() would be `most` or more, which ends the search early. `alone` is
+    // not known yet.
     std::optional<std::vector<Admission>> admitted(double most) const;
+    // Adds how far each one could open if it were alone, where others hold it.
     void find_alone(std::vector<Admission>& admitted) const;
-    // By how much incisions open less than was asked for, in all their parts.
+    // The sum of what all parts of incisions open less than was asked for, each 0..1.
     double lack(std::span<const Admission> admitted) const;
     // What all of that has cost so far: looks at a triangle or at a pair of them.
     std::size_t looks() const { return looks_; }

@@ -116,7 +116,9 @@ public:
             if (!other) break;
             take_better(made, other);
         }
-        CutGuard(made->shape, all_).find_alone(made->admitted);
+        if (std::ranges::any_of(made->admitted,
+                                [](const Admission& each) { return !each.held_by.empty(); }))
+            CutGuard(made->shape, all_).find_alone(made->admitted);
         return made;
     }
 

@@ -13,7 +13,7 @@
 
 namespace trivar {
 
-// What is seen of a stage names the results of its steps alone; who looks into one includes it.
+// Results of steps, by name alone: a source that looks into one includes its header.
 struct Carriage;
 class Journey;
 struct Placement;

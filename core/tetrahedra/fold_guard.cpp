@@ -9,6 +9,7 @@ namespace trivar {
 namespace {
 
 constexpr double least_det = 0.02;
+constexpr std::size_t samples_of_a_cell = 5;
 constexpr std::size_t most_samples = 100'000; // of 0.5 to 2 KB
 
 std::vector<glm::vec3> samples(std::span<const Ref<SimplexBasis<3>>> layers)
@@ -23,7 +24,7 @@ std::vector<glm::vec3> samples(std::span<const Ref<SimplexBasis<3>>> layers)
             const auto corner = corners(layer->domain(), c);
             const glm::dvec3 middle = (corner[0] + corner[1] + corner[2] + corner[3]) / 4.0;
             out.emplace_back(middle);
-            if (5 * cells > most_samples) continue;
+            if (samples_of_a_cell * cells > most_samples) continue;
             for (const glm::dvec3& each : corner) out.emplace_back(glm::mix(middle, each, 0.8));
         }
     return out;

@@ -71,7 +71,7 @@ const std::vector<std::vector<std::string>> floors{
 constexpr int most_lines_header = 150, most_lines_source = 450;
 constexpr std::size_t most_things_in_a_folder = 45;
 
-// All of core that what draws may know: values, and a header of the document that is a plain value.
+// The rooms of core that gpu and ui may include: values, and one plain value of the document.
 const std::map<std::string, std::vector<std::string>> may_know{
     {"gpu",
      {"core/base", "core/ffd", "core/mesh", "core/patches", "core/casting", "core/level",
