@@ -9,13 +9,13 @@ namespace trivar {
 // A CommonMesh is one mesh of triangles for a part in a volume, fine enough at every moment of a
 // film.
 struct CommonMesh {
-    // as it stands at one of the moments, before the volume; its faces hold at every moment
+    // The mesh at one of the moments, before the volume; its faces are the same at every moment.
     Ref<Mesh> mesh;
     std::vector<BornVertex> born; // the vertices that the part itself does not have, in their order
     std::size_t triangles_before = 0;
     bool closed = false; // its edges are shared with no other part
-    // For each moment, the proven largest distance of the flat triangles from the true surface in
-    // metres; rounding is included.
+    // The proven largest distance, in metres, of the flat triangles from the true surface at each
+    // moment, rounding included.
     std::vector<double> space;
 };
 

@@ -9,10 +9,11 @@ namespace trivar {
 struct TargetKeys {
     Mesh mesh;                     // in the world
     std::vector<std::size_t> keys; // moments
-    // For each moment, the largest distance of a vertex in the file from its place in the scene, in
-    // metres.
+    // The largest distance, in metres, of a vertex in the file from its place in the scene, at each
+    // moment.
     std::vector<double> off;
-    // of the targets, without a node; its times are empty where there are no targets
+    // The channel that weights the targets, without a node. Its times are empty if there are no
+    // targets.
     Channel weights;
 };
 

@@ -42,7 +42,7 @@ private:
     std::map<std::array<int, 4>, double> kinks_; // by axis and the slabs that follow it
 };
 
-// At least as large as both bends, and as any mean of the two.
+// Returns a bend at least as large as both, and so as any mean of the two.
 VolumeBends::Bend greater(const VolumeBends::Bend& a, const VolumeBends::Bend& b);
 
 } // namespace trivar

@@ -276,7 +276,7 @@ private:
     std::array<std::vector<double>, 3> binomials_;
     std::vector<double> unscale_;
     std::array<std::array<const CellGrid::Span*, 3>, lanes<Lanes>> spans_{};
-    // By coordinate, then net: Bezier points, slopes, minus F_v, F_v x F_w; and det J.
+    // Bezier points, slopes, minus F_v and F_v x F_w, indexed by coordinate, then net; and det J.
     Room p_, q_, minus_, c_, det_;
     std::array<Room, 3> d_;
     Lanes least_, most_, sum_; // of the coefficients of det J

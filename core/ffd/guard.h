@@ -11,8 +11,8 @@ namespace trivar {
 struct CellVerdicts {
     std::array<std::vector<double>, 3> breaks; // uvw; one more than cells along each axis
     std::vector<Verdict> of;                   // cells, w fastest
-    // For each cell the least Bernstein coefficient of sign * det J, a lower bound of it; 0 in
-    // excepted cells, which were not looked at, and where the coefficient is not a number.
+    // The least Bernstein coefficient of sign * det J in each cell, which is a lower bound of it.
+    // It is 0 in excepted cells, which were not looked at, and where a coefficient is not a number.
     std::vector<double> least;
     int sign = 1;            // the sign that det J must have
     double typical = 0;      // size of the mean of det J over the domain: the scale for `least`

@@ -23,7 +23,8 @@ public:
     bool closed(int axis) const { return closed_[axis]; }
     // The same points a turn further on.
     ParameterBox turned(ParameterBox box, int axis) const;
-    // Where a box is best halved: at a break if it has one inside, across its longest axis.
+    // A Cut is the plane at which a box is best halved, across its longest axis: at a break if one
+    // lies inside.
     struct Cut {
         int axis;
         double t;

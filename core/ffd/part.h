@@ -28,13 +28,13 @@ struct Deformation {
 // volume.
 struct Part {
     LaterMesh rest; // has the same faces, corners and number of vertices as the result
-    // Of mesh(). Where a volume deforms it, whose embedding gives the place in the world, a shift:
-    // the vertices of a part far from the origin are relative to a point near it.
+    // Transforms mesh() to the world. After a volume, whose embedding gives world positions, it is
+    // a shift: the vertices of a part far from the origin are relative to a point near it.
     glm::dmat4 to_world{1};
     Ref<PosedMesh> posed = nullptr;  // null where no skin and no morph target moves its vertices
     Ref<Deformation> bent = nullptr; // null where no volume does
     PartKey key = {};
-    // of the posed vertices before to_world or the volume; may be larger than needed
+    // Bounds of the posed vertices before to_world or the volume; they may be larger than needed.
     Box bounds = {};
     // The tiles of which `rest` is the mesh; null: it is no mesh of tiles. What needs no single
     // vertex takes these, so that nobody has to bend them.
@@ -49,10 +49,11 @@ struct Part {
         return tiles ? tiles->vertex_count() : rest->vertex_count();
     }
     std::size_t face_count() const { return tiles ? tiles->face_count() : rest->face_count(); }
-    // Where the vertices of a mesh that was split are before that, as patterns that fill a body
-    // follow them; null: that mesh is `rest`.
+    // The mesh before it was split, for patterns that fill a body and follow its vertices; null:
+    // `rest`.
     Ref<Mesh> before_split = nullptr;
-    // By those whose cuts went over it, the farthest base first. Bit i: it is above their cut i.
+    // One entry for each step whose cuts passed over the part, the farthest base first. Bit i is
+    // set if the part is above cut i.
     std::vector<unsigned> above_cuts = {};
     bool operator==(const Part& other) const // bounds and tiles follow from the other members
     {
@@ -68,8 +69,8 @@ const Part& innermost(const Part& part);
 // somebody asks.
 Part with_innermost(const Part& part, const Ref<Mesh>& mesh);
 
-// Where a point of the mesh that the first of them deforms is in the world, after all volumes of
-// the part, and the derivative of that by the point. In double precision.
+// Returns the world position, after all volumes of the part, of a point of the mesh that the first
+// volume deforms, and its derivative by that point. In double precision.
 DeformedPoint point_in_world(const Part& part, const glm::dvec3& p_object);
 glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object); // the position alone
 

@@ -8,14 +8,15 @@
 
 namespace trivar {
 
-// What four coefficients of a spline along an axis count at a place, for its value and its first
-// and second derivative: those from `first` on.
+// The weights of the four coefficients from `first` on, for the value and the first and second
+// derivative of a spline along one axis.
 template <class Real> struct SplineWeights {
     int first;
     std::array<Real, 4> value, slope, bend;
 };
 
-// At x of an axis with so many samples; beyond them the polynomial of the last cell goes on.
+// Returns the weights at x on an axis of `size` samples. Beyond the samples the polynomial of the
+// last cell continues.
 template <class Real>
 [[gnu::always_inline]] inline SplineWeights<Real> spline_weights(FieldOrder order, Real x, int size)
 {

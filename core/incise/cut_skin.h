@@ -72,13 +72,13 @@ public:
         }
     }
 
-    // Where lines through points along their normals meet the skin nearest to the points, at most
-    // `reach` away.
+    // Finds, for each point, the place nearest to it where the line along its normal meets the
+    // skin, at most `reach` away.
     std::vector<std::optional<SkinPlace>> locate(std::span<const SurfacePoint> points,
                                                  double reach) const;
     // How thick the body is below points, along unit directions into it; infinite where it is open.
     std::vector<double> thickness(std::span<const Ray> rays) const;
-    // Where such rays leave the body again.
+    // An Opposite is the place where a ray into the body leaves it again.
     struct Opposite {
         SkinPlace place;
         double distance;

@@ -176,7 +176,7 @@ private:
     {
         return run.value(incision.opening_profile, s) * piece.weight(s);
     }
-    // By how much the rim is set back beyond the width.
+    // The distance by which the rim is set back beyond the width.
     double bevel(double s) const
     {
         if (!(incision.bevel > 0)) return 0;

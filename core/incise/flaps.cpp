@@ -56,7 +56,7 @@ private:
     std::vector<double> lengths_;
 };
 
-// What one incision does to slots on one of its sides.
+// A SideField is the effect of one incision on the slots of one of its sides.
 struct SideField {
     std::vector<float> amounts, shares; // by slot; amount: of half the width, 0 on the other side
 

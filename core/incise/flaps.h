@@ -35,7 +35,7 @@ struct IncisedFlaps {
 IncisedFlaps flaps_of(const IncisedMesh& incised, std::span<const Incision> incisions,
                       std::span<const FlapPlace> places);
 
-// What flaps do to slots. `lifts`: units of the mesh, by flap.
+// Returns how far flaps move each slot. `lifts`: units of the mesh, by flap.
 std::vector<glm::dvec3> lifted_moves(const IncisedMesh& incised, const IncisedFlaps& flaps,
                                      std::span<const double> lifts,
                                      std::span<const IncisionOpening> openings);

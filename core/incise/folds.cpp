@@ -12,7 +12,7 @@ constexpr double least_area_left = 0.1;  // of a piece of skin
 constexpr double least_side_share = 0.2; // between a new point and an end of the side
 constexpr int least_steps = 12;          // of the lattice, from a new point to others and to cuts
 
-// What of the skin moves when all cuts are quite open.
+// OpenSkin tests the part of the skin that moves when all cuts are fully open.
 class OpenSkin {
 public:
     explicit OpenSkin(const CutShape& shape) : shape_(shape)

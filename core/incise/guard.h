@@ -33,7 +33,7 @@ public:
     void find_alone(std::vector<Admission>& admitted) const;
     // The sum of what all parts of incisions open less than was asked for, each 0..1.
     double lack(std::span<const Admission> admitted) const;
-    // What all of that has cost so far: looks at a triangle or at a pair of them.
+    // The number of triangles and pairs of triangles tested so far: the cost of all of the above.
     std::size_t looks() const { return looks_; }
 
 private:
@@ -46,7 +46,7 @@ private:
     {
         return triangle >= first_wall_ && triangle < end_of_walls_;
     }
-    // What moves each vertex while those that are open are quite so, as far as they are let.
+    // Returns the move of each vertex while the `open` incisions are as open as they are admitted.
     std::vector<glm::dvec3> moves(std::span<const Admitted> admitted,
                                   std::span<const char> open) const;
     // Whether a pair pierces at any share at which it is looked at.

@@ -33,7 +33,7 @@ constexpr const char* one_piece =
     "its loop cuts out no piece, as both sides hang together elsewhere";
 constexpr double deepest_through = 1000; // of the deepest floor, down to which a cut goes through
 
-// Of all floors; without one, of the cuts through the body.
+// Returns the greatest depth of all floors, or of the cuts through the body if no cut has a floor.
 double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> incisions)
 {
     double deepest = 0, last_rows = 0;
@@ -232,7 +232,7 @@ private:
         return any;
     }
 
-    // Of two walls that pierce each other that of the later incision gives way.
+    // Makes one of two walls that pierce each other shallower: that of the later incision.
     void make_shallower(const CutShape& shape, const std::vector<CutGuard::Walls>& walls,
                         bool near_alone)
     {
@@ -264,7 +264,8 @@ private:
     std::vector<SkinTriangle> pieces_of_skin_;
 };
 
-// What a part of an incision opens to where it is widest, as a share of what was asked for.
+// Returns how far a part of an incision opens where it is widest, as a share of the width asked
+// for.
 double widest_of(const CutRun& run, const Admitted& admitted, const Incision& asked)
 {
     return (asked.width > 0 ? run.width / asked.width : 1) *

@@ -10,7 +10,7 @@ namespace trivar {
 
 struct InciseOptions {
     int rows = 4; // of wall triangles from the skin down to the deepest floor
-    // From the skin down; none: walls look as the skin above them.
+    // The materials of the walls from the skin down. Empty: walls look as the skin above them.
     std::vector<WallLayer> layers = {};
     bool guarded = true; // depths and openings stay such that no wall meets another
     double reach = 0.01; // of the skin's diagonal: strokes are looked for so far off the skin

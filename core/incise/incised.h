@@ -13,16 +13,16 @@ namespace trivar {
 // An IncisedMesh is a mesh with all that cutting adds to it. Nothing of it depends on openings: a
 // change of these is one pass over the terms.
 struct IncisedMesh {
-    // What became of an incision.
+    // The Outcome of cutting one incision.
     struct Outcome {
         std::string refusal;          // why there is no cut, a sentence; empty: there is one
         std::string shortfall;        // why it has a floor where it was to go through, or keeps its
                                       // piece, a sentence; empty: it is as it was to be
         std::string notice;           // a sentence where only a part of the stroke is cut
         double length = 0, depth = 0; // units of the mesh; the depth after all limits
-        // What the guard admits: the widest opening, as a share of the widest that was asked for;
-        // the least share anywhere along the incision; and the least to which what lies below the
-        // skin is drawn together beyond that.
+        // The guard's result: the widest opening, as a share of the widest that was asked for; the
+        // least share anywhere along the incision; and the least further share to which the part
+        // below the skin is drawn together.
         double widest = 0, least = 0, least_below = 0;
         // The widest opening while those are shut that hold it: incisions before it.
         double widest_alone = 0;
@@ -55,9 +55,9 @@ struct IncisedMesh {
 double held_open(const IncisedMesh& incised, std::uint32_t incision,
                  std::span<const IncisionOpening> openings);
 
-// Where the vertices that move are at some openings, one for each incision, and the normals of the
-// walls. `more`: by slot, what else moves them; none: nothing does. O(#terms + #walls), whatever
-// the size of the mesh.
+// Positions of the moving vertices at some openings, one for each incision, and normals of the
+// walls. `more`: further moves by slot; empty: none. O(#terms + #walls), whatever the size of the
+// mesh.
 struct OpenedVertices {
     std::vector<glm::vec3> positions;    // by IncisedMesh::moved
     std::vector<glm::vec3> wall_normals; // from first_wall_vertex on

@@ -13,7 +13,8 @@ namespace trivar {
 // 1: the share of the cut's length. All of them are 0 at both ends.
 struct CutProfile {
     enum class Shape { lens, even, custom } shape = Shape::lens;
-    // Of a custom profile, by ascending x: (x, share), share 0 to 1, and straight lines between.
+    // The points (x, share) of a custom profile, by ascending x, share 0 to 1, joined by straight
+    // lines.
     std::vector<glm::dvec2> points = {};
     bool operator==(const CutProfile&) const = default;
 };
@@ -36,17 +37,18 @@ struct Incision {
     CutProfile opening_profile;
     double reach = 0; // how far beside the cut the skin gives way; 0: three widths
 
-    // What becomes of the piece that a loop through the body cuts out: the smaller part.
+    // Whether the piece that a loop through the body cuts out, the smaller part, stays.
     enum class Piece { kept, left_out } piece = Piece::kept;
     double lean_deg = 0; // of the walls: on their way down they go to the left of the stroke
-    // By so much the open rim is set back beyond the width, down to such a depth.
+    // The distance by which the open rim is set back beyond the width, and the depth down to which
+    // it is.
     double bevel = 0;
     double roundness = 0; // of the bevel: 0 flat, 1 a quarter of a circle
     bool operator==(const Incision&) const = default;
 };
 
-// Of a cut that is so long, the width of its gap where it is widest, when it is quite open: what it
-// says, as far as its lips go round.
+// Returns the width of the gap where it is widest, of a cut of that length when fully open: the
+// stated width, or as much as its lips have length for.
 double width_of(const Incision& cut, double length);
 // And how far beside it the skin gives way: what it says, or three widths, as far as it is long.
 double reach_of(const Incision& cut, double length);
@@ -65,7 +67,7 @@ struct IncisionOpening {
 
 // The opening of the reversed cut.
 IncisionOpening reversed(const IncisionOpening& opening);
-// What of the opening there is at x, the share of the length: from 0 to 1, with soft ends.
+// Returns how open it is at x, a share of the length: 0 to 1, with soft ends.
 double share_at(const IncisionOpening& opening, double x);
 
 // A WallLayer is the material of the walls above a depth and below that of the layer before.

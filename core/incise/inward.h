@@ -11,7 +11,7 @@ namespace trivar {
 // Between points it is linear, and not of unit length.
 class Inward {
 public:
-    // For the corners of some triangles. O(#triangles and their rings).
+    // Computes the directions at the corners of some triangles. O(#triangles and their rings).
     Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles);
 
     // A Source is a point of a cut, with the outward direction there and the length of the cut that

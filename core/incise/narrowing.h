@@ -40,7 +40,7 @@ private:
 // share, at half the depth of its floor and below.
 struct Admitted {
     Narrowing opening, below;
-    // At x, at a depth as a share of the floor's.
+    // Returns the share at x, at a depth given as a share of the floor's.
     double at(double x, double depth) const
     {
         const double whole = opening.at(x);

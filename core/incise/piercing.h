@@ -24,8 +24,8 @@ bool pierce(std::span<const glm::dvec3> positions, const glm::uvec3& a, const gl
 std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& positions,
                                     const std::vector<glm::uvec3>& triangles,
                                     std::span<const char> asked = {});
-// Those that do at one of several times at least, one set of positions each. Each vertex moves
-// straight from the first to the last.
+// Finds the pairs that pierce each other at one of several times at least; each time is a set of
+// positions. Each vertex moves straight from the first to the last.
 std::vector<PiercingPair> piercings(std::span<const std::vector<glm::dvec3>> times,
                                     const std::vector<glm::uvec3>& triangles,
                                     std::span<const char> asked = {});

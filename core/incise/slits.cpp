@@ -41,7 +41,8 @@ struct EdgeEnds {
     }
 };
 
-// Of several runs over an edge, the one through the body decides, else the deepest.
+// Sets the floor of an edge. If several runs pass over it, the one through the body decides, else
+// the deepest.
 void set_floor(SlitEdge& edge, CutRun::Kind kind, int depth_a, int depth_b, bool flat)
 {
     if (kind == CutRun::Kind::far_side) {

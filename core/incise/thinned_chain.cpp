@@ -34,7 +34,8 @@ private:
         return glm::distance(skin_.position(skin_.from(side)), skin_.position(skin_.to(side)));
     }
 
-    // Of the turn at a point, with the triangles on both sides of an edge unfolded.
+    // Returns the cosine of the turn at a point, with the triangles on both sides of an edge
+    // unfolded.
     double cosine_at(std::size_t i) const
     {
         const std::vector<LatticePoint>& points = chain_.points;
@@ -86,7 +87,7 @@ private:
         chain_.points = std::move(rest.points);
         chain_.triangles = std::move(rest.triangles);
     }
-    // Of the points of one triangle between two that are kept.
+    // Keeps the points between two kept ones, inside one triangle, at which the line bends.
     void keep_bends(std::size_t first, std::size_t last, std::vector<char>& kept) const
     {
         const std::uint32_t side = 3 * chain_.triangles[first];

@@ -53,7 +53,7 @@ std::vector<glm::dvec3> smoothed_directions(const CutRun& run, bool parallel,
     return out;
 }
 
-// What leans at a point: directions to the left of the cuts that meet there, and the tangents of
+// A Lean holds the directions to the left of the cuts that meet at a point, and the tangents of
 // their angles.
 struct Lean {
     std::uint32_t point;
@@ -144,7 +144,7 @@ private:
     std::vector<glm::dvec3> left_, own_, all_;
 };
 
-// By point that is to lean: its offset per depth.
+// Returns the offset per depth of each point that leans.
 std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<CutRun>& runs,
                                                              const CutDrawing& drawing,
                                                              const Inward& inward,

@@ -11,7 +11,7 @@ struct CutPatch {
     std::vector<SkinTriangle> triangles;
     std::vector<std::uint32_t> replaced; // triangles of the skin, ascending; of whole faces
     KeyNumbers triangle_of_side;         // a piece by its directed edge
-    // By piece and corner: the sector of the node there, or none.
+    // The sector of the node at each corner of each piece, or none.
     std::vector<std::array<std::uint32_t, 3>> sectors;
 
     bool replaces(std::uint32_t triangle) const;

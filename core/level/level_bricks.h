@@ -22,8 +22,8 @@ inline std::uint32_t number_of_bits(std::uint64_t of)
 // one word.
 struct LevelBrick {
     glm::ivec3 at; // brick, along each axis
-    // By row y + 8 z: bit x + 8 d is the edge from sample x in the direction d = 1 .. 7, whose bits
-    // are its steps along x, y and z.
+    // Crossed edges by row y + 8 z: bit x + 8 d is the edge from sample x in the direction d = 1 ..
+    // 7, whose bits are its steps along x, y and z.
     std::array<std::uint64_t, 64> crossing{};
     std::array<std::uint16_t, 64> before{}; // number of edges in the rows before
     std::uint32_t first_vertex = 0, vertices = 0, first_triangle = 0, triangles = 0;

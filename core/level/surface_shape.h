@@ -21,8 +21,8 @@ struct SurfaceShape {
     std::vector<SurfaceBend> bends;     // by vertex
     std::vector<std::uint32_t> corners; // three per triangle; an edge has at most two of them
     float size = 0;                     // diagonal of its box: what is large or small is told by it
-    // Where a function is known that the surface is a level of: how the level through a place near
-    // it lies there. Bends are compared over `step` then, and not from vertex to vertex.
+    // The shape of the level through a place near the surface, if the surface is a level of a known
+    // function. Bends are then compared over `step`, and not from vertex to vertex.
     std::function<LocalShape(const glm::vec3&)> at = {};
     float step = 0;
 };

@@ -25,7 +25,7 @@ ScalarField<float> field_of(const VoxelGrid& grid, const std::vector<float>& blu
     return blurred.empty() ? std::visit(of, grid.samples) : of(blurred);
 }
 
-// Of values of which there are none where the samples stand for them.
+// Crops values given for each sample; empty stays empty.
 std::vector<float> part_of(const std::vector<float>& values, const glm::ivec3& size,
                            const SampleBox& box)
 {

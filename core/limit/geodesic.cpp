@@ -22,7 +22,8 @@ struct Rates {
     double spread = 0, spread_rate = 0;
 };
 
-// What a ray's state is after a step of the given length with these rates.
+// A RayState is the state of a ray; `after` advances it by a step of the given length at these
+// rates.
 struct RayState {
     glm::dvec3 direction;
     double spread, spread_rate;

@@ -88,7 +88,7 @@ std::vector<SurfacePoint> points_at(const ChartSurface& surface, const SharedNod
                     out[nodes.node(c, i, j)] = {surface.position(at), surface.normal(at)};
                 }
     });
-    // What charts share, in their order.
+    // Finds the nodes that charts share, in order of charts.
     std::vector<char> met(nodes.size(), 0);
     std::vector<glm::dvec3> first_normal(nodes.size());
     std::vector<std::uint32_t> shared;

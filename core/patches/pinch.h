@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// Where a side of a patch has no length, as over a triangle, T has no two directions, and the
-// normal is its limit from inside: that of a place nearer to the middle of the tile by this share.
+// T has no two directions where a side of a patch has no length, as over a triangle. The normal
+// there is its limit from inside: it is taken nearer to the middle of the tile by this share.
 // gpu/shaders/tile.glsl does the same.
 inline constexpr float pinch_inside = 1.0f / 64;
 // A direction that is shorter than the other by this factor is none.

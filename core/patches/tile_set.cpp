@@ -41,7 +41,7 @@ Box box_of(const TileSet& set)
         bend_vertices(vertices, tile, glm::vec3(0), {positions.data(), nullptr, nullptr});
         for (const glm::vec3& p : positions) out.add(tile.origin + glm::dvec3(p));
     };
-    // Those whose hulls reach out furthest come first: they leave little for others to add.
+    // Takes the tiles whose hulls reach out furthest first: they leave little for others to add.
     for (int axis = 0; axis < 3; ++axis) {
         add(first_by(set, [axis](const Box& hull) { return hull.lo[axis]; }));
         add(first_by(set, [axis](const Box& hull) { return -hull.hi[axis]; }));

@@ -23,7 +23,7 @@ struct AttachedHost {
 };
 AttachedHost attached_host(int object, const glm::dmat4& stood, bool touched);
 
-// Where a sample of a stroke met its host.
+// An AttachedSample is the place where a sample of a stroke met its host.
 struct AttachedSample {
     int host = -1;            // in the list of hosts; -1: the sample met nothing
     int mesh = 0, member = 0; // of the host, as in PartKey
@@ -33,7 +33,7 @@ struct AttachedSample {
     bool operator==(const AttachedSample&) const = default;
 };
 
-// What a stroke belongs to: its hosts carry it, with its volume and its model.
+// An Attachment lists the hosts of a stroke, which carry it with its volume and its model.
 struct Attachment {
     std::vector<AttachedHost> hosts;
     std::vector<AttachedSample> samples = {}; // one a sample of the stroke; none: all belong to the

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Of the way that the stroke would have across the view.
+// The least jump, as a share of the length that the stroke would have across the view.
 constexpr double least_jump = 0.15;
 constexpr double over_width = 0.6;   // share of that which counts over the width
 constexpr double longest_end = 0.15; // share of the way that may overshoot an edge

@@ -29,7 +29,7 @@ public:
     // Throws Rejected, saying where, if that surface is far off.
     std::optional<std::vector<std::size_t>> bridge(RayGrid& line,
                                                    const std::vector<glm::dvec2>& points_px);
-    // Of a grid over that middle line.
+    // Bridges the jumps of a grid over that middle line.
     std::vector<std::size_t> bridge(RayGrid& grid, const Strip& strip, const RayGrid& line);
 
     const std::vector<DepthJump>& found() const { return found_; } // in the last line and grid

@@ -16,7 +16,7 @@ public:
     double u_at(double length) const;
     bool closed() const { return closed_; } // the line ends where it begins, and so do the rims
     double rounds_to_start() const { return rounds_to_start_; } // 2 on a twisted band
-    // of u_at between two lengths: least and greatest
+    // Returns the least and the greatest slope of u_at between two lengths.
     glm::dvec2 slopes(double from, double to) const;
 
 private:

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// What the strip does where its rays pass an edge and meet what is far behind: it goes down there,
-// or spans the gap on the surface that it lies on.
+// How a strip treats rays that pass an edge and hit a surface far behind it: it goes down there, or
+// spans the gap on the surface that it lies on.
 enum class Jumps { followed, bridged };
 
 // Throws Rejected for a stroke that meets too little of the scene or nothing, and for sizes that do

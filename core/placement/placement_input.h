@@ -23,7 +23,7 @@ struct Sketch {
 // The largest number of control points of a volume per axis; the smallest is the axis's order.
 inline constexpr int most_along_or_across = 400, most_layers = 64;
 
-// What a node of the grid does when its ray hits nothing.
+// The rule for a node of the grid whose ray hits nothing.
 enum class Misses { membrane, ground, nearest, shrink };
 
 // The model's axis that runs along the stroke.
@@ -66,14 +66,14 @@ struct PlacementParameters {
     LengthAxis along = LengthAxis::x;
     bool sharp = false;     // the surface has the creases of the scene under it
     bool on_ground = false; // it falls on the ground too, the plane Z 0 of the world
-    // Where the strip would be torn by what its rays meet far behind an edge, it spans that on the
-    // surface before it. Strokes drawn before there was this follow every jump.
+    // If set, the strip spans gaps, where rays hit far behind an edge, on the surface before the
+    // edge instead of being torn. Older strokes follow every jump.
     bool bridge_jumps = false;
     bool operator==(const PlacementParameters&) const = default;
 };
 
-// What a travelling model does where its stroke ends: stops there, disappears, continues straight,
-// continues from the other end, or goes back without turning round.
+// The behaviour of a travelling model at the end of its stroke: it stops there, disappears,
+// continues straight, continues from the other end, or goes back without turning round.
 enum class Ends { stay, hide, run_on, loop, back_and_forth };
 
 // A Travel says how a placed model moves along the middle of its volume.

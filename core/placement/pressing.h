@@ -69,7 +69,7 @@ private:
     Lattice start_;
     std::vector<glm::dvec3> points_; // of start_, world
     std::vector<glm::dvec3> up_;     // of each column, unit; n_u x n_v, v fastest
-    // of the present volume, along `up`
+    // Returns the height of a point of the present volume along `up`.
     double height(std::size_t point, const glm::dvec3& up) const;
 
     std::vector<double> toward_scene_;   // of each layer: -1, 1, or 0 on the scene

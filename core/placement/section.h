@@ -37,7 +37,7 @@ public:
     double length() const { return lengths_.back(); } // of the way, once round
     // Cuts it to both sides too, up to planes at that distance, metres. The same cost.
     void widen(double reach);
-    // Where a share of the length is gone, counter-clockwise about the normal; 0..1.
+    // Returns the column at a share, 0..1, of the length, counter-clockwise about the normal.
     Column column(double share) const;
 
 private:

@@ -91,7 +91,7 @@ struct FoldAllowance {
 // order. Zeros change nothing. After Barr 1984, section 4, applied to the control points.
 struct Warp {
     VolumeAxis axis = VolumeAxis::up;
-    // where along the axis twist and bend change nothing: 0 the near end, 1 the far end
+    // The place along the axis that twist and bend leave unchanged: 0 the near end, 1 the far end.
     double fixed = 0;
     double twist_deg = 0;  // turn of the far end about the axis, relative to the near end
     double bend_deg = 0;   // turn of the axis from its near end to its far end, along an arc

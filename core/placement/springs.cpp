@@ -85,7 +85,8 @@ private:
         return static_cast<std::size_t>(first) + static_cast<std::size_t>(stride) * step;
     }
     const SpringSheet& sheet_;
-    // by node: to the nodes 2 and 1 before, 1 and 2 after, along the rows, then along the columns
+    // Couplings of each node with the nodes 2 and 1 before, 1 and 2 after, along the rows, then
+    // along the columns.
     std::vector<std::array<double, 8>> coupling_;
     std::vector<double> diagonal_, right_;
 };

@@ -109,8 +109,8 @@ private:
     glm::dvec2 changed_lo_{1e300}, changed_hi_{-1e300}; // round all changed corners
     std::vector<Bend> bend_; // the largest of each quad, by its first corner
     Bend most_bend_;         // the largest of all quads
-    // For each bucket in which a few neighbouring quads lie side by side, the first corner of the
-    // quad nearest to the bucket's middle; -1 for all other buckets.
+    // The first corner of the quad nearest to a bucket's middle, if a few neighbouring quads lie
+    // side by side in that bucket; -1 for all other buckets.
     std::vector<int> plain_;
 };
 

@@ -35,7 +35,7 @@ enum class SplitPoint {
 enum class RefinementRule {
     // splits edges beyond the tolerance, and the worst edge of a triangle beyond it: ours
     edge_driven,
-    // For comparison only:
+    // The two rules below serve comparison only.
     thesis_four_split, // splits a triangle beyond the tolerance into four; its neighbours follow
     // splits an edge whose middle is beyond the tolerance. NOT certified. Chua and Neumann 2000
     chua_neumann_midpoint,

@@ -31,7 +31,8 @@ struct BrickHulls {
     std::array<Row4<float>, 16> least, greatest;
 };
 
-// Of those cells of a brick that there are: along each axis by runs of four coefficients.
+// Computes the hulls of the cells of a brick that exist: along each axis from runs of four
+// coefficients.
 BrickHulls brick_hulls(const ScalarField<float>& field, const glm::ivec3& first,
                        const glm::ivec3& cells)
 {

@@ -9,8 +9,8 @@
 
 namespace trivar {
 
-// What leaves of one or more bricks give: vertices, of which those in the faces of a brick have a
-// key by which other bricks know them, and crossed triangles by these vertices.
+// A LeafMarch is the result of marching the leaves of one or more bricks: vertices, with keys by
+// which other bricks know those in a brick's faces, and crossed triangles by these vertices.
 struct LeafMarch {
     struct Shared {
         std::uint32_t vertex;

@@ -147,7 +147,7 @@ private:
     const ViewPoint& view_;
     Real tolerance2_, least2_; // squared lengths: of a last step, and of a last one but the first
     glm::vec<3, Real> end_{field_.size() - 1};
-    // By lane; of one that has no place any more, nothing is read.
+    // One entry per lane; finished lanes are ignored.
     Numbers value_{}, length2_{}, apart_{};
     std::array<Numbers, 3> gradient_{}, sight_{}, moves_{};
     std::array<Numbers, 6> hessian_{};

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t bricks_per_view_block = 32;
 
-// Of the view and the normal at a vertex; crossed.comp does the same. A view in parallel needs no
-// place, and the 0 that it would add changes no sign.
+// Returns the product of view and normal at a vertex, as crossed.comp does. A parallel view needs
+// no position; the 0 that it would add changes no sign.
 template <bool from_an_eye>
 [[gnu::always_inline]] inline float product(const LevelMesh& level, std::size_t v,
                                             const glm::vec4& h)
@@ -21,7 +21,8 @@ template <bool from_an_eye>
         level.normal_x[v] * h.x + level.normal_y[v] * h.y + level.normal_z[v] * h.z;
     return from_an_eye ? of_normal + level.offset(v) * h.w : of_normal;
 }
-// Of the vertices from `begin` to before `end`, and whether they are at least 0; four at once.
+// Computes the products at the vertices from `begin` to before `end`, and whether they are at least
+// 0; four at once.
 void find_products(const LevelMesh& level, const glm::vec4& h, std::size_t begin, std::size_t end,
                    float* products, std::uint8_t* above)
 {

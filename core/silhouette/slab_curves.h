@@ -22,7 +22,7 @@ public:
     // vertices.
     void add(const ScalarField<float>& field, const LevelMesh& level, int end);
 
-    // What was found, once. The spacing is that of points along a line.
+    // Returns the curves found; call it once. The spacing is that of points along a line.
     Silhouettes curves();
     Silhouettes border(float spacing = 0.4f) { return border_.lines(spacing); }
 
@@ -35,7 +35,7 @@ private:
     SilhouetteFinder finder_;
     std::uint32_t first_vertex_ = 0;                      // of the slab that comes next
     std::vector<std::vector<CrossedTriangle>> triangles_; // by slab
-    // By crossed edge: its place as the mesh has it, and the finished point.
+    // Crossed edges: their places on the mesh, and the finished points.
     std::vector<glm::vec3> places_;
     std::vector<SilhouettePoint> points_;
     KeyNumbers number_; // of crossed edges

@@ -53,7 +53,7 @@ glm::dvec3 normal_of(const std::array<glm::dvec3, 3>& c)
     return glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
 }
 
-// What is known of the faces at one vertex, as unit normals.
+// A Star collects the faces at one vertex, as unit normals.
 template <int S> struct Star {
     std::vector<Vec<S>> outward; // of the border
     std::vector<Vec<S>> faces;   // of all faces

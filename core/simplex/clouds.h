@@ -24,9 +24,9 @@ template <int S> struct CloudShift {
     bool operator==(const CloudShift&) const = default;
 };
 
-// What clouds on the border of a domain are like: outside, so that the functions sum to 1 in all of
-// the domain; stacked on the vertex, so that control points lie on the border, too; or free, as
-// inside, so that each function fades smoothly, and their sum where the domain ends.
+// The clouds of knots on the border of a domain are outside, so that the functions sum to 1 in all
+// of the domain; or stacked on the vertex, so that control points lie on the border, too; or free,
+// as inside, so that each function fades smoothly, and so does their sum at the end of the domain.
 enum class CloudBorder { outside, stacked, free };
 
 // A CloudStyle says how clouds of knots are made.

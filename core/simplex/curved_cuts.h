@@ -17,15 +17,15 @@ public:
     // One flag per cell; the normals go from inside to outside. O(n log n) of the cells.
     CurvedCuts(const SimplexDomain<3>& domain, const std::vector<bool>& inside);
 
-    // Of a vertex on a cut, of length 1; 0 of others.
+    // Returns the unit normal at a vertex on a cut; 0 at others.
     const glm::dvec3& normal(int vertex) const
     {
         return normals_[static_cast<std::size_t>(vertex)];
     }
 
-    // Where a place on the flat face of these vertices goes, which are ascending, for the weights
-    // that it has there (of sum 1, and 0 for vertices that are none: negative numbers). A place
-    // that is on no cut stays.
+    // Returns the point to which rounding moves a place on the flat face of these vertices.
+    // `vertices`: ascending; negative: none. `weights`: of sum 1, and 0 for vertices that are none.
+    // A place that is on no cut stays.
     glm::dvec3 rounded(const std::array<int, 3>& vertices, const glm::dvec3& weights) const;
 
 private:

@@ -30,7 +30,7 @@ template <int N> double content(const Piece<N>& p)
                6;
 }
 
-// of the facet opposite to a corner
+// Returns the content of the facet opposite to a corner.
 template <int N> double facet_content(const Piece<N>& p, std::size_t opposite)
 {
     if constexpr (N == 1)

@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    // By their cells, then by their numbers.
+    // Sorts the samples by cell, then by number.
     void sort_samples()
     {
         const SimplexDomain<3>& domain = basis_->domain();

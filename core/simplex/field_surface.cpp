@@ -136,7 +136,7 @@ private:
             at_place_[points_[point].place][static_cast<std::size_t>(key[8])] = point;
     }
 
-    // Of vertices and their counts.
+    // Returns the rounded place of a key, which holds vertices and their counts.
     glm::dvec3 rounded(const std::array<int, 9>& key) const
     {
         glm::dvec3 weights(0);
@@ -188,8 +188,8 @@ private:
         }
     }
 
-    // What of a face belongs to the surface: the part that is in the body of its cell, less that
-    // in the body beyond a cut.
+    // Adds the part of a face that belongs to the surface: the body of its own cell minus the body
+    // beyond a cut.
     void add_caps(const CellFace<3>& face, bool cut)
     {
         const Corners order = sorted(face.cell);
@@ -222,7 +222,8 @@ private:
         }
     }
 
-    // What is of the other part on the edges of a triangle; nothing where these are on no cut.
+    // Returns the values of the other cell on the edges of a triangle; unchanged where these are on
+    // no cut.
     TriangleSide beyond_of(const TriangleSide& here, std::size_t cell,
                            const std::array<int, 3>& triangle) const
     {

@@ -76,7 +76,7 @@ std::vector<std::vector<SidePlace>> side_difference(const TriangleSide& here,
         edges.pop_back();
         while (!(at == loop.front())) {
             loop.push_back(at);
-            // as many edges begin at a place as end there
+            // The search succeeds: as many edges begin at a place as end there.
             const auto next = std::find_if(edges.begin(), edges.end(),
                                            [&](const SidePiece& e) { return e.from == at; });
             at = next->to;

@@ -33,9 +33,9 @@ struct SidePiece {
 };
 SidePiece piece(const TriangleSide& side, std::size_t i);
 
-// What is in the body here less what is in it there, as closed polygons turned as the triangle is,
-// or the other way where only the body there is. They have on an edge what follows from that edge
-// alone, so that triangles which share one fit, whatever crosses in them; that may fold a polygon.
+// Returns the polygons of (here minus there), oriented like the triangle, and of (there minus
+// here), reversed. Their points on an edge follow from that edge alone, so that triangles which
+// share it fit, whatever crosses inside; a polygon may fold for that.
 std::vector<std::vector<SidePlace>> side_difference(const TriangleSide& here,
                                                     const TriangleSide& there);
 

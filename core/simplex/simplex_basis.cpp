@@ -16,7 +16,7 @@ namespace {
 constexpr double coincident = 1e-9;
 // Barycentric distance from a plane below which its side is told exactly.
 constexpr double near_plane = 1e-10;
-// By how much rounding grows from which a cell counts as steep. A cell of a box has about 100.
+// The growth of rounding from which a cell counts as steep. A cell of a box has about 100.
 constexpr double steep_growth = 1000;
 constexpr std::array<double, 3> generic_direction{0.7548776662466927, 0.5698402909980532,
                                                   0.3247179572447460};

@@ -41,8 +41,8 @@ public:
     // Functions whose knots are stacked on the same vertices share one control point, across faces
     // that are not cut.
     std::size_t point_count() const { return rest_.size(); }
-    // Where control points rest: with them as values the sum is the identity. The polar form gives
-    // them: (1/n) times the sum of knots (k, j) with j < b_k.
+    // Rest positions of the control points: with them as values the sum is the identity. By the
+    // polar form they are (1/n) times the sum of the knots (k, j) with j < b_k.
     const std::vector<Point>& rest() const { return rest_; }
     int point_of(std::size_t cell, std::size_t index) const
     {
@@ -57,8 +57,8 @@ public:
 private:
     static constexpr std::size_t K = S + 1;
     using Barycentric = std::array<double, K>;
-    // What evaluating the functions of one cell needs. Barycentric coordinates are affine: rows
-    // give all but the first from x minus the first corner.
+    // CellData holds the constants for evaluating the functions of one cell. Barycentric
+    // coordinates are affine: rows give all but the first from x minus the first corner.
     struct CellData {
         Point origin;
         std::array<Point, K> gradient;

@@ -7,7 +7,7 @@ namespace trivar {
 
 // These functions say how the vertices of one point differ. Both vertices must be of the same mesh.
 
-// For each vertex, the first vertex of its point that has all the same values.
+// Returns, for each vertex, the first vertex of its point that has all the same values.
 std::vector<std::uint32_t> first_equal_vertices(const Mesh& mesh);
 
 // Whether the normals are at most 30 degrees apart: one bent surface, not two surfaces that meet.

@@ -117,7 +117,7 @@ SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
     const Fans fans = fans_of(*mesh);
     out.left_out = fans.left_out;
     const VertexPlaces places = places_of(*mesh, options);
-    // What is left out keeps all its triangles, and the rest its own share of them.
+    // The part left out keeps all its triangles, and the rest its own share of them.
     const std::size_t rest = before - fans.left_out;
     const auto triangles = static_cast<std::size_t>(std::ceil(
         static_cast<double>(wanted) * static_cast<double>(rest) / static_cast<double>(before)));

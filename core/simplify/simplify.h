@@ -9,16 +9,17 @@
 
 namespace trivar {
 
-// Where to end. Of two goals the one that is met first counts; without any nothing is done.
+// SimplifyOptions are two goals, of which the first one met ends the work. Without any, nothing is
+// done.
 struct SimplifyOptions {
     // No more than these, unless what is kept needs more; what is left out does not count.
     std::optional<std::size_t> triangles;
     // The greatest deviation: no point of the old mesh is to be further than that from the new one,
     // nor of the new one from the old; in the unit of the mesh.
     std::optional<double> error;
-    // Where the vertices are at other moments, as of a clip, #V each. What is flat at rest and
-    // bends there is kept, and the error holds there too. Morph targets count in full without being
-    // named.
+    // Positions of the vertices at other moments, as of a clip, #V each. Parts that are flat at
+    // rest but bend there are kept, and the error bound holds there too. Morph targets need not be
+    // listed: they always count in full.
     std::vector<std::vector<glm::vec3>> poses;
     bool measured = false; // whether the error of a number of triangles is wanted too
 };

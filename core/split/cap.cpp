@@ -33,7 +33,7 @@ int put_aside(Triangulation& plane, const glm::ivec2& at, int near,
     return -1;
 }
 
-// What is left out of a rim, to be closed by slivers: places that are nearer than `distance`, in
+// The places that are left out of a rim, to be closed by slivers: those nearer than `distance`, in
 // parameters, to the one kept before them, and others by number.
 struct LeftOut {
     double steps = 0;         // distance, in steps of the grid

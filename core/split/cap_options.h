@@ -7,8 +7,8 @@ namespace trivar {
 
 // How the holes that a cut leaves are closed.
 struct CapOptions {
-    // Where each place lies on the cut surface, by two parameters in metres (v, w). With the
-    // direction in which the function of the cut grows they are right-handed.
+    // Two parameters in metres, (v, w), of each place on the cut surface. With the direction in
+    // which the function of the cut grows they are right-handed.
     std::vector<glm::dvec2> places;
     // The point of the cut surface at two parameters, and its unit normal toward the part above.
     std::function<glm::dvec3(const glm::dvec2&)> point;
@@ -17,7 +17,7 @@ struct CapOptions {
     // longer than 1/1000 of the cap's size stay as they are.
     Coarseness coarseness = nullptr;
     std::uint32_t material = 0; // face_material of the caps
-    // What is done beside the triangulation, which looks at no vertex of the mesh; null: nothing.
+    // Runs beside the triangulation and looks at no vertex of the mesh; null: nothing.
     std::function<void()> meanwhile = nullptr;
 };
 

@@ -30,8 +30,8 @@ struct CutMesh {
         0; // of the copies; those below the cut have even distances from it
     std::uint32_t first_point = 0;
     std::size_t first_new_face = 0; // of those that were made of faces that were cut
-    // By how much, at most, the function of the cut was moved at each place, where it was near 0 at
-    // an end of the edge.
+    // The greatest move of the cut's function at each place, where it was near 0 at an end of the
+    // edge.
     std::vector<double> moved;
 
     std::uint32_t point(std::uint32_t place, bool above_cut) const

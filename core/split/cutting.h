@@ -26,9 +26,10 @@ struct PlainCut {
     double eye = 0;
     CutKeep keep = CutKeep::both;
     double gap = 0; // metres in the world between the halves; each moves by half of it
-    // What it was drawn over: how far the part above each earlier cut of the object then stood off
-    // its place, in this space; the part below stood off as far the other way. So it goes through
-    // each piece where it was seen, and a gap that changes later only moves pieces. Missing: 0.
+    // The state of the object when the cut was drawn: how far the part above each earlier cut then
+    // stood off its place, in this space; the part below stood off as far the other way. So the cut
+    // goes through each piece where it was seen, and a gap that changes later only moves pieces.
+    // Missing: 0.
     std::vector<glm::dvec3> opened = {};
     // It was drawn over an object that obstacles part, and cuts what they leave of it.
     bool parted = false;

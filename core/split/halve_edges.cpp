@@ -66,7 +66,7 @@ std::vector<HalvedTriangle> triangles_at(const Mesh& mesh, std::size_t points,
 std::vector<BornVertex> middles_of(std::vector<HalvedTriangle>& halved, const Mesh& mesh,
                                    std::size_t points, std::uint32_t marked_count)
 {
-    // By edge of points, the first edge of vertices on it; others are on seams
+    // The first edge of vertices on each edge of points; the other edges are on seams.
     std::vector<std::uint32_t> first_born(marked_count, EdgeNumbers::none);
     EdgeNumbers others;
     std::vector<std::uint32_t> born_of_other;

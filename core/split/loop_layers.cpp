@@ -140,7 +140,7 @@ int winding_left_of(const Bundle& bundle, const std::vector<Bundle>& all,
 {
     const Wide twice = Wide(points[bundle.from]) + Wide(points[bundle.to]);
     int out = 0;
-    // What crosses a ray from there to the right, a little above it
+    // Counts the bundles that cross a ray from there to the right, a little above it.
     for (const Bundle& other : all) {
         const Wide a = std::int64_t{2} * Wide(points[other.from]),
                    b = std::int64_t{2} * Wide(points[other.to]);

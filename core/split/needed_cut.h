@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// Where a cut must be made: its halves part over a rectangle of (v, w) alone.
+// A CutNeed is the rectangle of (v, w) over which a cut must be made: its halves part only there.
 struct CutNeed {
     SplitRectangle over;
     std::function<glm::dvec2(std::uint32_t vertex)> at; // (v, w) of a vertex

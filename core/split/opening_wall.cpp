@@ -28,7 +28,7 @@ int points_across(const Box& box)
         std::clamp(6 * box.size().z / box.size().y + 7, double{fewest}, double{most_across}));
 }
 
-// What a wall must reach at one place: metres below and above the cut surface.
+// A Need is the height that a wall must reach at one place: metres below and above the cut surface.
 struct Need {
     glm::dvec2 vw;
     std::array<double, 2> height;

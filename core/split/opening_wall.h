@@ -22,8 +22,8 @@ struct OpeningWall {
 // a wall with smooth ends can rise in time.
 constexpr double round_margin = 0.12, smooth_margin = 0.3;
 
-// Where an obstacle opens a model: its shadow and, along v, `margin` times the length of that on
-// both sides.
+// Returns the rectangle in which an obstacle opens a model: its shadow, and along v `margin` times
+// the shadow's length more on both sides.
 SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance, double margin);
 
 // The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the

@@ -10,14 +10,14 @@
 namespace trivar {
 namespace {
 
-// Of the height of what is sewn at one place: the room that the opening must have beyond it, and by
-// how much more than it is drawn to that place
+// The room that the opening must have beyond a loop, and how much more than that it is drawn in, as
+// shares of the height of the loops sewn at that place.
 constexpr double least_room = 0.25, room_share = 0.02;
 // Loops that are nearer to each other than that are sewn at one place: of both heights, and of the
 // height of all
 constexpr double least_gap = 0.25, least_gap_of_all = 0.1;
-// Of the way from an end of the opening to the obstacle, over which it is drawn in: the halves have
-// not parted there, so that no slit comes between them above the seam
+// The share of the way from an end of the opening to the obstacle over which it is drawn in. The
+// halves have not parted there, so no slit comes between them above the seam.
 constexpr double drawing_in = 0.6;
 
 // The cubic between two knots.
@@ -43,7 +43,7 @@ struct Piece {
     }
 };
 
-// What a loop, or several that overlap along w, spans in the opening.
+// A Span is the interval of the opening that a loop covers, or several that overlap along w.
 struct Span {
     double lo, hi, length, sum; // sum: of w by length
 

@@ -18,7 +18,8 @@ struct EdgeMotion {
     double first = 0, second = 0;
 };
 
-// Of w', where the fade lies between two values and changes like that.
+// Bounds the motion of w' along an edge where the fade lies between two values and changes by
+// `fading`.
 EdgeMotion drawn_w(const glm::dvec2& e, const SeamBound& seam, const ShareBound& share,
                    double least_fade, double fade, const EdgeMotion& fading)
 {
@@ -33,7 +34,7 @@ EdgeMotion drawn_w(const glm::dvec2& e, const SeamBound& seam, const ShareBound&
                 pull * (seam.bend * w * w + bend_of_kink * seam.kink * w)};
 }
 
-// Of a function of (v, w') along an edge.
+// Bounds the motion of a function of (v, w') along an edge.
 EdgeMotion motion_of(const JetBound& f, double v, const EdgeMotion& w)
 {
     return {f.v * v + f.w * w.first,
@@ -58,7 +59,7 @@ SplitError::SideErrors SplitError::drawn_in_by_sides(std::size_t opening,
     }
     const SeamBound seam = bound(seams_[opening], lo.z, hi.z);
     const ShareBound share = share_bound(seams_[opening], lo.y, hi.y);
-    // From where it is to where it may be drawn
+    // The range of w from its present place to the place to which it may be drawn.
     const glm::dvec2 from(lo.y, seam.lo), to(hi.y, seam.hi);
     const JetBound phi = bounds.surface.over(from, to);
     double phi_ee = 0;

@@ -24,7 +24,7 @@ struct Severed {
     double off = 0; // units of the cut's space: bound of the distance of the cut from the surface
 };
 
-// Where a mesh is that a surface does not part.
+// An Unsevered says on which side of a surface a mesh lies that the surface does not part.
 struct Unsevered {
     bool above = true;
     bool touched = false; // a face, an edge or a corner of it lies on the surface

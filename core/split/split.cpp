@@ -189,7 +189,8 @@ void move_vertex(Mesh& mesh, std::size_t v, const glm::vec3& rest, const glm::dv
     const glm::dmat3 to_uvw = glm::transpose(field.frame.axes);
     const glm::dvec3& g = moved.gradient;
     if (!mesh.normals.empty()) {
-        // By the cofactors of the derivative, whose last two rows are those of the identity
+        // Transforms the normal by the cofactors of the derivative, whose last two rows are those
+        // of the identity.
         const glm::dvec3 n = to_uvw * glm::dvec3(mesh.normals[v]);
         mesh.normals[v] =
             glm::vec3(field.frame.axes * glm::normalize(glm::dvec3(n.x, g.x * n.y - g.y * n.x,
@@ -243,7 +244,7 @@ double bound_of(const CutMesh& cut, const Caps& caps, const SplitError& error, s
     return most;
 }
 
-// By how much a cut is beside its surface at most, where that opens.
+// Returns the greatest distance of a cut from its surface where that opens.
 double beside(const CutMesh& cut, const SplitField& field, std::size_t opening)
 {
     double most = 0;
@@ -291,7 +292,7 @@ double tolerance_of(const SplitField& field, const SplitOptions& options)
     return std::max(free, options.tolerance / 4);
 }
 
-// What parts a region of a mesh.
+// A Parting holds the means to part a region of a mesh.
 struct Parting {
     const SplitField& field;
     const SplitOptions& options;

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-// Of both walls: few parts are looked at one by one, many by their greatest.
+// Bounds the bends of both walls: few parts are looked at one by one, many by their greatest.
 BendBounds::Bend bends_of_walls(const OpeningBounds& bounds, const glm::dvec2& lo,
                                 const glm::dvec2& hi)
 {
@@ -50,7 +50,7 @@ EdgeErrors SplitError::edges(const std::array<glm::dvec3, 3>& uvw,
     return out;
 }
 
-// What opening k makes of the triangle.
+// Bounds the error of the triangle at opening k, for each side of it.
 SplitError::SideErrors SplitError::by_sides(std::size_t k, const std::array<glm::dvec3, 3>& uvw,
                                             const std::array<double, 3>& heights) const
 {
@@ -161,7 +161,7 @@ EdgeErrors SplitError::cap(std::size_t opening, const std::array<glm::dvec2, 3>&
         std::array<double, 3> heights{};
         for (std::size_t i = 0; i < 3; ++i) heights[i] = field_.openings[k].height(uvw[i]);
         const SideErrors sides = by_sides(k, uvw, heights);
-        // What an earlier opening has cut is on one side of it
+        // A part that an earlier opening has cut lies on one side of it.
         for (std::size_t i = 0; i < 3; ++i)
             out[i] += k < opening ? std::max(sides[0][i], sides[1][i]) : sides[0][i] + sides[1][i];
     }

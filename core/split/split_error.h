@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// Of a greatest second derivative along an edge: how far linear interpolation is off on the edge,
-// and over a triangle all of whose edges have no greater one.
+// The error of linear interpolation, as a share of the greatest second derivative along an edge: on
+// the edge itself, and over a triangle none of whose edges has a greater one.
 constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6;
 
 // An edge of the cut may be worse than the edges of the triangle that it runs through: what is cut
@@ -56,7 +56,8 @@ public:
     double surfaces_within(const Box& uvw) const;
 
 private:
-    // What a side makes of the edges; one of both where it may be on either.
+    // Errors of the edges on each side of the surface; one of both applies where a triangle may be
+    // on either.
     using SideErrors = std::array<EdgeErrors, 2>;
     SideErrors by_sides(std::size_t opening, const std::array<glm::dvec3, 3>& uvw,
                         const std::array<double, 3>& heights) const;

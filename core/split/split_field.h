@@ -64,7 +64,7 @@ struct SplitField {
     SplitFrame frame;
     std::vector<Opening> openings; // ascending along u
 
-    // What happens to a point: its u afterwards, and the derivative of that by (u, v, w).
+    // The result of moving a point: its new u, and the derivative of that by (u, v, w).
     struct Moved {
         double u;
         glm::dvec3 gradient{1, 0, 0};

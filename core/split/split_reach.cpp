@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t faces_per_look = 4096, points_per_look = 4096;
 
-// What is around a face.
+// FaceBits combines the bits of the vertices of a face.
 struct FaceBits {
     int all = 0xff, any = 0; // bits of its vertices
 
@@ -142,7 +142,7 @@ void find_changes(const Mesh& mesh, const VertexPlaces& places, const SplitField
             Box box;
             for (const std::uint32_t* c = first; c != last; ++c)
                 box.add(to_uvw * (glm::dvec3(mesh.positions[*c]) - field.frame.origin));
-            // Of what is cut both sides count
+            // A face that is cut counts with both sides.
             const double off = moved ? (cut_through ? 2 / share_of_cut : 1) * error.within(box) : 0;
             const bool near_surface =
                 !cut_through || error.surfaces_within(box) <=

@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// Where the vertices of a mesh are: beyond which sides of the field's reach, one bit each, and on
-// which side of every cut surface; those of the first two are bits as well.
+// VertexPlaces classifies the vertices of a mesh: beyond which sides of the field's reach they are,
+// one bit each, and on which side of every cut surface; the sides of the first two surfaces are
+// bits too.
 struct VertexPlaces {
     static constexpr int beyond_any = 0x3f, first_above = 6, surfaces_in_bits = 2;
     std::vector<std::uint8_t> bits;  // #V
@@ -25,7 +26,7 @@ struct VertexPlaces {
 // O(#V) in parallel; the memory of `out` is used again.
 void find_places(const Mesh& mesh, const SplitField& field, VertexPlaces& out);
 
-// What of a mesh is to be changed.
+// ToChange lists the part of a mesh that is to be changed.
 struct ToChange {
     std::vector<std::uint32_t> faces; // ascending
     std::vector<char> free; // by point: where all faces are among these, so that edges may be split
@@ -33,9 +34,9 @@ struct ToChange {
     double off = 0;         // metres: bound for the faces in reach that stay as they are
 };
 
-// Those that may be too coarse and those that are cut, with all that share a point with one of the
-// former, since its edges may be split. `tolerance` in metres. O(#C) in parallel; the memory of
-// `out` is used again.
+// Finds the faces that may be too coarse and those that are cut, with all faces that share a point
+// with a coarse one, since its edges may be split. `tolerance` in metres. O(#C) in parallel; the
+// memory of `out` is used again.
 void find_changes(const Mesh& mesh, const VertexPlaces& places, const SplitField& field,
                   const SplitError& error, double tolerance, ToChange& out);
 

@@ -123,7 +123,7 @@ BendBounds::BendBounds(std::span<const SurfaceBounds> surfaces) : grid_(surfaces
         for (int q = p == 0 ? 1 : 0; q < levels_.y; ++q)
             for (int i = 0; i < count.x; ++i)
                 for (int j = 0; j < count.y; ++j, ++k) {
-                    // Of two halves; beyond the grid nothing is asked for
+                    // The bound combines both halves; cells beyond the grid are never queried.
                     const int next_i = std::min(count.x - 1, q > 0 ? i : i + (1 << p >> 1));
                     const int next_j = std::min(count.y - 1, q > 0 ? j + (1 << q >> 1) : j);
                     const int from_p = q > 0 ? p : p - 1, from_q = q > 0 ? q - 1 : 0;

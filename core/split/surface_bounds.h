@@ -22,7 +22,7 @@ struct JetBound {
         vw = std::max(vw, other.vw);
         ww = std::max(ww, other.ww);
     }
-    // of the first and second derivative along a direction
+    // Bounds of the first and the second derivative along a direction.
     double first(const glm::dvec2& e) const { return v * std::abs(e.x) + w * std::abs(e.y); }
     double second(const glm::dvec2& e) const
     {
@@ -61,7 +61,7 @@ public:
 
 private:
     friend class BendBounds;
-    // At a border between pieces, where rounding decides, both count
+    // Both pieces count at the border between them, where rounding decides.
     static constexpr double rounding = 1e-9;
     int cell(const glm::dvec2& at, int axis, double more) const
     {

@@ -65,7 +65,7 @@ Polygon in_order(Polygon points, const glm::dvec3& normal)
     return points;
 }
 
-// What of a convex body lies in a half-space.
+// Clips a convex body to a half-space.
 std::vector<Polygon> clipped(const std::vector<Polygon>& body, const HalfSpace& half, double tiny)
 {
     std::vector<Polygon> out;

@@ -20,8 +20,8 @@ inline constexpr double least_room = 0.05;
 double allowed_share(const SimplexDomain<3>& domain, std::span<const int> cells_round, int vertex,
                      int knot, const glm::dvec3& by);
 
-// Where one knot of a vertex may be so that these simplices keep that much, as far as `reach` from
-// the vertex along each axis: a convex body, by its faces, each in a plane and anticlockwise from
+// Returns the region, as far as `reach` from the vertex along each axis, in which one knot of a
+// vertex keeps the simplices that large: a convex body, by its plane faces, each anticlockwise from
 // outside. About 1 ms.
 std::vector<std::vector<glm::dvec3>> knot_region(const SimplexDomain<3>& domain,
                                                  std::span<const int> cells_round, int vertex,

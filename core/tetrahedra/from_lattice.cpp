@@ -37,8 +37,8 @@ std::vector<double> pieces_of(const Knots& knots, int pieces)
     return out;
 }
 
-// By how much the continuity of a spline of a degree must be lowered at each of the places. Where
-// values alone are continuous, a seam lets no function reach beyond.
+// Returns by how much the continuity of a spline of that degree drops at each place. Where only
+// values are continuous, it becomes a seam that no function reaches across.
 std::vector<Crease<3>> creases_at(const std::vector<double>& places, const Knots& knots, int degree)
 {
     std::vector<Crease<3>> out(places.size());

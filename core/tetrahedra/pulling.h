@@ -14,8 +14,8 @@ namespace trivar {
 std::vector<glm::dvec3> change_by(const TetrahedraPull& pull, const SimplexVolume& volume,
                                   const TetrahedraRefinement* refinement = nullptr);
 
-// Where a control point of a layer is now; of a refinement, where its rest is. `point` counts from
-// the first one of the layer.
+// Returns the current position of a control point of a layer; for a refinement, its rest position.
+// `point` counts from the first one of the layer.
 glm::dvec3 place_of(const SimplexVolume& volume, std::size_t layer, std::size_t point);
 
 // The share, 0..1, that a control point of a refinement takes by where it rests: 0 at the rim.

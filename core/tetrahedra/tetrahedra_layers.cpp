@@ -67,7 +67,8 @@ std::vector<Crease<3>> creases(const SimplexMesh<3>& mesh, const std::vector<Tet
     return out;
 }
 
-// What the edits do to clouds. A vertex is one within a millionth of the domain's size.
+// Returns the moves of knots that the edits ask for. An edit means the vertex within a millionth of
+// the domain's size.
 std::vector<CloudShift<3>> shifts(const SimplexMesh<3>& mesh,
                                   const std::vector<TetrahedraEdit>& edits)
 {

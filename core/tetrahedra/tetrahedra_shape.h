@@ -89,8 +89,9 @@ struct TetrahedraShape {
     // The domain, where it is no box: both empty, or neither.
     std::vector<glm::dvec3> vertices = {};
     std::vector<glm::ivec4> cells = {};
-    // What a lattice did before it became tetrahedra, in metres, for each cell in turn
-    // (CellDisplacements); empty: nothing. And how far they were off it at most, where looked at.
+    // The displacements of a lattice that was converted to tetrahedra, in metres, for each cell in
+    // turn (CellDisplacements); empty: none. `deviation` is their greatest distance from the
+    // lattice, if it was measured.
     std::vector<glm::dvec3> displaced = {};
     double deviation = 0;
     std::vector<TetrahedraEdit> edits = {};

@@ -11,7 +11,7 @@
 
 namespace trivar {
 
-// What came of one edit.
+// A TetrahedraOutcome is the result of one edit.
 struct TetrahedraOutcome {
     double share = 1; // of what was asked; less where the guard held it
     std::string notice = {};
@@ -33,7 +33,7 @@ private:
         std::vector<Ref<SimplexBasis<3>>> layers;
         Lazy<FoldGuard> guard;
     };
-    // by the shape with only the edits that change the domain
+    // The key is the shape with only the edits that change the domain.
     Recent<TetrahedraShape, Ref<Domain>> domains_;
 };
 

@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-// Of a line in the middle of a chart, along u or along v.
+// Returns the length of a line in the middle of a chart, along u or along v.
 double middle_length(const ChartSurface& surface, std::uint32_t chart, int axis)
 {
     constexpr int pieces = 8;

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// What helps where no size of tiles is large enough.
+// The advice for the user where no size of tiles is large enough.
 inline constexpr std::string_view too_many_faces_words =
     "simplify what they cover, each face of which carries one at least, or paint it with the "
     "brush Fill";

@@ -28,8 +28,8 @@ struct BasePose {
     std::vector<glm::dvec3> points, normals; // #points of the TileBase
 };
 
-// Where a place of the base is now, with the normal there. `beyond` is what a border cut off of the
-// way to it, in the space of the model; it moves with the triangle.
+// Returns the present position and normal of a place of the base. `beyond` is the part of the way
+// to it that a border cut off, in the space of the model; it moves with the triangle.
 SurfacePoint posed(const TileBase& base, const BasePose& pose, const SurfacePlace& at,
                    const glm::dvec3& beyond);
 

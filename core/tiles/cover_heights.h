@@ -14,8 +14,8 @@ std::vector<double> heights_along_rows(const Covering& covering,
 struct GuardedHeights {
     std::vector<double> heights;       // of the nodes
     std::vector<char> lowered, folded; // of the cells
-    // Of the cells: their greatest height as a share of that which is proven; above 1 it was
-    // lowered. 0 where a cell folds in itself.
+    // The greatest height of each cell as a share of the proven limit; above 1 it was lowered, and
+    // 0 means that the cell folds in itself.
     std::vector<double> of_limit = {};
 };
 // Lowers heights at corners until no cell folds below `top`, in lengths of a tile: a corner as far

@@ -18,10 +18,9 @@ struct CoveringPose {
     // Metres in the world of what is as high as the tile's model is long: at every node that is a
     // corner of cells. Between corners it is bilinear, so that tiles that meet are as high there.
     std::vector<double> heights;
-    // Of the charts: seen from outside, the base is a mirror image of itself at rest there.
+    // Whether the posed base is mirrored relative to rest, by chart.
     std::vector<char> mirrored;
-    // Of the tiles: factors of their heights, and of their lengths and widths about their middles;
-    // empty: 1.
+    // Factors, by tile, of heights, and of lengths and widths about their middles. Empty: 1.
     std::vector<double> factors = {}, scales = {};
 };
 

@@ -35,7 +35,8 @@ std::vector<glm::ivec2> times(std::vector<glm::ivec2> counts, int factor)
     return counts;
 }
 
-// From the lower-left corner counter-clockwise, each side along its edge of the square.
+// The nodes of each side, from the lower-left corner counter-clockwise along the edges of the
+// square.
 constexpr std::array<std::array<std::size_t, 4>, 4> side_nodes{
     {{0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}}};
 
@@ -223,7 +224,7 @@ Covering::Spot Covering::spot(const Laid& tile, const glm::dvec2& at) const
         out.along = hexagon ? 1 : 0.5;
         break;
     }
-    // From the tile's directions to the chart's, about the middle of the cell.
+    // Turns the tile's directions to the chart's, about the middle of the cell.
     out.turns = turns_[cells_[tile.cell].chart];
     switch (out.turns) {
     case 1: out.uv = {1 - out.uv.y, out.uv.x}; break;

@@ -29,7 +29,7 @@ public:
     std::array<std::uint32_t, 4> corners(std::uint32_t cell) const;
     std::array<std::uint32_t, 16> cell_nodes(std::uint32_t cell) const; // as of a TilePatch
     TilePatch patch(std::uint32_t cell, std::span<const SurfacePoint> points) const;
-    // Where a place of a cell is in its chart; 1 - x and 1 - y are exact.
+    // Returns the chart coordinates of a place of a cell; 1 - x and 1 - y are exact.
     glm::dvec2 in_chart(std::uint32_t cell, const glm::dvec2& uv) const;
     // Tells by how many quarter turns the cell's row is turned from u.
     int turns(std::uint32_t cell) const { return turns_[cells_[cell].chart]; }
@@ -44,7 +44,8 @@ public:
     struct Laid {
         std::uint32_t cell;
         Extent extent = Extent::whole;
-        // of hexagons: the rows before and behind do not go on, and the tile ends with its own row
+        // Set for hexagons whose row before or behind does not continue: the tile ends with its own
+        // row.
         bool flat_before = false, flat_behind = false;
     };
     const std::vector<Laid>& tiles() const { return tiles_; }

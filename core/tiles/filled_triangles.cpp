@@ -7,7 +7,7 @@
 namespace trivar {
 namespace {
 
-// Those that are connected with those of the path over their sides.
+// Returns the triangles connected with those of the path across their sides.
 std::vector<std::uint32_t> connected(const TileBase& base, const std::vector<StrokeStep>& path)
 {
     std::vector<char> seen(base.triangle_count(), 0);

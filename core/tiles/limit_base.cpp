@@ -17,8 +17,8 @@ double even_share(int step, int count)
     return static_cast<double>(step) / count;
 }
 
-// By chart of a cage the face of that: itself, or where charts are the corners of faces, the face
-// that has the corner.
+// Returns the face of a cage for each chart: the chart itself, or, where charts are the corners of
+// faces, the face that has the corner.
 std::vector<std::uint32_t> faces_of_charts(const Mesh& cage, std::size_t charts)
 {
     std::vector<std::uint32_t> out;

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// What random numbers of tiles are for; a new purpose does not change the numbers of the others.
+// The purposes of random numbers of tiles; a new purpose does not change the numbers of the others.
 // Strokes have further ones of their own, below 100.
 namespace random_purpose {
 inline constexpr std::uint32_t wave = 100, mix = 101, phase = 102, cover_height = 200,

@@ -30,7 +30,8 @@ glm::dvec3 cubic_at(const Row& c, double t)
     return s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
 }
 
-// What a cell's patch is made of at its nodes: points, or normals as long as the heights.
+// NodeValues gives the values at the nodes of a cell's patch: points, or normals as long as the
+// heights.
 struct NodeValues {
     const StrandLayout& layout;
     std::span<const StrandNodes> nodes;

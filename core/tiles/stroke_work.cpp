@@ -86,7 +86,7 @@ void StrokeWork::go_on(const State& before, const TileStroke& stroke, int number
     out_.duration_s += duration_of(stroke);
 }
 
-// What is left of the tiles.
+// Returns the tiles that are left.
 Runs<Tile> StrokeWork::left()
 {
     Runs<Tile> out;
@@ -317,7 +317,7 @@ glm::dvec3 StrokeWork::heading_of(const TileStroke& stroke, const Wanted& wanted
     return turned_about(x, n, most * (2 * random_share(wanted.seed, Purpose::turn) - 1));
 }
 
-// From a step of its path on, where the last dab is as far behind as `since` says.
+// Scatters tiles from a step of the path on; the last dab is `since` behind it.
 void StrokeWork::scatter(const TileStroke& stroke, int number, std::size_t step, double since)
 {
     const std::vector<StrokeStep>& path = path_;

@@ -37,12 +37,13 @@ public:
         TileLayout out; // without its tiles
     };
     State state() const { return {laid_.tiles, laid_.gone, laid_.near.size(), tries_, out_}; }
-    // To an earlier state of this work.
+    // Returns to an earlier state of this work.
     void go_back_to(const State& state);
     TileLayout result();
 
 private:
-    // What a brush asks for at one place. `ahead` is the direction of the stroke there.
+    // A Wanted is a tile that a brush asks for at one place. `ahead` is the direction of the stroke
+    // there.
     struct Wanted {
         std::uint32_t seed;
         SurfacePlace at;
@@ -50,7 +51,7 @@ private:
         double time_s, pressure;
         double along = -1; // on the last track; -1: on none
     };
-    // Where the last dab of the last stroke begins.
+    // A Dab is the place where the last dab of the last stroke begins.
     struct Dab {
         State before;
         std::uint32_t made;

@@ -28,7 +28,7 @@ public:
     struct Piece {
         Ref<RayMesh> mesh;
         glm::dmat4 to_model{1};
-        // By triangle: the face that it is of, where that is not one of the mesh; null: it is.
+        // The face of each triangle, if faces are not those of the mesh; null: they are.
         Ref<std::vector<std::uint32_t>> faces = nullptr;
         bool operator==(const Piece&) const = default;
     };

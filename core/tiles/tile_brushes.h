@@ -11,7 +11,7 @@ namespace trivar {
 // each).
 void change_tiles(LaidTiles& laid, const TileStroke& stroke, const std::vector<StrokeStep>& path);
 
-// What the brushes color and morph do to a tile, as much as that.
+// Applies the brushes color and morph to a tile, `much` of them.
 void change_look(glm::dvec3& tint, double& morph, const TileStroke& stroke, double much);
 
 // A hand takes single tiles: for each step the one that is nearest, within half of its size. The

@@ -6,10 +6,10 @@
 
 namespace trivar {
 
-// What of the tiles a mask drives.
+// The property of the tiles that a mask drives.
 enum class MaskDrives { density, scale, height, morph };
 
-// Where a mask has its values from.
+// The source of a mask's values.
 enum class MaskFrom {
     image, // a picture
     line,  // 0 at a first point to 1 at a second one
@@ -37,11 +37,11 @@ struct TileMask {
     double low = 0, high = 1; // the factor where its value is 0, and where it is 1
     bool inverted = false;
     bool hidden = false; // it does nothing
-    // of an image
+    // The image, if the values come from one.
     std::string image = {}, image_hash = {}; // as of an ImportedFile
     MaskLies lies = MaskLies::uv;
     double repeat_u = 1, repeat_v = 1, shift_u = 0, shift_v = 0; // in images
-    // of a gradient
+    // The gradient, if the values come from one.
     glm::dvec3 begin{0}, end{0, 0, 1}; // of a line; `begin` is the point
     int curve = 0;                     // id of an object; 0: none
     double start = 0, stop = 1;        // distances at which the value is 1, and 0

@@ -20,7 +20,7 @@ double eased(double t, MaskEasing easing)
     return t;
 }
 
-// From 1 up to the first distance to 0 from the second one on.
+// Returns the value at a distance: 1 up to `start`, 0 from `stop` on, eased between.
 double near_value(double distance, const TileMask& mask)
 {
     const double width = mask.stop - mask.start;

@@ -18,7 +18,7 @@ struct MaskPlace {
     std::optional<glm::dvec2> uv = {}; // none: the base has no texture coordinates there
 };
 
-// What all masks of a layer together make of a tile: products of their factors.
+// MaskFactors are the products of the factors of all masks of a layer at one tile.
 struct MaskFactors {
     double density = 1, scale = 1, height = 1, morph = 1;
     bool operator==(const MaskFactors&) const = default;

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What a brush does along its stroke.
+// The kind of brush, which decides the effect of a stroke.
 enum class TileBrush {
     scatter, // lays tiles all over the width of the brush
     line,    // lays tiles one behind the other
@@ -28,7 +28,7 @@ enum class TileBrush {
 // directions, curvature says nothing, and tiles head along the stroke.
 enum class TileHeading { along_stroke, upward, random, least_curvature, most_curvature, to_point };
 
-// What a fill covers: the surfaces that are connected with those that the stroke touches, all that
+// The area that a fill covers: the surfaces connected with those that the stroke touches, all that
 // has a material that it touches, the faces that it touches, or all of the base.
 enum class TileArea { island, material, faces, all };
 

@@ -25,7 +25,8 @@ struct FlatTriangle {
     }
 };
 
-// By the lengths of their edges, which are all made longer by what the flattest triangle needs.
+// Lays triangles flat by the lengths of their edges, which are all made longer by the amount that
+// the flattest triangle needs.
 std::vector<FlatTriangle> flat_triangles(const Disk& disk)
 {
     std::vector<glm::dvec3> lengths; // of the side behind each corner
@@ -166,7 +167,7 @@ std::vector<glm::dvec2> conformal_map(const Disk& disk)
         const int row = index(e.row()), column = index(e.col());
         if (row < 0) continue;
         if (column >= 0) inner.emplace_back(row, column, e.value());
-        // Of what is held only one number is not 0.
+        // Only one coordinate of the held vertices is not 0.
         else if (e.col() == static_cast<int>(two))
             right[row] -= e.value() * map[two].x;
     }

@@ -194,7 +194,7 @@ Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin,
         const glm::dvec2 s = sizes[k];
         return std::tuple(-std::max(s.x, s.y), -std::min(s.x, s.y), k);
     });
-    // From what they need at least, larger and larger squares.
+    // Tries larger and larger squares, beginning with the least that could hold them.
     constexpr double larger = 1.02;
     double side = std::max(std::sqrt(area), widest) / (1 - 2 * margin);
     if (!(side > 0)) side = 1;

@@ -13,7 +13,7 @@ namespace trivar {
 // smallest, and not higher than it is wide. O(#points log #points), and O(#hull ^ 2).
 glm::dmat2 smallest_box_turn(std::span<const glm::dvec2> points);
 
-// Where an outline lies in the square: p becomes turn * p + shift.
+// The place of an outline in the square: p becomes turn * p + shift.
 struct PackedPlace {
     glm::dmat2 turn{1}; // by quarter turns
     glm::dvec2 shift{0};

@@ -161,7 +161,7 @@ private:
             bent += glm::length(glm::cross(disk.points[t.y] - disk.points[t.x],
                                            disk.points[t.z] - disk.points[t.x]));
         }
-        // What has no area is as small as single precision allows.
+        // A chart without area becomes as small as single precision allows.
         const double factor = flat > 0 ? std::sqrt(bent / flat) : 0;
         for (glm::dvec2& p : map) p *= factor;
     }

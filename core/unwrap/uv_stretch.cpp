@@ -66,7 +66,7 @@ std::vector<float> uv_values(const Mesh& mesh, UvMeasure measure, double usual)
         const UvStretch stretch = uv_stretch(p, uv);
         const double area = area_of(p);
         double value = measure == UvMeasure::angles ? stretch.angle() : stretch.area() / usual;
-        // What is squeezed to a line is as bad as it gets.
+        // A triangle squeezed to a line counts as the worst.
         if (measure == UvMeasure::angles && stretch.least == 0) value = most;
         value = std::clamp(value, 1 / most, most) * (stretch.turned ? -1 : 1);
         for (int k = 0; k < 3; ++k) {

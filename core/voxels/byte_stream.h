@@ -16,7 +16,7 @@ namespace trivar {
 // the disk only what is asked for is read. Copies are the same file.
 class ByteFile {
 public:
-    // Of bytes that outlive it, or that it keeps.
+    // Reads bytes that outlive it, or bytes that it keeps.
     explicit ByteFile(std::string_view bytes) : bytes_(bytes) {}
     static ByteFile kept(std::string bytes);
     static ByteFile opened(const std::string& path); // throws Rejected
@@ -53,7 +53,8 @@ ByteStream stream_of(std::function<std::size_t(std::span<char>)> read);
 ByteStream exactly(ByteStream stream, std::uint64_t count,
                    std::function<void(std::uint64_t)> wrong);
 
-// What a stream holds of several things in turn, `run` bytes of each, `turns` times.
+// ByteTurns is the layout of a stream that holds several things in turn: `run` bytes of each,
+// `turns` times.
 struct ByteTurns {
     std::uint64_t things = 1, run = 0, turns = 0;
 };

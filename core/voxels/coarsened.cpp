@@ -23,7 +23,7 @@ std::vector<Sample> means(const std::vector<Sample>& samples, const glm::ivec3& 
     };
     std::vector<Sample> out(place({0, 0, to.z}, to));
     const double share = 1.0 / (static_cast<double>(step.x) * step.y * step.z);
-    // By rows, so that a single slice is made by all threads, too.
+    // Works by rows, so that all threads share even a single slice.
     const auto height = static_cast<std::size_t>(to.y);
     parallel_blocks(
         height * static_cast<std::size_t>(to.z), 8, [&](std::size_t begin, std::size_t end) {

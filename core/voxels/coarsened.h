@@ -16,7 +16,7 @@ glm::ivec3 coarsening_steps(const glm::ivec3& size, const glm::ivec3& times);
 // Samples of a grid of that size, one for a step of them; as coarsened() makes them.
 VoxelGrid::Samples coarsened_samples(const VoxelGrid::Samples& samples, const glm::ivec3& size,
                                      const glm::ivec3& step);
-// Where it lies, of where the other one does.
+// Returns the transform of the coarsened grid, given that of the full one.
 glm::dmat4 coarsened_place(const glm::dmat4& to_metres, const glm::ivec3& step);
 
 } // namespace trivar

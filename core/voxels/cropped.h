@@ -42,7 +42,7 @@ std::vector<Value> cropped(std::span<const Value> values, const glm::ivec3& size
 
 // A grid of the samples in a box of another one, at the same places.
 VoxelGrid cropped(const VoxelGrid& grid, const SampleBox& box);
-// Where it lies, of where the other one does.
+// Returns the transform of the cropped grid, given that of the full one.
 glm::dmat4 cropped_place(const glm::dmat4& to_metres, const SampleBox& box);
 
 } // namespace trivar

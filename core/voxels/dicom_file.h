@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// What a DICOM file with pixels says of them.
+// A DicomHead is the description of the pixels of a DICOM file.
 struct DicomHead {
     std::string series;       // its SeriesInstanceUID
     std::string series_words; // for the user: its description, else the end of the former

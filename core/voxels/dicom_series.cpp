@@ -182,7 +182,7 @@ struct LeftOut {
 // The files of a folder with pixels, by their series.
 struct FolderSeries {
     std::map<std::string, SeriesFiles> series;
-    // Those that are damaged, and whole ones with pixels that are no slices (colours, no place).
+    // Damaged files, and whole ones with pixels that are no slices (colours, no place).
     std::vector<LeftOut> left_out;
     bool any = false; // whether there is a DICOM file
 };
@@ -279,7 +279,7 @@ SeriesFiles one_volume(const SeriesFiles& files, const std::string& chosen, Name
     return groups[taken];
 }
 
-// What is damaged or no slice, and may have been one.
+// Adds a notice of the files that are damaged or no slices and may have been meant as some.
 void say_left_out(const FolderSeries& all, VoxelGrid& grid)
 {
     const std::size_t count = all.left_out.size();

@@ -31,8 +31,8 @@ ReadVolume read_dicom_bytes(std::string_view bytes, const std::string& name,
                             const std::string& folder, const ReadVolumeOptions& options, int time,
                             const Progress& progress);
 
-// What the DICOM files of a folder are, in words, a series each: "skull, CT, 120 slices". Nothing
-// where there are none.
+// Describes the DICOM files of a folder, one line for each series: "skull, CT, 120 slices". Empty
+// if there are none.
 std::vector<std::string> dicom_series_in(const std::string& folder);
 
 } // namespace trivar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For the sources of this room that read DICOM only, as dicom_dataset.h.
+// Only the sources of this room that read DICOM include this header, as dicom_dataset.h.
 #include <dcmtk/config/osconfig.h>
 
 #include <dcmtk/dcmdata/dcistrmb.h>

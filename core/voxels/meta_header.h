@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// What the head of a MetaImage says.
+// A MetaHeader is the head of a MetaImage.
 struct MetaHeader {
     SampleBlock block;
     std::uint64_t volumes = 1; // behind one another: times

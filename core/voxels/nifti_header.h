@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// What the head of a NIfTI file says.
+// A NiftiHeader is the head of a NIfTI file.
 struct NiftiHeader {
     SampleBlock block;
     std::uint64_t volumes = 1; // behind one another: times

@@ -35,7 +35,7 @@ constexpr const char* no_order =
     "it does not say the order of bytes; it should have a line 'endian: "
     "little' or 'endian: big'";
 
-// What stands in a text between two others; nothing where they are not there.
+// Returns the text between two others; nothing if one of them is missing.
 std::optional<std::string_view> between(std::string_view text, std::string_view front,
                                         std::string_view back)
 {
@@ -45,7 +45,8 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
     return text.substr(from, end - from);
 }
 
-// What the library found wrong, in our words, of its messages from the outermost to the innermost.
+// Explains in our words, from the messages of the library, outermost to innermost, the fault that
+// it found.
 std::string teem_reason()
 {
     const std::unique_ptr<char, decltype(&std::free)> all(biffGetDone(NRRD), &std::free);

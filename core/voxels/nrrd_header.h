@@ -13,7 +13,7 @@ namespace trivar {
 
 enum class NrrdEncoding { raw, gzip, bzip2, ascii, hex };
 
-// What the head of an NRRD file says.
+// An NrrdHeader is the head of an NRRD file.
 struct NrrdHeader {
     SampleBlock block;
     std::uint64_t volumes = 1; // times or layers,

@@ -62,7 +62,7 @@ public:
             check_ratio(file_.size() - from_, packing, needed, name_);
             if (header_.byte_skip >= 0) return unpacked_stream(packing, needed, wrong);
         }
-        // What is counted from its end is unpacked as a whole.
+        // Data counted from the end of the file are unpacked as a whole.
         if (packing != Packing::none || header_.encoding == NrrdEncoding::hex) {
             const ByteFile all = source_.whole(file_, name_);
             std::string unused;
@@ -153,7 +153,7 @@ private:
     std::string name_;
 };
 
-// Of the samples of several volumes those of one.
+// Keeps the samples of one volume of several.
 TakenSamples one_volume(TakenSamples all, const ByteTurns& turns, const VolumeSource& source,
                         std::size_t sample_bytes)
 {

@@ -63,7 +63,7 @@ void check_options(const ReadVolumeOptions& options, int time)
 
 constexpr float greatest_value = 1e30f;
 
-// What is further from 0 marks places without data.
+// Values further from 0 mark places without data.
 bool is_bad(float sample)
 {
     return !(std::abs(sample) <= greatest_value);
@@ -135,7 +135,7 @@ void make_tame(VoxelGrid& grid, const std::string& name)
                                    with_commas(most_along_an_axis)));
     auto* floats = std::get_if<std::vector<float>>(&grid.samples);
     const float most_float = floats ? make_tame(*floats, grid, name) : 0;
-    // of integers, what their type can hold
+    // The greatest value: for integers, the limit of their type.
     const double most = std::visit(
         [&](const auto& samples) {
             using Sample = typename std::decay_t<decltype(samples)>::value_type;

@@ -20,7 +20,8 @@ std::size_t size_of(SampleType type);      // in bytes
 std::size_t kept_size_of(SampleType type); // of a sample in memory, bytes
 const char* words_of(SampleType type);     // "unsigned 16-bit whole numbers"
 
-// What a head says of the samples that follow: their number along each axis, and their type.
+// A SampleBlock describes the samples that follow a head: their number along each axis, and their
+// type.
 struct SampleBlock {
     std::array<std::int64_t, 3> size{};
     SampleType type = SampleType::u8;

@@ -23,8 +23,8 @@ bool parallel(const DicomFrame& a, const DicomFrame& b);
 struct SliceOrder {
     std::vector<std::size_t> order; // numbers of slices, from the first along the normal
     glm::dvec3 step{0};             // mm, from a slice of the grid to the next: oblique if tilted
-    // Of each slice of the grid: which it is in `order`, and the share of the one after it. Whole
-    // numbers where the series is even.
+    // The place of each slice of the grid in `order`: the index, plus the share of the next one.
+    // Whole numbers if the series is even.
     std::vector<double> at;
     bool even = true;
     std::vector<std::string> notices; // sentences without the name of the series

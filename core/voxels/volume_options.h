@@ -13,15 +13,15 @@
 
 namespace trivar {
 
-// What is done with a part that does not fit into the memory: it is refused, coarsened further
-// until it does, or its head alone is read.
+// The treatment of a part that does not fit into memory: it is refused, coarsened further until it
+// fits, or only its head is read.
 enum class TooLarge { refuse, coarsen, head };
 
 // How a volume is read, beside what its files say.
 struct ReadVolumeOptions {
     std::uintmax_t max_bytes = std::uintmax_t{1} << 44; // of all files of the volume together
-    // What samples may take in memory, with so many bytes per sample that the caller takes beside
-    // them; any file that has to be read as a whole, too.
+    // The memory that samples may take, counting also `bytes_beside` per sample that the caller
+    // takes beside them; the limit holds for a file that has to be read as a whole, too.
     std::uintmax_t memory_bytes = std::uintmax_t{16} << 30;
     std::uintmax_t bytes_beside = 0;
     // How a file without a head is laid out; empty: as its name says, if that fits its bytes.

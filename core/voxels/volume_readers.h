@@ -48,7 +48,7 @@ ByteStream chosen_volume(const VolumeSource& source, ByteStream all, const ByteT
 // the whole volume.
 ReadVolume volume_of(VolumeSource& source, PartTaker& taker, SampleType type,
                      const VolumeFrame& frame, double metres_per_unit);
-// Where a part lies, of where the whole does.
+// Returns the transform of a part, given that of the whole.
 glm::dmat4 place_of(const GridPart& part, const glm::dmat4& to_metres);
 
 } // namespace trivar

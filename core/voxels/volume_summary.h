@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What is shown of a volume before it is taken.
+// A VolumeSummary is shown before a volume is taken.
 struct VolumeSummary {
     glm::ivec3 size{0};
     std::string type;               // "signed 16-bit whole numbers"

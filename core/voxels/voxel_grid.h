@@ -25,7 +25,7 @@ struct VoxelGrid {
     // Voxel space to metres: x to the patient's left, y to the back, z to the head where the file
     // tells (LPS, as in DICOM); else along the grid's axes. Its columns may be oblique.
     glm::dmat4 to_metres{1};
-    // What was done to make this grid of the file, or is doubtful of it; sentences for the user.
+    // Sentences for the user on changes made while reading the file, and on doubts.
     std::vector<std::string> notices;
 
     std::size_t count() const

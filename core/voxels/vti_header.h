@@ -10,7 +10,8 @@
 
 namespace trivar {
 
-// What the XML of a VTK image data file says of the array that is its volume.
+// A VtiHeader is the description, in the XML of a VTK image data file, of the array that is its
+// volume.
 struct VtiHeader {
     enum class Format { ascii, base64, appended_raw, appended_base64 };
     SampleBlock block;
