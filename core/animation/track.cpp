@@ -81,7 +81,7 @@ TweenCurve curve_between(const Track& track, std::size_t key)
 
 namespace {
 
-// From one point to another, level at both.
+// Returns the curve from one point to another that is level at both.
 TweenCurve level_curve(glm::dvec2 from, glm::dvec2 to)
 {
     const double way = to.x - from.x;

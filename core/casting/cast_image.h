@@ -10,9 +10,9 @@ namespace trivar {
 // A CastView says how volume data are looked at, by the names of core/kernel/cast_pixel.glsl. Scene
 // space is that of the picture: its unit is the world's.
 struct CastView {
-    // Of the ray through the place (u, v) of the picture, 0..1 from the bottom left: x[0] + u x[1]
-    // + v x[2], where x begins at 0: its foot in voxels; at 3: the way in voxels for a unit of
-    // distance along the view direction; at 6: the same in scene space. w of the first: 1:
+    // The ray through the place (u, v) of the picture, 0..1 from the bottom left, is x[0] + u x[1]
+    // + v x[2]. x begins at 0 for its foot in voxels; at 3 for the way in voxels per unit of
+    // distance along the view direction; at 6 for the same in scene space. w of the first is 1 for
     // perspective.
     std::array<glm::vec4, 9> rays{};
     // Corners of the box that is seen, in voxels; w of the first: by which share of a step the
@@ -28,8 +28,8 @@ struct CastView {
     std::array<glm::vec4, 11> lights{};
 };
 
-// What is in front of what is cast: its id, whose highest bit says that it is a curve, and its
-// distance along the view direction; 0: nothing.
+// A CastSolid is the solid surface in front of the volume at a pixel: its id, whose highest bit
+// marks a curve, and its distance along the view direction; 0: nothing.
 struct CastSolid {
     std::uint32_t id = 0;
     float distance = 0;

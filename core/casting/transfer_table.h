@@ -11,8 +11,8 @@ namespace trivar {
 struct TransferTable {
     static constexpr int cells = 1024;
     double least = 0, greatest = 1; // of the data
-    // From the share 0 to each end of a cell: the density of extinction per voxel, in w, and the
-    // linear colour times that density.
+    // The integral from the share 0 to each end of a cell: of the density of extinction per voxel,
+    // in w, and of the linear colour times that density.
     std::vector<glm::vec4> before;
 
     // The integral up to a share, 0..1.

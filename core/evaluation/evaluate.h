@@ -10,9 +10,9 @@
 
 namespace trivar {
 
-// What becomes of an exception, other than Cancelled, of a step of one object: the evaluation
-// passes it on, so that a test stops at it; or the object is shown without the step, and says so in
-// its notices.
+// The treatment of an exception, other than Cancelled, in a step of one object: the evaluation
+// passes it on, so that a test stops at it; or the object is shown without the step, and its
+// notices say so.
 enum class OnFailure : std::uint8_t { pass_on, leave_out };
 
 // An Evaluator evaluates documents one after another and keeps what is still true. Results are

@@ -18,8 +18,8 @@ bool counts_the_ground(const Object& object)
                              object.stroke->parameters.misses == Misses::ground);
 }
 
-// What tells where an object stands. Empty where its own transform does not: it lies on a stroke,
-// or its tiles lie on their base.
+// Returns a box that shows where an object stands. It is empty if the object's own transform does
+// not decide that: it lies on a stroke, or its tiles lie on their base.
 Box place_of(const Document& document, Id id, const Shape& shape)
 {
     const Object& object = trivar::object(document, id);

@@ -27,7 +27,7 @@ Lazy<Ref<Mesh>> with_colors_of(const Lazy<Ref<Mesh>>& mesh, const Ref<Mesh>& col
     return Lazy<Ref<Mesh>>([mesh, colored] { return with_colors(**mesh, colored->colors); });
 }
 
-// What a pattern follows: what a part was before it was deformed or split.
+// Returns the mesh that a pattern follows: the part before it was deformed or split.
 const Ref<Mesh>& pattern_space(const Part& part)
 {
     const bool split = part.before_split && !part.bent && !part.posed &&

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// By moment: whether the part is shown.
+// Returns whether the part is shown, at each moment.
 std::vector<bool> shown_at(const FilmStrip& strip);
 
 // AnimatedNodes puts strips into a model, each at a node of its own, and says how near the model is

@@ -74,7 +74,7 @@ void count(RigidCount& counts, const RigidTile& tile)
     if (tile.off < infinite) off = std::max(off, tile.off);
 }
 
-// What stays bent of a part of tiles.
+// Returns the tiles of a part that stay bent.
 Part bent_rest(const Part& part, const std::vector<RigidTile>& rigid)
 {
     std::vector<PlacedTile> bent;

@@ -29,7 +29,7 @@ private:
     std::size_t count_ = 0;
 };
 
-// What is wrong with the next word of the line, which should be a number: "is missing", or "is
+// Describes the fault of the next word of the line, which should be a number: "is missing", or "is
 // 'abc', which is no number from -3.4e38 to 3.4e38".
 std::string not_a_number(TextScan scan);
 

@@ -28,7 +28,7 @@ public:
     // that of the line's end.
     void join_lines();
 
-    // Of a place in view(), from 1, as an editor of text counts.
+    // Returns the line number, from 1, of a place in view(), as a text editor counts.
     std::size_t line_of(const char* at) const;
 
 private:

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* maker = "trivar-make";
 
-// What the maker is asked for, and the folder that it makes it into; empty: it makes no such file.
+// A SampleOrder names what the maker is asked for, and the folder for it; empty: it makes no such
+// file.
 struct SampleOrder {
     std::string name;
     fs::path folder;

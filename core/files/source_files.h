@@ -14,7 +14,7 @@ namespace trivar {
 class SourceFiles {
 public:
     SourceFiles() = default;
-    // What else there is to do than to take another name, for the message: "or say --overwrite".
+    // Takes the alternative to another name, for the message: "or say --overwrite".
     explicit SourceFiles(std::string or_else) : or_else_(std::move(or_else)) {}
 
     void add(const std::string& path); // what is not there is passed over

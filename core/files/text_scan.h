@@ -44,7 +44,7 @@ struct TextScan {
         while (at != end && !is_blank(*at) && *at != '\n') ++at;
         return {begin, static_cast<std::size_t>(at - begin)};
     }
-    // What is left of this line, without the blanks around it; the scan stays where it begins.
+    // Returns the rest of this line without the blanks around it; the scan stays where that begins.
     std::string_view rest()
     {
         skip_blanks();

@@ -1,4 +1,4 @@
-// What a pixel shows of volume data.   GLSL and C++: see CastView, whose names these are
+// Casts the ray of one pixel through volume data.   GLSL and C++: see CastView, whose names these are
 //
 // Supplied: what casting.glsl has, and float open_at(vec3 brick), the share of the light from all around
 // that reaches a place, in bricks; vec3 toward_eye, a variable for the ray at hand.

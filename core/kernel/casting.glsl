@@ -51,7 +51,7 @@ float empty_way(vec3 p, vec3 along, int reach)
     return max(min(out_by.x, min(out_by.y, out_by.z)), 0.0f);
 }
 
-// What a ray gathers.
+// The sums along a ray.
 struct Gathered {
     vec3 color;    // linear, times the opacity
     float opacity;

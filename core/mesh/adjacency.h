@@ -17,8 +17,8 @@ public:
     enum class Ends { points, vertices }; // with vertices, the two sides of a seam are two edges
 
     explicit Adjacency(const Mesh& mesh, Ends ends = Ends::points);
-    // For faces without a mesh: `corner_points` holds the point of each corner, all below `points`.
-    // Without `face_begin` every three corners are a face.
+    // Takes faces without a mesh: `corner_points` holds the point of each corner, all below
+    // `points`. Without `face_begin` every three corners are a face.
     Adjacency(std::vector<std::uint32_t> corner_points, std::size_t points,
               std::span<const std::uint32_t> face_begin = {});
 

@@ -21,8 +21,8 @@ bool within_reach(const Box& box, const glm::dmat4& matrix = glm::dmat4(1));
 class Extent {
 public:
     explicit Extent(const Ref<Mesh>& mesh); // O(#V)
-    // Of a mesh that differs from another one in the places of some vertices, with the box round
-    // all of its own. O(1).
+    // Takes over the extent of a mesh that differs only in the places of some vertices, and the box
+    // round all vertices of `mesh`. O(1).
     Extent(const Ref<Mesh>& mesh, const Extent& other, const Box& box);
 
     // A box that holds the mesh in a pose; null: in the pose of its file. Empty where a vertex is

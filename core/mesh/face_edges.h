@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// What the edges of a mesh tell of its faces. An edge lies between points, so that both sides of a
-// seam are one edge. O(#C log valence).
+// FaceEdges finds facts about the faces of a mesh by their edges. An edge lies between points, so
+// that both sides of a seam are one edge. O(#C log valence).
 struct FaceEdges {
     explicit FaceEdges(const Mesh& mesh);
 

@@ -34,8 +34,8 @@ namespace {
 constexpr std::size_t vertices_at_once = 4096;
 constexpr float full_tint = 0.8f; // the base colour with which a pattern has its own colours
 
-// What a vertex shows: the material of a face with a pattern that has it as a corner, unless a face
-// without one has it too; and the edges at it.
+// A VertexFilling is the material shown at a vertex: that of a face with a pattern that has the
+// vertex as a corner, unless a face without one has it too; and the edges at it.
 struct VertexFilling {
     const Material* material = nullptr;
     bool plain = false;

@@ -69,8 +69,8 @@ struct Node {
     std::vector<float> morph_weights = {}; // of the mesh's targets; missing ones are 0
     int curves = -1;                       // index into Model::curves, or none; no skin moves them
     int camera = -1;                       // index into Model::cameras, or none
-    // Where a clip moves the node, to_parent is outer times the matrix that the clip makes of
-    // `rest`.
+    // The transform of a node that a clip moves: to_parent is outer times the matrix that the clip
+    // makes of `rest`.
     glm::dmat4 outer{1};
     NodeTransform rest = {};
 };
@@ -87,7 +87,7 @@ struct Model {
     std::vector<Node> nodes;
     std::vector<Ref<Mesh>> meshes;
     std::vector<Ref<Curves>> curves;
-    // Of those that hang on a node only the angle and the size count; they look along its -Z.
+    // A camera on a node contributes only its angle and size; it looks along the node's -Z.
     std::vector<Camera> cameras;
     std::vector<Material> materials; // at least one
     std::vector<Skin> skins;

@@ -147,7 +147,7 @@ std::vector<bool> parts_to_turn(const Mesh& mesh, const FaceEdges& edges,
         seen_from_outside(mesh, edges.part_of, edges.parts, bounding_box(mesh));
     for (std::uint32_t p = 0; p < edges.parts; ++p)
         turn[p] = turn[p] || (suspects[p] && shows_its_back(seen[p]));
-    // What is too small for pictures of the whole has pictures of its own.
+    // Parts too small for pictures of the whole have pictures of their own.
     constexpr std::uint64_t few_pixels = 64;
     constexpr std::size_t most_pictures = 8;
     std::erase_if(unsure, [&](auto p) { return seen[p].front + seen[p].back > few_pixels; });

@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// What orient() turned: single faces, and closed parts that were inside out as a whole.
+// TurnedFaces counts the turns of orient(): single faces, and closed parts that were inside out as
+// a whole.
 struct TurnedFaces {
     std::size_t faces = 0, inside_out = 0;
 };

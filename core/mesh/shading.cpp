@@ -104,7 +104,7 @@ public:
         const FaceNormals* faces_;
         const std::uint32_t* first_;
         JoinedSets fans_; // of the places of corners in the block
-        // of the corners at a point
+        // Scratch for the corners at a point.
         std::vector<std::uint64_t> sides_; // the other end, the corner's place in the list
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_; // corners at one edge
         std::vector<std::uint32_t> fan_;

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// Where nothing else is known, faces that meet at more have an edge between them.
+// The angle above which faces that meet have an edge between them, if nothing else is known.
 inline constexpr float usual_edge_deg = 35;
 
 // The mesh with the normals of its faces where it has none: where a normal is 0 or not finite, and

@@ -9,7 +9,8 @@
 namespace trivar {
 namespace {
 
-// What a triangle has of the bend, in its own frame, and the share of its area at each corner.
+// A TriangleBend is the bend of a triangle in its own frame, with the share of its area at each
+// corner.
 struct TriangleBend {
     glm::vec3 normal{0}, u{0}, v{0};
     glm::vec3 uu_uv_vv{0};

@@ -37,7 +37,7 @@ inline SurfaceBend operator*(float factor, SurfaceBend bend)
 
 // B made of three numbers in a frame of the tangent plane: uu, uv and vv.
 SurfaceBend bend_of(const glm::vec3& u, const glm::vec3& v, const glm::vec3& uu_uv_vv);
-// What is left of B in the tangent plane of a unit normal.
+// Projects B into the tangent plane of a unit normal.
 SurfaceBend in_tangent_plane(const SurfaceBend& bend, const glm::vec3& normal);
 
 // The principal curvatures, and the unit direction of the greatest; its sign means nothing.

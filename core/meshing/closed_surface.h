@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// For sources that use CGAL.
+// Only sources that use CGAL include this header.
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;
 

@@ -74,7 +74,7 @@ private:
         }
     }
 
-    // From the longest edge of a cell to that of a cell around it, until none is longer.
+    // Walks from the longest edge of a cell to that of a cell around it, until none is longer.
     Edge longest_near(std::size_t c)
     {
         Edge e = longest(c);

@@ -41,7 +41,7 @@ MesherCells mesher_cells(const Complex& complex,
     return all;
 }
 
-// Those of the complex, in its order.
+// Takes all cells of the complex, in its order.
 template <class Complex> MesherCells mesher_cells(const Complex& complex)
 {
     std::vector<typename Complex::Cell_handle> cells;

@@ -18,9 +18,9 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
-// What becomes of an attached stroke: it is laid in the space in which it was drawn, where its
-// hosts stand as they did then but for what is no motion of theirs, and what it gives is carried
-// to the world.
+// A Carriage says how an attached stroke follows its hosts. The stroke is laid in the space where
+// it was drawn, with its hosts as they stood then, except for changes that are no motion; the
+// result is moved to the world by the hosts' motion since then.
 struct Carriage {
     glm::dmat4 to_world{1}; // turns, scales evenly and shifts
     Sketch sketch;          // as its samples go with their hosts; as drawn where these only moved

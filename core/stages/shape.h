@@ -19,7 +19,7 @@ struct Shape {
         Ref<PosedMesh> posed = nullptr; // not null where a skin or morph targets move the vertices
         int node = 0;                   // of the model
         int slot = 0;                   // number of the mesh in its shape, the same in every pose
-        // what it was subdivided from, in its pose; null: it was not
+        // The cage that was subdivided to make it, in its pose; null: it was not subdivided.
         Ref<Mesh> cage = nullptr;
         Ref<Extent> extent = nullptr;
         Box bounds = {}; // before to_model, in the present pose; may be larger than needed
@@ -33,14 +33,14 @@ struct Shape {
         Box bounds = {}; // before to_model
     };
     std::vector<NodeMesh> meshes; // of the meshes that hang on a node
-    // of the curves that hang on a node; a pose moves only their node
+    // The curves that hang on a node; a pose moves only their node.
     std::vector<NodeCurves> curves;
     Ref<Model> model; // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
     Ref<ShownVolume> volume = nullptr; // of volume data; null: it is none
-    // Those of the notices that say why something of the shape is missing: a file that cannot be
-    // read, numbers that are too large.
+    // The notices that say why something of the shape is missing: a file that cannot be read,
+    // numbers that are too large.
     std::vector<std::string> lacks;
 
     bool empty() const { return meshes.empty() && curves.empty(); }

@@ -14,7 +14,7 @@ struct TetrahedraInWorld {
     bool operator==(const TetrahedraInWorld&) const = default;
 };
 
-// Where such a volume takes a point of the world.
+// Returns where such a volume moves a point of the world.
 glm::dvec3 bent(const TetrahedraInWorld& volume, const glm::dvec3& p_world);
 
 // A SimplexBinding is a mesh bound to the functions of a volume. Where the volume has cuts, the
@@ -37,7 +37,8 @@ public:
     void begin() { used_.clear(); }
     Part operator()(const Part& part, const TetrahedraInWorld& volume);
     void end() { bound_ = std::move(used_); }
-    // Of the vertices of all parts that were bent last: those in the domain, and beyond it.
+    // Reach counts the vertices of all parts that were bent last: those in the domain, and beyond
+    // it.
     struct Reach {
         std::size_t points = 0, outside = 0;
     };

@@ -28,17 +28,17 @@ struct Walk;
 
 // Each struct holds what one step tells of an object beside what the object shows.
 
-// of an object that lies on a stroke, or of a lattice: then of its box, as it would stand without
-// a stroke
+// Effects on an object that lies on a stroke, or on a lattice: then for its box, as it would stand
+// without a stroke.
 struct LayingEffects {
     Ref<Placement> placement; // null: the object is not laid
     Ref<ShapedVolume> shaped; // null: its volume was not shaped
-    // What its stroke falls on, and the parts of that; null: nothing. They are in the space in
-    // which the stroke was drawn, which the carriage takes to the world.
+    // The scene on which its stroke falls, and the parts of that; null: nothing. Both are in the
+    // space where the stroke was drawn, which the carriage moves to the world.
     Ref<RayScene> lies_on;
     Ref<std::vector<Support>> supports;
 };
-// What bends a lattice and its contents further where it lies on a stroke.
+// A LatticeStroke bends a lattice that lies on a stroke, and its contents, further.
 struct LatticeStroke {
     Ref<Placement> placement; // the volume of the stroke
     // into it, from the world in which the lattice would stand without the stroke
@@ -58,8 +58,8 @@ struct TetrahedraEffects {
 };
 struct CarriageEffects {
     Ref<Carriage> carriage; // null: nothing carries it
-    // From the object's own space to the world: that of its model, or where it lay before it was
-    // carried.
+    // The transform from the object's own space to the world: that of its model, or where it lay
+    // before it was carried.
     glm::dmat4 own_to_world{1};
     std::vector<Part> own_parts = {}; // in that space, before lattices; none: they are in the world
 };
@@ -71,7 +71,7 @@ struct RefiningEffects {
     Ref<RefinementResult> refined; // null: its triangles are those of the model
 };
 struct TilingEffects {
-    // of the other objects among its tiles, behind its own; null: none
+    // Materials of the other objects among its tiles, behind its own; null: none.
     Ref<std::vector<Material>> mixed_materials;
     // The heights of its look up to which no tile is lowered, at this frame: of all, and by stroke
     // of those that it lays; infinite: none is ever lowered, or the guard is off.
@@ -120,7 +120,7 @@ struct Stage : SimplifyingEffects,
     std::vector<Part> parts;          // in the world; may be empty
     std::vector<CurvePart> curves;    // in the world; may be empty
     std::vector<std::string> notices; // for example: a missing file, a stroke that no longer hits
-    // those of the notices that say why something is missing, as in Shape
+    // The notices that say why something is missing, as in Shape.
     std::vector<std::string> lacks;
     // How it lies on its stroke, where it does: beside `placement`, which is the box of a lattice.
     const Ref<Placement>& stroke_placement() const

@@ -12,9 +12,9 @@
 
 namespace trivar {
 
-// What an object is while all its incisions are shut. They `vanish`: it is the model before, to the
-// bit. Or those that open in time `stay` as walls without area, so that the triangles of a film are
-// the same in all frames.
+// The form of an object while all its incisions are shut. They `vanish`: it is the model before, to
+// the bit. Or those that open in time `stay` as walls without area, so that a film has the same
+// triangles in all frames.
 enum class ShutIncisions : std::uint8_t { vanish, stay };
 
 // A StepInput is what a step may read beside the stage before it: the object at one frame, and the

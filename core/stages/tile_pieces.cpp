@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned crossed = ~0u; // the sides of a tile that a cut may go through
 
-// Those of a run that are on the given sides; the run itself where all are.
+// Returns the tiles of a run on the wanted sides; the run itself if all are.
 PlacedTiles::Run chosen(const PlacedTiles::Run& run, const unsigned* sides, unsigned wanted)
 {
     std::vector<PlacedTile> out;

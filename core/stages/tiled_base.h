@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// From the mesh of a part of what is painted on to the model of that at rest, in whose space
-// strokes of tiles are stored. `object` is the object that the base shows.
+// Returns the transform from the mesh of a part of the painted base to the base's model at rest, in
+// whose space strokes of tiles are stored. `object` is the object that the base shows.
 glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part);
 
 // A TiledPiece is a part of what tiles stand on, at rest: the mesh that it shows, and the cage of
@@ -60,7 +60,7 @@ private:
 };
 // One for each part.
 std::vector<RestToWorld> ways_to_world(const TiledPieces& pieces, const std::vector<Part>& parts);
-// For each part whether what is shown is a mirror image of it at rest.
+// Returns for each part whether it is shown as a mirror image of its rest.
 std::vector<char> mirrored_parts(const TiledPieces& pieces, const std::vector<Part>& parts);
 
 // The points of a base as its parts stand. `mirrored` is mirrored_parts(). O(#triangles).

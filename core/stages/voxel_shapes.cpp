@@ -51,7 +51,7 @@ VoxelShapes::Fit VoxelShapes::fit(const Ref<VoxelField>& field, const Tetrahedra
     });
 }
 
-// What changes the width, or the view, finds no line anew.
+// Keyed without width and amount, so that changing these, or the view, finds no line anew.
 Ref<LevelLines> VoxelShapes::further_lines(const ShownVolume& shown, const Ref<VoxelField>& all,
                                            const Ref<LevelMesh>& mesh, const MoreLines& wanted)
 {

@@ -261,7 +261,7 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const CutsOf&
                                             number_text(pieces.off)));
 }
 
-// What cuts an object, in this order: what cuts the bases of a layer of tiles comes first.
+// Returns the cuts of an object in their order: those of the bases of a layer of tiles come first.
 std::vector<CutsOf> cuts_of(const Stage& stage, const StepInput& input)
 {
     const auto is_cut = [](const Object& o) { return o.cutting.has_value(); };

@@ -32,7 +32,7 @@ public:
         double off = 0;                         // metres
         unsigned goes_through = 0, touches = 0; // something; bit i: cut i
     };
-    // What pieces come from; gaps are 0 in `cutting`.
+    // A Whole is the part that pieces are cut from; gaps are 0 in `cutting`.
     struct Whole {
         Ref<Mesh> mesh;       // null: tiles
         Ref<TileSet> tiles;   // null: a mesh

@@ -73,7 +73,7 @@ std::vector<PartOfIncision> parts_by_mesh(const Incision& cut, std::size_t numbe
     return out;
 }
 
-// What became of an incision, with that of one more part of it.
+// Adds the outcome of one more part of an incision.
 void add(IncisingEffects::OfIncision& told, const PartOfIncision& part,
          const IncisedMesh::Outcome& outcome, double metres)
 {
@@ -108,7 +108,7 @@ bool change_in_time(const Object& object, const std::vector<PartOfIncision>& inc
     });
 }
 
-// What of an object's incisions the topology depends on, and how walls are numbered.
+// Returns only the values on which the topology and the numbering of walls depend.
 Incising without_openings(Incising incising)
 {
     for (NamedIncision& each : incising.cuts) {

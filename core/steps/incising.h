@@ -18,7 +18,7 @@ class IncisingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
-    // What of an incision lies on one mesh.
+    // A PartOfIncision is the part of an incision that lies on one mesh.
     struct PartOfIncision {
         std::size_t number; // of the incision, the first one is 0
         std::size_t mesh;   // of the shape
@@ -45,7 +45,7 @@ public:
         std::vector<Wound> all; // by mesh
         std::vector<IncisingEffects::OfIncision> told;
     };
-    // What bends the flaps of a wound, and gives its mesh at openings and lifts.
+    // Frames bend the flaps of a wound, and give its mesh at openings and lifts.
     struct Frames {
         Ref<IncisedFlaps> flaps; // null: none
         Ref<OpenedFrames> frames;

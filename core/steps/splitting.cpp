@@ -98,8 +98,8 @@ Stage split_stage(const Stage& before, const Splitting& splitting, bool filled, 
     return out;
 }
 
-// What parts an object: its own splitting, or for a layer of tiles that of their base, or of
-// the base of that, so that tiles part with what they are painted on.
+// Returns the splitting of an object; for a layer of tiles without one that of its base, or of the
+// base of that, so that tiles part with the surface that they are painted on.
 std::optional<Splitting> splitting_of(const StepInput& input)
 {
     if (input.object.splitting || !input.object.tiles) return input.object.splitting;

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What the splitting of a part uses again at the next frame.
+// SplitPartMemory keeps what the splitting of a part uses again at the next frame.
 struct SplitPartMemory {
     SplitMemory split;
     Lender<Mesh> made; // results
@@ -24,7 +24,7 @@ public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    // What a field comes from: each obstacle's bodies, relative to the frame's origin.
+    // A Body is one source of a field: a body of an obstacle, relative to the frame's origin.
     struct Body {
         Ref<RayMesh> mesh;
         glm::dmat4 to_origin{1};

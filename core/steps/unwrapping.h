@@ -22,7 +22,7 @@ private:
         std::string trouble;
     };
     Recent<std::pair<Meshes, Unwrapping>, Ref<Unwraps>> unwraps_; // whatever pose they are in
-    // By whether it has a surface of its own, besides.
+    // The last bool of the key says whether it also has a surface of its own.
     Recent<std::tuple<Ref<Stage>, Unwrapping, bool>, Ref<Stage>> known_;
 };
 

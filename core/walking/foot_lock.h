@@ -26,7 +26,8 @@ std::vector<Shear> shears(const Foot& foot, const Stance& stance);
 // counts as 0, and so does a leg shorter than no_length times its distance from the origin.
 std::vector<double> bone_lengths(const Foot& foot, const Stance& stance);
 inline constexpr double no_length = 1e-9;
-// For each node, which of a leg's nodes moves it: an index into the leg, or -1 for none.
+// Returns for each node of the model which of the leg's nodes moves it: an index into the leg, or
+// -1 for none.
 std::vector<int> bones_of_nodes(const Model& model, const Foot& foot);
 
 // The share of the movement of its leg's end that the sole makes: a joint above the foot may move a

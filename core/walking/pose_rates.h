@@ -43,7 +43,7 @@ std::vector<NodeRates> node_rates(const Model& model, const std::vector<LocalRat
 std::vector<Rates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
                                 double to_s);
 
-// For each node, the foot whose leg moves it, or -1 for none.
+// Returns for each node the foot whose leg moves it, or -1 for none.
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);
 
 // The moments between the begin and the end of a clip at which the clip, or what is added to a

@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// What stands behind the door. None of these throws.
+// The function that trivar-codec.so exports. It throws nothing.
 DecodeResult decode_picture(const DecodeTask& task, const TakeRows& take);
 
 } // namespace trivar

@@ -23,8 +23,8 @@ struct GlbChunks {
     std::string json, binary;
 };
 
-// As glb_views(). To check that the rest of the file follows the format, compare it with
-// glb_container() of the same chunks.
+// Copies the chunks that glb_views() finds. To check that the rest of the file follows the format,
+// compare it with glb_container() of the same chunks.
 GlbChunks glb_chunks(std::string_view bytes);
 
 // The file of two chunks, each filled up to a multiple of four bytes. Throws Rejected above 4 GB.

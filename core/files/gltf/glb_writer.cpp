@@ -363,7 +363,7 @@ private:
     const Model& model_;
     GlbOptions options_;
     std::vector<std::vector<int>> groups_; // nodes that are written as instances
-    // By node: its group, and its number in the file; none: another one of its group has it.
+    // Each node's group, and its number in the file; none: another node of its group has it.
     std::vector<std::size_t> group_of_, number_;
     std::size_t node_count_ = 0; // in the file, before the holders
     GlbAccessors out_;

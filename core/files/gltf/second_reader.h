@@ -5,9 +5,8 @@
 
 namespace trivar {
 
-// What tinygltf finds in a GLB file as Trivar writes them, in the way of glb_content_of(): what
-// both readers find was not read by one mistake of our own. Throws Rejected, without the file's
-// name.
+// Reads with tinygltf the content of a GLB file of Trivar, in the form of glb_content_of(): if both
+// readers agree, no mistake of our own hides in reading. Throws Rejected, without the file's name.
 std::vector<GlbContent::Node> nodes_by_tinygltf(const std::string& bytes);
 
 } // namespace trivar

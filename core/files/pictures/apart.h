@@ -25,8 +25,8 @@ public:
     ApartDecoder(const ApartDecoder&) = delete;
     ApartDecoder& operator=(const ApartDecoder&) = delete;
 
-    // As Codec::decode. Throws Rejected, with the rest of a sentence, where the program did not
-    // survive the picture; the decoder then takes no more pictures.
+    // Decodes like Codec::decode. Throws Rejected, with the rest of a sentence, if the program did
+    // not survive the picture; the decoder then takes no more pictures.
     DecodeResult decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
     bool ended() const { return id_ < 0; }
 

@@ -8,9 +8,9 @@
 
 namespace trivar {
 
-// As Codec::decode, in this process and without a word: by libpng and libjpeg, which every browser
-// trusts with files of strangers. The head was found right before (kinds.h). May throw Rejected,
-// the rest of a sentence.
+// Decode like Codec::decode, but in this process and silently, with libpng and libjpeg, which every
+// browser trusts with files of strangers. The head was found right before (kinds.h). They may throw
+// Rejected, with the rest of a sentence.
 DecodeResult png_pixels(const DecodeTask& task, const TakeRows& take);
 DecodeResult jpeg_pixels(const DecodeTask& task, const TakeRows& take);
 

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-// What goes over the line between Trivar and trivar-picture: both are built from the same source,
-// and run on one machine. A message is one of these structs, then as many bytes as it says.
+// The messages between Trivar and trivar-picture, which are built from the same source and run on
+// one machine. A message is one of these structs, then as many bytes as it says.
 namespace trivar {
 
-// To the helper, a picture to decode: words (the format's name, then tags, each with a null byte
-// behind it), then the file's bytes.
+// A message to the helper: a picture to decode. Words follow (the format's name, then tags, each
+// ended by a null byte), then the file's bytes.
 struct PictureOrder {
     std::uint64_t file_bytes = 0, word_bytes = 0;
     std::uint64_t memory_bytes = 0; // it may take beside what it holds at its start
@@ -17,8 +17,8 @@ struct PictureOrder {
     std::uint32_t numbers = 0; // 1: rows are numbers and not colours
 };
 
-// From the helper: that it is there, rows of pixels, and at the end that all were there, with words
-// (tags and their texts, each with a null byte behind it), or that they are damaged.
+// A message of the helper: ready, pixel rows, complete, with words (tags and their texts, each
+// ended by a null byte), or damaged.
 struct PictureAnswer {
     enum class What : std::uint32_t { ready, rows, whole, damaged } what = What::damaged;
     std::int32_t bits = 0; // a channel of the file, where it is whole

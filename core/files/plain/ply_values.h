@@ -17,12 +17,12 @@ class PlyValues {
 public:
     PlyValues(std::string_view data, PlyHeader::Format format, const std::string& name);
 
-    // For the sentences: what is read now, counted from 0. The name must live on.
+    // Names the element, counted from 0, that errors mention from now on. The name must live on.
     void begin(const PlyElement& element, std::size_t index);
 
     // May be no finite number: in text infinity stands for what is none, or one too large.
     double value(PlyType type);
-    // Of a list, which the bytes that are left can hold.
+    // Reads the length of a list; the bytes that are left can hold that many.
     std::size_t list_length(const PlyProperty& property);
     void skip(const PlyProperty& property);
 

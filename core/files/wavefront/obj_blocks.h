@@ -37,7 +37,7 @@ struct ObjBlock {
     std::vector<ObjCorner> corners;
     std::vector<std::uint32_t> face_end; // into corners
     std::vector<std::uint32_t> left_out; // faces, rising
-    // as ObjCorner::v; absent also where the word is no index
+    // Vertex numbers as in ObjCorner::v; absent also if the word is no index.
     std::vector<std::int32_t> line_vertices;
     std::vector<std::uint32_t> line_end;       // into line_vertices
     std::vector<std::uint32_t> lines_left_out; // rising

@@ -116,7 +116,7 @@ private:
         add_place(out_, p, origin_);
     }
 
-    // As most programs read it: behind the position, as it is displayed.
+    // Writes the colour behind the position, as displayed, which is how most programs read it.
     void write_color(const glm::vec4& linear)
     {
         const glm::vec3 c = srgb_from_linear(glm::clamp(glm::vec3(linear), 0.0f, 1.0f));

@@ -23,7 +23,7 @@ NamedLibraries libraries_named(std::string_view words, FolderFiles& files);
 // Whether a keyword of an MTL is followed by the name of a picture.
 bool names_picture(std::string_view keyword);
 
-// What follows such a keyword.
+// A PictureLine is the text after a keyword that names a picture.
 struct PictureLine {
     std::string name; // as it is written
     std::optional<NamedFile> file;

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// Of a refinement that needs more triangles than it may have.
+// The end of the notice for a refinement that needs more triangles than it may have.
 inline constexpr const char* spent_budget_words = "that it may have are spent";
 
 // RefiningStep splits the triangles of parts in volumes, for the frame that is evaluated. Stage:

@@ -106,7 +106,7 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
         if (is_sample) out.samples.back() = anchored(*hits[i], scene, support, host);
     }
     if (any) return out;
-    // What lies on nothing but the ground stays there, whatever is moved near it.
+    // A stroke that lies on nothing but the ground stays there, whatever is moved near it.
     const bool on_ground = std::ranges::find(supports, 0, &Support::id) != supports.end();
     if (!on_ground || out.hosts.empty()) return {};
     out.samples.clear();

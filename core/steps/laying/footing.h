@@ -10,7 +10,8 @@
 
 namespace trivar {
 
-// Where a place of a mesh is in any pose of it: at these vertices, by these shares.
+// A Footing is a point of a mesh as barycentric weights of three vertices, so that it can be found
+// in any pose.
 struct Footing {
     glm::uvec3 vertices{0};
     glm::dvec3 shares{1, 0, 0};
@@ -22,7 +23,7 @@ Footing nearest_footing(const RayMesh& mesh, const glm::dvec3& p);
 // A mesh of a shape before a pose moves its vertices; null: it has none of that slot.
 Ref<Mesh> rest_mesh(const Shape& shape, int slot);
 
-// Where a sample's place on its host is now, in the host's own space.
+// A FootPlace is the present place of a sample on its host, in the host's own space.
 struct FootPlace {
     glm::dvec3 p{0}, normal{0};
 };

@@ -66,7 +66,7 @@ Ref<FacetSurface> facets_on(const TiledPieces& pieces, CoverLayout& out)
 // Tiles that are shorter than this share of what was asked for are told.
 constexpr double crowded_below = 0.5;
 
-// Of cells along their rows.
+// Returns the mean length of cells along their rows.
 double mean_length(const Covering& covering, std::span<const SurfacePoint> points)
 {
     double sum = 0;

@@ -35,7 +35,7 @@ std::optional<ChartUvs> chart_uvs_of(const TiledPieces& pieces, const CoverLayou
 std::function<SurfacePoint(const ChartPlace&)>
 surface_of(const CoverLayout& layout, const TiledPieces& pieces, const std::vector<Part>& parts);
 
-// Where the covering is as one member of its base stands; without heights. In parallel. O(#nodes).
+// Returns the covering as one member of its base stands, without heights. In parallel. O(#nodes).
 CoveringPose pose_of(const CoverLayout& layout, const TiledPieces& pieces,
                      const std::vector<Part>& parts);
 

@@ -11,7 +11,7 @@ namespace trivar {
 
 struct CoverLayout;
 
-// What tiles that cover a base come from.
+// A CoverInput is the input for tiles that cover a base.
 struct CoverInput {
     const Tiling& tiling;
     const TileKinds& kinds; // of its tiles
@@ -76,11 +76,11 @@ private:
     Recent<ModelKey, CoverModel> models_{64};
 };
 
-// What helps where tiles have too many vertices to be drawn.
+// The advice for the user where tiles have too many vertices to be drawn.
 inline constexpr const char* too_heavy_tiles_words =
     "simplify the object that the tiles are copies of, or lay fewer or larger ones";
 
-// Of what is covered by its texture coordinates or displaced.
+// The fault of a base that is to be covered by texture coordinates, or displaced.
 inline constexpr const char* lacks_uvs_words = "has no UVs";
 
 // A sentence for so many tiles of each kind that they cannot be shown; else empty.

@@ -13,7 +13,7 @@ namespace trivar {
 struct FoundMasks {
     Ref<TileMasks> masks;   // null: there are none that do anything
     Ref<TileBase> textured; // the meshes of the base with their texture coordinates; null: not read
-    // What its masks lack: an image, a curve that was deleted.
+    // Sentences on what is missing for its masks: an image, a curve that was deleted.
     std::vector<std::string> notices, lacks;
     bool operator==(const FoundMasks&) const = default;
 

@@ -59,7 +59,7 @@ struct PaintedInput {
 // as they were keep what was computed of them. A dab of a brush costs what it changes.
 class PaintedTiles {
 public:
-    // Where the base's meshes do not change, the charts of tiles that stay are kept.
+    // Returns the charts; while the base's meshes do not change, those of tiles that stay are kept.
     Ref<TileCharts> charts(const FoundLimit& limit, const Ref<TileBase>& base,
                            const Ref<TileLayout>& layout, const TileLook& look);
     struct Placed {

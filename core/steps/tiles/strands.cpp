@@ -167,8 +167,8 @@ KindPlaces places_of(const TileKinds& kinds, const TileLook& look)
     return out;
 }
 
-// By how much of the variation of the wave each station is ahead: the tiles' own shares of chance,
-// the mean of both where two tiles meet, and linear between.
+// Returns by how much of the wave's variation each station is ahead: the random shares of the
+// tiles, the mean of both where two tiles meet, and linear between.
 std::vector<double> random_shares(const StrandLayout& layout)
 {
     const auto own = [&](const StrandCell& cell) {

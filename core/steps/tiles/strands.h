@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What the strands of a layer come from.
+// A StrandInput is the input for the strands of a layer.
 struct StrandInput {
     const Tiling& tiling;
     const TileKinds& kinds; // of its tiles
@@ -24,7 +24,7 @@ struct StrandParts {
     std::vector<Part> parts; // in the world
     TileCounts counts;
     std::vector<std::string> notices;
-    // By stroke, the greatest height of its tiles as a share of that which is proven; 0: not asked.
+    // The greatest height of each stroke's tiles as a share of the proven limit; 0: not asked.
     std::vector<double> of_limit;
 };
 

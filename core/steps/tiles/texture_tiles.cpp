@@ -58,7 +58,7 @@ std::vector<std::optional<SurfacePlace>> places_of(const AllSpots& all, const Ti
     for (std::size_t i = 0; i < all.spots.size(); ++i) {
         const TextureSpot& spot = all.spots[i];
         SurfacePlace at{base.first_triangle(all.piece[i]) + spot.triangle, spot.weights};
-        // Of a mirrored mesh the base has triangles the other way round.
+        // The base has the triangles of a mirrored mesh the other way round.
         if (glm::determinant(glm::dmat3(pieces[all.piece[i]].to_model)) < 0)
             std::swap(at.weights.y, at.weights.z);
         out.push_back(inside(at));

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// Where the tiles of a cover by texture are on their base at rest.
+// A TextureLayout places the tiles of a cover by texture on their base at rest.
 struct TextureLayout {
     std::vector<Tile> tiles; // they count as painted within a second, from the lowest row up
     bool too_many = false;

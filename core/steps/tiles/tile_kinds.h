@@ -50,7 +50,7 @@ struct TileKinds {
     // has morphed, that chooses the phase.
     std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0,
                    bool mirrored = false) const;
-    // Of what object the parts of a layer with each number of a mesh are copies.
+    // Returns the object that the parts of a layer copy, by the number of their mesh.
     std::vector<Id> objects_of_meshes() const;
     std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };

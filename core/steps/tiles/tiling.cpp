@@ -25,7 +25,7 @@ std::string tiles(int count)
     return count == 1 ? "1 tile is" : with_commas(static_cast<std::uint64_t>(count)) + " tiles are";
 }
 
-// Of strokes that should lay tiles and have none.
+// Adds notices on strokes that should lay tiles and have none.
 void tell_empty_strokes(Stage& stage, const TileLayout& layout, const Tiling& tiling)
 {
     std::vector<char> lacks; // by stroke

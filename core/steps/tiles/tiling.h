@@ -64,14 +64,14 @@ private:
                     const StepInput& input);
     OutlineKey outline_key(const Painted& strokes, const LaidKinds& laid,
                            const TileLook& look) const;
-    // Of each tile whether it overlaps an earlier one that stays.
+    // Returns for each tile whether it overlaps an earlier one that stays.
     Ref<std::vector<char>> left_out(const Painted& strokes, const LaidKinds& laid,
                                     const OutlineKey& key);
     std::size_t count_overlaps(const Painted& strokes, const LaidKinds& laid,
                                const OutlineKey& key);
 
-    // What of a base its tiles are laid on. While only its cuts and its splitting change, it is the
-    // same, and so is all that is laid.
+    // Uncut is the part of a base on which tiles are laid. It stays the same, with all that is
+    // laid, while only the base's cuts and its splitting change.
     struct Uncut {
         std::vector<Part> parts;
         Ref<Shape> shape;
