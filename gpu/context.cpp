@@ -31,7 +31,7 @@ EGLDisplay surfaceless_display()
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
 }
 
-// Those of the device platform, or only those that are no software.
+// Returns the displays of the device platform, or only those that are no software.
 std::vector<EGLDisplay> device_displays(bool hardware_only)
 {
     std::vector<EGLDisplay> out;

@@ -15,7 +15,7 @@ struct DepthRange {
     double near_world, far_world;
 };
 
-// What the scene and its helpers occupy along the view direction, with a little air.
+// Returns the depths that the scene and its helpers occupy along the view direction, with a margin.
 DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene& scene)
 {
     double lo = 1e300, hi = -1e300;

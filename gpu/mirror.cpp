@@ -57,7 +57,7 @@ Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
     auto found = meshes_.find(mesh.get());
     // A dead mesh's address may have been taken by another one.
     if (found == meshes_.end() || found->second.alive.lock() != mesh) {
-        // What there is no room for leaves no half of itself behind.
+        // A mesh for which there is no room leaves no half of itself behind.
         MeshEntry made{mesh, uploaded(*mesh, faces_(*mesh)), {}, {}};
         made.mirrored.serial = ++uploads_;
         found = meshes_.insert_or_assign(mesh.get(), std::move(made)).first;

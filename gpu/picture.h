@@ -49,7 +49,7 @@ struct Instance {
 struct ValueColors {
     bool diverging = true; // lightest in the middle; false: from dark to light
     bool ratios = true;    // shown by log2; values of 0 and less are hatched
-    // of the shown values; values beyond have the colour of the nearest end
+    // The range of the shown values; values beyond have the colour of the nearest end.
     glm::vec2 range = glm::vec2(-1, 1);
 };
 
@@ -104,8 +104,8 @@ struct Picture {
     std::vector<Line> lines;
     Outline outline;
     EdgeStyle edges = {};
-    // Where set, colours show the values of instances in place of materials; instances without
-    // values are grey.
+    // If set, colours show the values of instances in place of materials; instances without values
+    // are grey.
     std::optional<ValueColors> value_colors;
     DeformBy deform_by = DeformBy::two_phases; // instances that have stages
     int samples = 4;                           // of antialiasing

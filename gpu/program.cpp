@@ -37,7 +37,7 @@ std::vector<ShaderSource> sources(const ProgramName& name, const ShaderTexts* te
     return out;
 }
 
-// What the vertex shader's outputs are written to: a buffer each.
+// Sends the outputs of the vertex shader to buffers, one each.
 void capture(GLuint program, const std::vector<std::string>& outputs)
 {
     std::vector<const char*> names;

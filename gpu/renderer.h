@@ -50,8 +50,8 @@ public:
 
     // The times of the passes of the last picture (by fences on software GL).
     const Timings& timings() const;
-    // Of the last picture that was begun, or of an earlier one where the graphics card chooses and
-    // is not done yet: then this does not wait.
+    // Returns the counts of the last picture that was begun, or of an earlier one if the graphics
+    // card chooses and is not done yet; so it never waits.
     const TileCounts& tile_counts() const;
     // Whether the graphics card chooses which tiles are drawn, or the processor does; the same
     // tiles. Without a call the faster one. Without OpenGL 4.3 it is always the processor.

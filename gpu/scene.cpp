@@ -188,7 +188,7 @@ void add_tiles(Scene& scene, const Instance& instance, const Picture& picture, c
         }
 }
 
-// What is drawn of an instance, and what has an outline of it.
+// Adds the drawn items of an instance, and those of its outline.
 void add_instance(Scene& scene, const Instance& instance, const Picture& picture, const Box& box,
                   Mirror& mirror, const DeformedMesh* deformed)
 {

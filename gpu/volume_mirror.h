@@ -24,7 +24,7 @@ struct MirroredVolume {
     Texture2D transfer;                            // a row: TransferTable::before
     Texture3D empty;                               // EmptyBricks::reach
     Texture3D open;                                // OpenBricks::share
-    // Of what the textures have, x a + y is the share of the range of the data.
+    // Each maps a value v of its texture to the share v x + y of the range of the data.
     glm::vec2 sample_share{1, 0}, coefficient_share{1, 0};
     FieldOrder order = FieldOrder::linear;
     glm::vec3 last{0}; // the greatest coordinates

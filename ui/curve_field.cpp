@@ -53,7 +53,8 @@ int point_at(const std::vector<glm::dvec2>& points, const Plot& plot, glm::vec2 
     return nearest;
 }
 
-// What the value of a point between two others may be; `after` is the index of the next one.
+// Returns the range of the value of a point between two others; `after` is the index of the next
+// one.
 glm::dvec2 range_between(const std::vector<glm::dvec2>& points, std::size_t before,
                          std::size_t after, const CurveStyle& style)
 {

@@ -21,7 +21,7 @@ struct FileRequest {
     std::string name;    // suggested
     std::string option = {}; // of a check box at the foot; empty: none
     bool option_on = false;  // at first
-    // Of a button that takes the folder that is selected, else the one that is shown; empty: none.
+    // The words of a button that takes the selected folder, else the shown one; empty: no button.
     std::string take_folder = {};
 };
 
@@ -48,7 +48,7 @@ private:
     std::filesystem::path absolute(const std::string& typed) const;
     std::filesystem::path with_extension(std::filesystem::path path) const; // where it has none
 
-    // What has the keyboard, in the order of Tab.
+    // The part that has the keyboard, in the order of Tab.
     enum class Focus { field, option, cancel, agree };
     Focus focus_ = Focus::field;
     bool open_ = false, just_opened_ = false;

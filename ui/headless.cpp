@@ -28,7 +28,7 @@ Image read_back(unsigned framebuffer, glm::ivec2 size_px)
     return image;
 }
 
-// As long as it lives ImGui is somebody else's.
+// OtherInterface sets ImGui's context aside as long as it lives.
 class OtherInterface {
 public:
     OtherInterface() { ImGui::SetCurrentContext(nullptr); }

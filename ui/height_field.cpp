@@ -68,7 +68,7 @@ Color mixed_color(Color a, Color b, float share)
     return out;
 }
 
-// From the back to the front, lit from the left and above.
+// Paints from back to front, lit from the left and above.
 void paint_surface(const Theme& theme, const HeightPlot& plot, const HeightStyle& style)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();

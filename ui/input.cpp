@@ -10,7 +10,8 @@
 namespace trivar::ui {
 namespace {
 
-// What makes ImGui take a press for a second one, if it is in the same place, or never.
+// Limits that make ImGui take a press for a second one: always, if it is in the same place, or
+// never.
 constexpr float always_s = 1e9f, never_s = -1;
 // A mouse so far to the left has left the window.
 constexpr float outside_px = 1e5f;

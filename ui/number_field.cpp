@@ -41,7 +41,7 @@ struct Memory {
     void set_travel(float px) const { ImGui::GetStateStorage()->SetFloat(id + 3, px); }
     bool refused() const { return ImGui::GetStateStorage()->GetBool(id + 4); } // what was typed
     void refuse(bool refused) const { ImGui::GetStateStorage()->SetBool(id + 4, refused); }
-    // What was typed and left could not be taken; said till the hand does something else.
+    // The reason why the typed text was not taken; it stays until the person does something else.
     enum Dropped { nothing, no_number, too_small, too_large };
     Dropped dropped() const
     {
@@ -72,7 +72,7 @@ double moved_past(double stop, double start, double travel_px, double per_px)
     return std::max(stop, free - held_px * per_px);
 }
 
-// What a drag goes in while Ctrl is held: about a tenth of the value or of the range.
+// Returns the step of a drag while Ctrl is held: about a tenth of the value or of the range.
 double round_step(double start, const NumberStyle& style)
 {
     if (style.step > 0) return 5 * style.step;
@@ -155,7 +155,7 @@ bool takes_typing()
 // Frames after which a field that is opened has the keyboard.
 constexpr float keyboard_comes = 2;
 
-// What is there when typing begins: without the noise of sums, -1.34 for -1.3399999999999999.
+// Returns the text when typing begins, without the noise of sums: -1.34 for -1.3399999999999999.
 std::string typed_text(double value)
 {
     const double clean = rounded(value, 12);
@@ -219,7 +219,7 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
 {
     const bool fresh = memory.travel() == 0;
     std::string text = typed_text(memory.get());
-    // What was not taken stands there still when the field is opened anew.
+    // A text that was not taken is still there when the field is opened again.
     const ImGuiInputTextState* before = ImGui::GetInputTextState(ImGui::GetID("##typed"));
     if (memory.travel() < keyboard_comes && memory.refused() && before) text = before->TextA.Data;
     text.resize(64);
@@ -261,7 +261,7 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     return Edit::changed;
 }
 
-// By the right button: the value to other fields, and from them.
+// Offers, on the right button, to copy the value and to paste one.
 Edit value_menu(double& value, const NumberStyle& style)
 {
     const bool commands = offers_commands();

@@ -24,7 +24,7 @@ Rect inner(const Rect& rect, float thickness)
     return rect.grown(-thickness / 2);
 }
 
-// Of whole characters, and at least one.
+// Returns the bytes of the whole characters that fit, at least one.
 std::size_t bytes_that_fit(const ImFont* font, std::string_view text, float width)
 {
     std::size_t fits = 0, end = 0;

@@ -172,7 +172,7 @@ Palette with_overlays(Palette palette, const Look& look)
 
 double difference(Color a, Color b, Eyes eyes)
 {
-    // From linear sRGB to linear sRGB, by rows.
+    // Matrices from linear sRGB to linear sRGB as seen, by rows.
     constexpr double seen[4][3][3] = {
         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
         {{.152286, 1.052583, -.204868},

@@ -6,7 +6,7 @@
 namespace trivar::ui {
 namespace {
 
-// What is never broken; several stand side by side where no space is between them.
+// A Word is never broken; several stand side by side if no space is between them.
 struct Word {
     Run::Kind kind;
     std::string text;

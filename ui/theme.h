@@ -15,7 +15,7 @@ struct Metrics {
     float rounding, rounding_small, rounding_card, hairline;
 };
 
-// All but `display` and `mono` carry the icons too; their figures are tabular.
+// Fonts other than `display` and `mono` carry the icons too; their figures are tabular.
 struct Fonts {
     ImFont *body, *strong, *small, *small_strong, *title, *display, *mono, *tool, *large_icon;
 };

@@ -123,7 +123,7 @@ std::optional<Rect> draw_card(const Theme& theme, const Rect& room, const Timing
     const glm::vec2 graph_at = at + theme.px(margin_px) + glm::vec2(0, theme.px(row_px));
     const Rect graph = rect_at(graph_at, {width - theme.px(2 * margin_px), theme.px(graph_px)});
 
-    // What is shown has to be known before the card is drawn under it.
+    // The shown picture has to be known before the card is drawn under it.
     ImGui::SetCursorScreenPos({graph.lo.x, graph.lo.y});
     const bool clicked = ImGui::InvisibleButton("graph", {graph.width(), graph.height()});
     const long under =

@@ -30,7 +30,7 @@ struct TimingSources {
 struct TimingView {
     bool open = false;
     long held = 0; // number, from 1, of the picture that is shown in place of the newest; 0: none
-    // What was asked for in this frame: another way, by its number; and that all ways are measured.
+    // Requests of this frame: another way, by its number; and that all ways are measured.
     std::optional<std::size_t> other_way = {};
     bool measure_ways = false;
 };

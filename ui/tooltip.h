@@ -37,7 +37,7 @@ public:
         Side side = Side::below;
     };
     void offer(Offer offer);
-    // What is offered from here on does not apply now, and why; empty: it does.
+    // Greys out all offers from here on and says why they do not apply now; empty: they do.
     void grey(std::string why_not) { why_not_ = std::move(why_not); }
     void draw(const Theme& theme, Frame& frame); // once, when all things are drawn
     const std::optional<Tip>& shown() const { return shown_; }

@@ -75,7 +75,7 @@ void drag_point(std::vector<TransferPoint>& points, std::size_t i, glm::vec2 to,
     p.opacity = plot.opacity(to.y);
 }
 
-// What is below the line, in its colours, and the line.
+// Paints the area below the line in its colours, and the line.
 void paint_function(const Theme& theme, const TransferPlot& plot,
                     const std::vector<TransferPoint>& points)
 {

@@ -38,7 +38,7 @@ ImGuiID command_key()
     return ImHashStr("fields set commands");
 }
 
-// By the right button on the last item, where its window offers commands.
+// Opens the menu of commands on the right button over the last item, if its window offers them.
 Edit command_menu(const std::string& id)
 {
     if (!offers_commands()) return Edit::none;

@@ -40,7 +40,7 @@ struct NumberStyle {
     double usual = 0.04;    // without range and step, drags of smaller values go as those of this
     double factor = 1;      // from a value to what is shown; all the numbers above are values
 };
-// Of a share that is shown as per cent.
+// Styles a share that is shown as per cent.
 NumberStyle percent_style(double lo = 0, double hi = 1);
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width);
@@ -128,8 +128,8 @@ void gap(const Theme& theme, float height_at_scale_1);
 void empty_state(const Theme& theme, const Rect& in, const char* icon, const std::string& title,
                  const std::string& body);
 
-// What a field shows of a number: all of up to six digits, else four, and no more than fit. Whole
-// steps are shown in whole.
+// Returns a number as a field shows it: all of up to six digits, else four, and no more than fit.
+// Whole steps are shown in whole.
 std::string number_in_field(double value, double step,
                             const std::function<bool(const std::string&)>& fits);
 // A number_text of three digits, two decimals where they are known: 0.40 beside 0.42.

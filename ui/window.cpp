@@ -111,7 +111,7 @@ struct Window::State {
             glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
         };
     }
-    // What the panels need beside one another, but no more than the screen has.
+    // Keeps the window as large as the panels need side by side, but no larger than the screen.
     void limit_size()
     {
         glm::vec2 scale(1);
@@ -199,7 +199,7 @@ struct Window::State {
         return glfwGetPrimaryMonitor();
     }
 
-    // What came while a frame was drawn is heard of after it.
+    // Queues an event; one that comes while a frame is drawn is handled after it.
     void push(Event event)
     {
         constexpr double most_s = 0.4;

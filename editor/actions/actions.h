@@ -21,7 +21,7 @@ inline constexpr const char* preferences_action = "Preferences...";
 const Action& action(const Editor& editor, const std::string& name);
 bool is_enabled(const Editor& editor, const Action& action);
 std::string key_text(const Action& action); // "" without a key
-// What its button says: the sentence, and why it cannot be pressed.
+// Returns the tooltip of its button: the sentence, and why it cannot be pressed.
 ui::Tip tip_of(const Editor& editor, const Action& action, std::string sentence = {});
 
 } // namespace trivar

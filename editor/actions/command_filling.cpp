@@ -86,7 +86,7 @@ bool next_field(Editor& editor, int step)
     CommandForm without = form;
     without.fields[form.at].typed.clear();
     const std::string why = refusal(form, document);
-    // What is missing in the others is said when it runs.
+    // Faults of the other fields are reported when the command runs.
     form.trouble = refusal(without, document).empty() ? why : "";
     if (unreadable(without, document).empty() && !unreadable(form, document).empty())
         form.trouble = why;

@@ -42,7 +42,7 @@ void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
                           {}, of_clipboard);
 }
 
-// Those among the selected that lie on a stroke, attached or not.
+// Returns the selected objects that lie on a stroke: attached ones, or others.
 std::vector<Id> laid(const Editor& e, bool attached)
 {
     std::vector<Id> out;

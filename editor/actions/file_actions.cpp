@@ -15,7 +15,7 @@ void keep_frames_of(const Time& time, int& first, int& last)
     last = std::clamp(last, first, time.last_frame);
 }
 
-// As recordings have it: one picture is one of their frames.
+// Returns the size of recordings: a single picture is one of their frames.
 glm::ivec2 picture_size(Editor& e)
 {
     const RecordPlan& plan = e.memory.of<RecordDialog>().plan;

@@ -25,7 +25,7 @@ namespace {
 
 using Hand = KeyGesture::Hand;
 
-// Of the selected objects, where any has keys, else all.
+// Returns the selected objects if any of them has keys, else all objects.
 std::vector<Id> ids_with_keys(const Editor& e)
 {
     const std::vector<Id> all = animated_ids(e.session.document());
@@ -50,7 +50,7 @@ void go_to_key(Editor& e, bool forward)
         e.session.show_frame(static_cast<int>(forward ? std::ceil(*best) : std::floor(*best)));
 }
 
-// Of the parts that the tool has chosen, where the mouse means nothing else.
+// Returns the numbers of the parts that the tool has chosen, unless the mouse means something else.
 std::optional<std::vector<std::string>> numbers_of_parts(const Editor& e)
 {
     if (e.timeline.hovered || !e.keys_under_mouse.empty()) return {};

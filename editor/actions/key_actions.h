@@ -10,13 +10,13 @@ inline constexpr const char *insert_key_action = "Insert key", *remove_key_actio
                             *next_key_action = "Next key", *previous_key_action = "Previous key",
                             *auto_key_action = "Auto-key";
 
-// What the menu Animate holds about keys.
+// Adds the actions of the menu Animate that work on keys.
 void add_key_actions(std::vector<Action>& actions);
 // With the mouse over the open timeline what chooses, deletes, copies, moves, scales and frames
 // does so with keys, by whichever keys it has.
 void let_keys_take(std::vector<Action>& actions);
 
-// What of a kept view changes in time: where from, where to, and how wide.
+// Returns the numbers of a kept view that can be animated: its position, its target and its angle.
 std::vector<std::string> names_of_view(const std::string& view);
 
 // Opens the timeline with these tracks chosen.

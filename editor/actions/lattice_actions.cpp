@@ -23,7 +23,7 @@ Id selected_lattice(const Session& session)
     return 0;
 }
 
-// What is selected beside it and not in it yet.
+// Returns the selected objects beside a lattice that are not in it yet.
 std::vector<Id> to_add(const Session& session, Id lattice)
 {
     std::vector<Id> ids = session.selected.ids();
@@ -42,7 +42,7 @@ Id lattice_of(const Document& document, Id id)
     return 0;
 }
 
-// What is selected and stands in the same lattice as the first of them that is in one.
+// Returns the selected objects that stand in the same lattice as the first of them that is in one.
 std::vector<Id> to_take_out(const Session& session)
 {
     const Document& document = session.document();

@@ -17,7 +17,7 @@
 namespace trivar {
 namespace {
 
-// What a deletion does to what lies on a stroke, in the order in which it is said.
+// The effects of a deletion on objects that lie on a stroke, in the order in which they are told.
 enum class Fate { with_the_rest, where_drawn, straight, anew };
 constexpr std::array<std::array<const char*, 2>, 4> fates{{
     {" goes with the rest of what carried it.", " go with the rest of what carried them."},

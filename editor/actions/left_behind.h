@@ -17,8 +17,9 @@ struct LeftBehind {
     std::vector<Id> dependents, gone; // objects that used deleted ones; the deleted ones they used
 };
 
-// What becomes of objects that used deleted ones, by lying on them, as tiles, as obstacles, blades
-// or curves. `lies_on` says of a stroke that is not attached whether it lies on an object.
+// Finds the effects of a deletion on objects that used the deleted ones: by lying on them, as
+// tiles, as obstacles, blades or curves. `lies_on` says of a stroke that is not attached whether it
+// lies on an object.
 LeftBehind left_behind(const Document& before, const Document& after,
                        const std::function<bool(Id laid, Id on)>& lies_on);
 

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// For each name a letter by which it is chosen: the first of its letters that is not used by an
-// earlier name and not `taken`, as a capital; 0 where no letter is left.
+// Returns a letter for each name by which it is chosen: the first of its letters that no earlier
+// name uses and that is not `taken`, as a capital; 0 if no letter is left.
 std::vector<char> menu_letters(const std::vector<std::string>& names, std::string_view taken = {});
 
 } // namespace trivar

@@ -73,7 +73,8 @@ std::string why_not(const Command& command, const Editor& editor)
                : "";
 }
 
-// What nobody can fill in field by field is written into the field of the log, to be changed.
+// Writes a command that cannot be filled in field by field into the field of the log, to be
+// changed.
 void write_into_log(const Command& ready, Editor& editor)
 {
     editor.preferences.show_dock = true;

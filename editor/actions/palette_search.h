@@ -6,10 +6,10 @@
 
 namespace trivar {
 
-// What is found of the entries by what is typed, the best first: names that hold it as it stands,
-// then what artists call by that word elsewhere (editor/words/synonyms.h), then names that hold its
-// letters in order where there are few of them or nothing was found before, then entries whose
-// description has a word that begins with it. Without letters: the recent ones, then all others.
+// Searches the entries, the best first: names that hold the typed text as it stands, then entries
+// that other programs call by that word (editor/words/synonyms.h), then names that hold its letters
+// in order, if they are few or nothing was found before, then entries whose description has a word
+// that begins with it. Without letters: the recent ones, then all others.
 std::vector<RankedName> found_entries(std::string_view typed,
                                       const std::vector<PaletteEntry>& entries,
                                       const std::vector<std::string>& recent);

@@ -19,7 +19,7 @@ std::vector<Id> objects_that(const Editor& e, const std::function<bool(Id)>& fit
     return ids;
 }
 
-// What a click on it would select.
+// Whether a click could select the object.
 bool in_reach(const Session& session, Id id)
 {
     const Document& document = session.document();

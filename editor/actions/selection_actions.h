@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// What changes the selection and what is seen of it: all, none, the others, of one type.
+// Adds the actions that change the selection or how it is shown: all, none, the others, of one
+// type.
 void add_selection_actions(std::vector<Action>& actions);
 
 } // namespace trivar

@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// Those of the selected objects that have a surface and are as wanted.
+// Returns the selected objects that have a surface and are `wanted`.
 std::vector<Id> selected_surfaces(const Editor& e, const auto& wanted)
 {
     std::vector<Id> out;

@@ -11,7 +11,7 @@ inline constexpr const char *play_action = "Play or pause", *next_frame_action =
                             *loop_action = "Play in a loop", *timeline_action = "Timeline",
                             *make_room_action = "Extend range to fit motion";
 
-// What the menu Animate holds.
+// Adds the actions of the menu Animate.
 void add_time_actions(std::vector<Action>& actions);
 
 } // namespace trivar

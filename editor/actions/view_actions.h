@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// Where the scene is looked at from; and what of the window is seen, and how large.
+// Add the actions that change the view of the scene, and those that show, hide and scale parts of
+// the window.
 void add_view_actions(std::vector<Action>& actions);
 void add_window_actions(std::vector<Action>& actions);
 

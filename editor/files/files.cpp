@@ -41,7 +41,7 @@ struct ExportWords {
     std::string title, body;
 };
 
-// What was written, and how near it is certified to be to the true surfaces.
+// Words the notice on an export: the file, and how near it is certified to be to the true surfaces.
 ExportWords words_of_export(const std::string& path, const std::string& scene,
                             const std::optional<Certificate>& certificate)
 {
@@ -218,7 +218,7 @@ void Files::ask_missing()
 {
     const std::vector<Id> missing = missing_files(*session_);
     if (!missing.empty()) return ask_relink(missing.front());
-    // What is not shown has its files again, and they were not looked at since.
+    // Objects that are not shown may have their files again without having been read since.
     if (const std::vector<Id> broken = session_->not_shown(); reads_files(*session_, broken))
         return read_anew(*session_, broken);
     session_->notices.say(ui::NoticeKind::good, "No file is missing",
@@ -372,7 +372,7 @@ void Files::write_model_to(const std::string& path, bool instances)
         .lines = static_cast<int>(scene.lines().size()),
         .instances = by_instances ? std::optional(default_tolerance) : std::nullopt,
     };
-    // What is seen, if that is what the file of the scene says.
+    // Takes the scene as it is shown, if that is the state that the file will hold.
     std::optional<Evaluation> seen;
     if (session_->up_to_date() && !session_->proposing() && !session_->previewing())
         seen = session_->evaluated();

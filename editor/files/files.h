@@ -74,10 +74,10 @@ public:
     // Scenes to try, offered over an empty viewport: a copy is opened, they stay unchanged.
     std::vector<std::string> samples;
     std::string own_models_folder; // of the models that come with the program; empty: not found
-    // From the preferences: where dialogs begin that have no better place, and whether it is asked
-    // what becomes of a scene without a name.
+    // Copied from the preferences: the folders in which dialogs begin that have no better place,
+    // and whether it is asked what becomes of a scene without a name.
     std::string scenes_folder, models_folder;
-    // What is done with a picture that was dropped.
+    // Uses a picture that was dropped on the window.
     std::function<void(const std::string&)> use_dropped_image;
     bool ask_to_keep = true;
 
@@ -126,7 +126,7 @@ private:
     void measure_imported();
     bool tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
     void tell_of_facets(std::vector<Id> fresh); // where scans have no normals; offers to shade them
-    // What fails is said in the dialog that asked for the file, or else in a notice.
+    // Reports a failure in the dialog that asked for the file, or else in a notice.
     void write_scene(const std::string& path, bool compact, bool from_dialog = false);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 

@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// What every file system takes as a name.
+// Turns a name into one that every file system accepts.
 std::string as_file_name(std::string name)
 {
     constexpr std::size_t longest = 60;

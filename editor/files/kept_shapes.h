@@ -10,7 +10,8 @@ namespace trivar {
 bool keeps_shapes(const Session& session);
 // A free file in the scene's folder for shapes, for something of that name. Throws Rejected.
 std::string kept_file(Session& session, const std::string& name);
-// What an object shows as a model of its own, in the space to which the matrix takes the world.
+// Returns an object as shown as a model of its own, in the space into which the matrix transforms
+// the world.
 Model kept_model(const EvaluatedObject& object, const Document& then, const glm::dmat4& from_world);
 
 // The command that deletes a lattice and keeps its contents in their present shape. It names one

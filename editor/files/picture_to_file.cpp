@@ -19,7 +19,7 @@ namespace trivar {
 namespace fs = std::filesystem;
 namespace {
 
-// Of a scene without a file: among the person's pictures.
+// Returns the folder for pictures of a scene without a file: the person's pictures.
 fs::path pictures_folder()
 {
     const char* home = std::getenv("HOME");

@@ -12,8 +12,8 @@ struct Places {
     std::string models;                              // in a checkout those that the build makes
 };
 
-// As `cmake --install` puts them beside the program's own folder, else those of the checkout that
-// it was built in; empty where there is neither.
+// Returns the places where `cmake --install` puts them beside the program's own folder, else those
+// of the checkout in which it was built; empty if there is neither.
 Places places_of(const std::filesystem::path& program);
 
 } // namespace trivar

@@ -89,7 +89,7 @@ PlainMesh made(const PlainMeshJob& asked, const Progress& progress)
     return out;
 }
 
-// What the object carries goes on to be carried, by how its new model stands.
+// Keeps the strokes on the object attached to it, by the transform of its new model.
 void keep_riders(const Session& session, ApplyShape& command)
 {
     const Document& document = session.document();

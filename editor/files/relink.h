@@ -16,7 +16,7 @@ std::vector<Id> missing_files(const Session& session);
 // The file of an object that another one would replace, where the scene looks for it; empty: none.
 std::string file_to_relink(const Session& session, Id object);
 
-// What the file of an object is that would be replaced: one that is missing, if there is one.
+// Returns the kind of file of an object that would be replaced: a missing one, if there is one.
 NamedFile::Kind kind_to_relink(const Session& session, Id object);
 
 // Takes a model, a picture or volume data of an object from another file, as a job: of several the

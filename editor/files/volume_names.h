@@ -11,7 +11,7 @@ const std::vector<std::string>& volume_extensions(); // of files that may be vol
 bool is_volume(const std::string& path);
 // Whether a file has no head that says how its samples lie, by its name.
 bool is_raw_volume(const std::string& path);
-// What an object is called that is read from it: "anatomical" of "anatomical.nii.gz".
+// Returns the name of an object that is read from a file: "anatomical" for "anatomical.nii.gz".
 std::string volume_name(const std::string& path);
 
 } // namespace trivar

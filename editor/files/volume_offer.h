@@ -18,8 +18,9 @@ struct VolumeSlice {
     Image image;
     double shape = 1; // its width over its height in space
 };
-// From above (the front at the top), from the front and from the side: of a body its head at the
-// top. At most 320 pixels wide and high; values from the lowest to the highest thousandth.
+// Returns the middle slices seen from above (the front at the top), from the front and from the
+// side; the head of a body is at the top. At most 320 pixels wide and high; values from the lowest
+// to the highest thousandth.
 std::array<VolumeSlice, 3> middle_slices(const VoxelGrid& grid, const VolumeSummary& summary);
 
 // Which direction of the data points up in the scene.
@@ -35,7 +36,7 @@ struct Keeping {
 // The ways to keep a box of samples that fit into so much memory, the finest first, at most 8;
 // none where none does.
 std::vector<Keeping> keepings(GridPart part, std::uint64_t memory_bytes);
-// What volume data may take in the window: half of the memory that this computer has.
+// Returns the memory that volume data may take in the window: half of this computer's.
 std::uint64_t volume_memory();
 
 // A VolumeOffer is volume data as they are shown before they come into the scene, and how they are

@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// What a hand did to the .svg that is about to be written anew; nothing where it was not drawn
+// Reads the edits by hand in the .svg that is about to be written anew; empty if it was not drawn
 // here.
 HandEdits edits_of_earlier(const std::string& path)
 {

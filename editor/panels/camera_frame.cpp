@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Of what a picture shows from top to bottom, in units that are the same for all its shapes.
+// Returns the height that a picture shows, in units that are the same for all its shapes.
 double height_of(const Camera& camera)
 {
     return camera.perspective ? std::tan(camera.fov_y / 2) : camera.height_world;

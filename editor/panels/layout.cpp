@@ -59,7 +59,7 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
     const int columns = arrange_tools(l, theme, y1 - y0, std::max(1, static_cast<int>(tools)));
     const float strip =
         m.tool_strip + static_cast<float>(columns - 1) * (m.tool_button + theme.px(tool_gap_px));
-    // What a person asked for, as far as a small window has room.
+    // The width of the dock is the one that the person chose, as far as a small window has room.
     const float dock = std::round(std::min(theme.px(static_cast<float>(preferences.dock)),
                                            std::max(theme.px(256), width * 0.34f)));
     l.dock = preferences.show_dock && width > dock + strip + theme.px(160);

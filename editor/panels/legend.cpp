@@ -23,7 +23,7 @@ ui::Color screen_color(const glm::vec3& linear)
     return ui::rgb(byte(linear.r) << 16 | byte(linear.g) << 8 | byte(linear.b));
 }
 
-// What the colours of a picture are called.
+// A Legend names the colours of a picture.
 struct Legend {
     std::string title;
     std::array<std::string, 3> marks;      // at the lower end, in the middle and at the upper end

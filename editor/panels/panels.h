@@ -31,7 +31,8 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
 void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls = false);
 
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
-// At the left of the bar; returns where it ends. `spread`: of the names, 1 where there is room.
+// Draws the menus at the left of the bar; returns where they end. `spread`: of the names, 1 if
+// there is room.
 float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar, float spread);
 // Width of the names of the menus, and of all between them where there is room; pixels.
 struct MenuBarWidths {
@@ -66,7 +67,8 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
 class FootCards;
-// Of the colours of values in the picture. Cards at the foot return where they lie, if they do.
+// Draws the legend of the colours of values in the picture. Cards at the foot return their
+// rectangle if they are shown.
 std::optional<ui::Rect> draw_legend(const Session& session, const ui::Theme& theme,
                                     const FootCards& foot);
 bool has_room_for_axes(const ui::Theme& theme, const ui::Rect& view); // beside the labels
@@ -77,10 +79,10 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
 std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,
                                        const ui::Rect& view);
-// Of the recording that runs: how far it is, and its last frame.
+// Draws the progress of the running recording, and its last frame.
 std::optional<ui::Rect> draw_recording(Editor& editor, const ui::Theme& theme,
                                        const FootCards& foot);
-// Of the models that can be painted with, while a tool works with such.
+// Draws the models that can be painted with, while a tool works with such.
 std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme,
                                           const FootCards& foot);
 ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
@@ -127,7 +129,7 @@ bool draw_model_cell(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 // stroke, and join the library, which the preferences keep; false: they are no models, or nothing
 // is painted.
 bool drop_tiles(Editor& editor, const std::vector<std::string>& paths);
-// What can be done with the selection, as a popup of that name.
+// Draws the actions on the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for
 // The objects to which what used a deleted one can be bound; at the mouse, when it is asked for.

@@ -116,7 +116,8 @@ std::vector<Hint> tutorial_hints(const Editor& editor)
     return hints;
 }
 
-// What buttons and keys do where the mouse is; in the viewport the tool knows. Nothing: neither.
+// Returns the meaning of buttons and keys at the mouse; in the viewport the tool knows. Empty: none
+// apply.
 std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
 {
     const std::vector<Hint> of_tool = editor.active_tool().hints(editor.session);

@@ -85,7 +85,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     if (bar.hi.y > view.hi.y - theme.px(8)) // a low picture has room beside the axes
         bar = ui::rect_at({middle.x - theme.px(56) - square.x, middle.y - square.y},
                           {square.x, 2 * square.y});
-    // What it does is in the menu View, too; the labels at the left are nowhere else.
+    // The menu View offers these, too; the labels at the left are nowhere else.
     if (on_card(bar) || bar.lo.x < view.lo.x + theme.px(labels_px)) return;
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
     ui::lower_area("bar", bar);

@@ -77,7 +77,7 @@ const EvaluatedObject* with_shown_volume(const Editor& editor)
     return found->second.get();
 }
 
-// What goes with the selection, and with the tool at work.
+// Returns the helper lines of the selection and of the tool at work.
 Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
     const Tool& tool = editor.active_tool();
@@ -272,7 +272,8 @@ std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const FootCar
 
 constexpr const char* viewport_menu = "viewport menu";
 
-// Of what is under the mouse, which is selected for it, or of the selection it belongs to.
+// Opens the menu of the object under the mouse, which is selected for it, or of the selection that
+// holds it.
 void open_menu(Session& session, const ViewportInput& input)
 {
     const std::vector<Id> under = input.seen_in(input.mouse, input.mouse);

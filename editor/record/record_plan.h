@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// What a person says of a recording, before it begins.
+// A RecordPlan holds a person's choices for a recording, before it begins.
 struct RecordPlan {
     std::string folder;
     enum Format { png, png_16, exr } format = png;
@@ -21,7 +21,7 @@ struct RecordPlan {
     bool operator==(const RecordPlan&) const = default;
 };
 
-// Where a person says it.
+// RecordDialog is the state of the dialog in which a person makes them.
 struct RecordDialog {
     bool open = false;
     std::string of; // the scene's file, for which it is

@@ -18,7 +18,8 @@
 
 namespace trivar {
 
-// What the jobs of one recording share with it; a job that ends after it finds another run there.
+// A Run is what the jobs of one recording share with it; a job that ends after it finds another
+// run.
 struct Recording::Run {
     explicit Run(RecordingWish what) : wish(std::move(what)), evaluator(wish.assets) {}
     RecordingWish wish;

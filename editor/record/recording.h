@@ -11,7 +11,7 @@
 
 namespace trivar {
 
-// What is to be recorded.
+// A RecordingWish is the input of a recording.
 struct RecordingWish {
     Document document;
     Ref<AssetStore> assets;

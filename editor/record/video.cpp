@@ -46,14 +46,14 @@ bool has_program(const std::string& name)
     return false;
 }
 
-// As ffmpeg calls it.
+// Returns the name of the format in ffmpeg.
 std::string format_of(const std::string& path)
 {
     const std::string extension = extension_of(path);
     return extension == ".mkv" ? "matroska" : extension.substr(1);
 }
 
-// What has no end of its own in a stream, as EXR, is made another.
+// Converts a format that has no end of its own in a stream, such as EXR, to PNG.
 std::string as_png(const std::string& path, PictureReader& reader)
 {
     if (extension_of(path) == ".png") return read_bytes(path, max_picture_bytes);

@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-// What became of a step that shaped an object; null: that is not known now.
+// Returns the result of a step that shaped an object; null: it is not known now.
 const Shaping* outcome_of(const Session& session, Id id, const Ref<VolumeEdit>& edit)
 {
     const Document& seen = session.previewing() ? session.shown() : session.committed();

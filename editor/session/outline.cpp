@@ -19,7 +19,7 @@ std::string in_small_letters(std::string text)
     return text;
 }
 
-// What a person typed: words that begin with "type:", and letters.
+// A Filter is the text that a person typed: words that begin with "type:", and letters.
 struct Filter {
     std::vector<std::string> types;
     std::string letters;
@@ -47,8 +47,8 @@ struct Filter {
     }
 };
 
-// What is in each group, in the order of rows, as lists through all ids: the outliner is made anew
-// each frame.
+// Children lists the contents of each group in the order of rows, linked through all ids: the
+// outliner is built anew in each frame.
 struct Children {
     explicit Children(const Document& document)
         : first(static_cast<std::size_t>(document.next_id), 0),

@@ -35,7 +35,7 @@ struct RowDrop {
 RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
                  const std::vector<Id>& dragged, double at);
 
-// What the outliner remembers between two frames.
+// OutlinerState is the state of the outliner between two frames.
 struct OutlinerState {
     std::string filter;
     bool focus_filter = false; // the keyboard goes there in the next frame

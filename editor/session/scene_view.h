@@ -31,7 +31,7 @@ struct SceneView {
 
     // Along an axis, from there: orthographic, until it is turned.
     void look_from(const glm::dvec3& direction);
-    // What a turn of the view does to it.
+    // Must follow a turn of the view; one that was flat for its axis alone gets perspective again.
     void turned();
 };
 

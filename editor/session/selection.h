@@ -43,8 +43,8 @@ private:
     std::vector<Id> ids_; // ascending
 };
 
-// Those that are in no group among them, in their order: what happens to a group happens to its
-// contents.
+// Returns the objects without a selected group above them, in their order: edits of a group apply
+// to its contents.
 std::vector<Id> topmost(const Document& document, const std::vector<Id>& ids);
 
 } // namespace trivar

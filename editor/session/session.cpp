@@ -267,7 +267,7 @@ void Session::select_returned(const Document& before)
     std::vector<Id> ids;
     for (const auto& [id, each] : document().objects)
         if (!before.objects.contains(id)) ids.push_back(id);
-    // What came back unseen came with the others.
+    // Objects that came back hidden came along with the others.
     if (std::ranges::any_of(ids, [&](Id id) { return visible(document(), id); }))
         std::erase_if(ids, [&](Id id) { return !visible(document(), id); });
     if (!ids.empty()) selected.set(topmost(document(), ids));

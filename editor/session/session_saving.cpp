@@ -34,7 +34,7 @@ void Session::be_at_work(bool in_frame)
         life_sign_.reset();
         if (!path.empty()) life_sign_.emplace(unnamed_folder_, path, lines);
     }
-    // What ends the program during a gesture is no step's fault
+    // A crash during a gesture is not blamed on a step.
     if (life_sign_)
         life_sign_->follow(lines, !proposing() && (in_frame || evaluator_->status().busy));
 }

@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// What a level is called: its name, else its value.
+// Returns the words for a level: its name, else its value.
 std::string name_of(const VoxelLevel& level);
 // The value in the unit of the data: "300 HU".
 std::string value_words(double value, const std::string& unit);

@@ -21,7 +21,7 @@ std::vector<Parameter> numbers_of(const Document& document, Id id)
     return found == document.objects.end() ? std::vector<Parameter>{} : parameters(*found->second);
 }
 
-// What becomes of a track's keys, of which those at `frames` are chosen, and of its name's frames.
+// A TrackChange changes the keys of a track, of which those at `frames` are chosen, and the frames.
 using TrackChange =
     std::function<void(Id id, Track& track, std::set<double>& frames, const Parameter& range)>;
 
@@ -82,8 +82,8 @@ KeyEdit changed_keys(const Document& document, const ChosenKeys& keys,
         });
 }
 
-// What goes on from a chosen key when those of its track are turned round: each piece between two
-// of them keeps its way, and so does the one after the last.
+// Returns the tween of a chosen key when the chosen keys of its track are reversed: each piece
+// between two of them keeps its tween, and so does the one after the last.
 Tween tween_turned(const Document& document, const ChosenKeys& keys, const KeyName& key)
 {
     auto before = keys.find(key);
@@ -203,7 +203,7 @@ KeyEdit with_handle(const Document& document, const KeyName& name, KeyHandle whi
                                    ? (has_after ? track.keys[k + 1].frame - at->frame : 0)
                                    : (has_before ? track.keys[k - 1].frame - at->frame : 0);
             if (way == 0) return;
-            // What the opposite one is at present, also where it chose itself.
+            // The opposite handle as it is now, also if it is automatic.
             glm::dvec2 opposite(0);
             if (which == KeyHandle::after && has_before) {
                 const TweenCurve curve = curve_between(track, k - 1);

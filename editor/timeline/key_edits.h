@@ -47,7 +47,7 @@ KeyEdit with_tween(const Document& document, const ChosenKeys& keys, Tween tween
 KeyEdit with_value(const Document& document, const ChosenKeys& keys, double value);
 // Handles chosen so that the curve is smooth.
 KeyEdit smoothed(const Document& document, const ChosenKeys& keys);
-// What follows the last key of each of their tracks.
+// Sets the behaviour after the last key of each of their tracks.
 KeyEdit with_repeat(const Document& document, const ChosenKeys& keys, Repeat repeat);
 
 // A key's curve handle, put to [frame, value], no further than the other key. The opposite handle

@@ -14,7 +14,7 @@ bool run_if(Session& session, const std::optional<Command>& command)
     return command && !session.proposing() && session.run(*command);
 }
 
-// Those tracks as `change` leaves them.
+// Applies `change` to those tracks.
 std::optional<Command> changed_tracks(const Document& document, const KeyTarget& target,
                                       auto&& change)
 {
@@ -30,7 +30,7 @@ std::optional<Command> changed_tracks(const Document& document, const KeyTarget&
     return out;
 }
 
-// What an automatic size of an object comes to in the picture; 0: not known.
+// Returns the size that an automatic size of an object has in the picture; 0: not known.
 double shown_size(const Session& session, Id id, const std::string& parameter)
 {
     const auto found = session.evaluated().objects.find(id);

@@ -31,7 +31,7 @@ void Playback::advance(Session& session, ui::Frame& frame, bool loop)
     }
     session.show_frame(time.first_frame + static_cast<int>(place));
     shown_ = session.frame();
-    // What is evaluated comes with a frame of its own; drawing the window before keeps it waiting.
+    // A finished evaluation brings a frame of its own; drawing the window before would delay it.
     if (playing_ && session.up_to_date())
         frame.again_in(
             std::max(shortest_wait_s, (std::floor(passed) + 1 - passed) / time.frames_per_second));

@@ -24,11 +24,12 @@ struct TimelineRow {
 };
 std::vector<TimelineRow> timeline_rows(const Document& document, const std::set<Id>& unfolded);
 
-// What the tracks among the rows move. Those whose number is not there any more have none.
+// The parameters that the tracks among the rows move; a track whose number no longer exists has
+// none.
 using NumbersOfTracks = std::map<TrackName, Parameter>;
 NumbersOfTracks numbers_of(const Document& document, const std::vector<TimelineRow>& rows);
 
-// What the row is called: the object, "Scene", or the number in words.
+// Returns the name of the row: the object, "Scene", or the number in words.
 std::string name_of_row(const Document& document, const TimelineRow& row);
 
 // Keys that a row shows at one frame: of a track one, of an object those of all its tracks.
@@ -39,7 +40,7 @@ struct KeysAt {
 std::vector<KeysAt> keys_of_row(const Document& document, const TimelineRow& row);
 // The frames of all keys there are, ascending.
 std::set<double> key_frames(const Document& document, const std::vector<Id>& ids);
-// Of the first and of the last of all keys; none where there are no keys.
+// Returns the frames of the first and of the last of all keys; none if there are no keys.
 std::optional<glm::dvec2> keyed_frames(const Document& document);
 
 // The tracks whose curves are shown: those whose rows are chosen, else those of what is selected,

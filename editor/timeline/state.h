@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What the timeline remembers, and what a hand does to the bar of what travels.
+// TimelineState is the state of the timeline, and of a drag of the bar of a travelling object.
 struct TimelineState {
     enum class Hand { none, shift, begin, end }; // what of a bar is dragged
     Hand hand = Hand::none;

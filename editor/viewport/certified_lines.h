@@ -14,7 +14,7 @@ namespace trivar {
 // thread of its own. Until they are there, and while anything moves, quick lines are seen.
 class CertifiedLines {
 public:
-    // What is seen in the window.
+    // Seen is the state that the window shows.
     struct Seen {
         const Evaluation& evaluated;
         const Document& document;

@@ -18,7 +18,7 @@ void DraftPace::step_down(double usual_ms)
         level_ = highest_ = static_cast<gpu::Level>(static_cast<int>(level_) - 1);
         return;
     }
-    // What is drawn grows with the area; the rest of the time no scale takes away.
+    // Drawing time grows with the area; no scale changes the rest of the time.
     const double before = scale_;
     for (const double s : scales)
         if (s < before) {

@@ -58,7 +58,7 @@ gpu::Picture picture_of(const Session& session, const Evaluation& seen, gpu::Lev
     return picture;
 }
 
-// What is to be said now, where something else was said before.
+// Returns the present sentence if it is not the one told before.
 std::optional<std::string> news(std::string& said, const std::string& now)
 {
     if (std::exchange(said, now) == now) return std::nullopt;

@@ -56,7 +56,7 @@ public:
     const Timings& full_timings() const { return full_timings_; }     // of the last one
     const gpu::Renderer* renderer() const { return renderer_.get(); } // null: nothing was drawn
     long pictures() const { return pictures_; }                       // begun so far
-    // What the renderer could not do as asked, each sentence once; empty: nothing new.
+    // Returns what the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();
     // Why the present scene has no picture, and the renderer's shader_trouble(), if they changed
     // since the last call; an empty text: there is no trouble any more.
@@ -120,7 +120,8 @@ private:
 // Whether a turn of the wheel has fractional or sideways parts, as only fingers make them.
 bool is_fine_scroll(glm::dvec2 steps);
 
-// Where a ray first meets an object. It tries the triangles one after another: for one click.
+// Returns the first point at which a ray meets an object. It tries the triangles one after another:
+// for one click.
 std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);
 
 } // namespace trivar

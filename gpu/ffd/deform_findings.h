@@ -10,9 +10,9 @@ namespace trivar::gpu {
 double allowed_per_s(const DeformRate& rate);
 const char* bound_by(const DeformRate& rate);
 
-// What the rates of a report say, one sentence per finding, each about the largest number of
-// vertices that was measured: how near the device comes to its bound, what normals cost, what
-// passes cost in each way.
+// Words the rates of a report, one sentence per finding, each about the largest number of vertices
+// measured: how near the device comes to its bound, the cost of normals, the cost of passes in each
+// way.
 std::vector<std::string> findings(const DeformReport& report);
 
 } // namespace trivar::gpu

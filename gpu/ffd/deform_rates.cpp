@@ -114,8 +114,8 @@ bool too_slow(const DeformCase& what, const std::vector<DeformRate>& rates, doub
     });
 }
 
-// Of one evaluation. Contracted over w, then v, then u; a look-up of order raising is seven lerps,
-// unless the device's filter does them.
+// Counts the multiply-adds of one evaluation. The sum is contracted over w, then v, then u; a
+// look-up of order raising is seven lerps, unless the device's filter does them.
 double sum_multiply_adds(int order, const Method& method)
 {
     const double o = order, below = o - 1;

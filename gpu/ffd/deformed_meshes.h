@@ -38,7 +38,7 @@ public:
     // Binds the volume of one phase, before a draw with `defines`.
     void bind(const DeformedMesh& mesh);
     const std::string& notice() const { return notice_; } // empty: everything was done as asked
-    // for the programs that deform; all meshes are then deformed anew
+    // Takes new texts of the programs that deform; all meshes are then deformed anew.
     void take(const Ref<ShaderTexts>& texts);
     std::string shader_trouble() const; // see Programs
 
@@ -61,7 +61,7 @@ private:
     };
     // The key is id and part, and the number of instances before this one that have the same.
     using Key = std::tuple<int, PartKey, int>;
-    // of the instances that deform, in their order
+    // Returns the keys of the instances that deform, in their order.
     static std::vector<Key> keys_of(const Picture& picture);
     static bool current(const Entry& entry, const Instance& instance, const Picture& picture);
     DeviceDeformer& device();

@@ -27,7 +27,7 @@ CastView view_of(const CastItem& item, const Frame& frame, const Quality& qualit
 {
     CastView view = item.view;
     const bool perspective = frame.eye.w > 0.5f;
-    // As view_point() of frame.glsl has it.
+    // The same slopes as in view_point() of frame.glsl.
     const glm::vec2 by_slope(frame.clip[0][0], frame.clip[1][1]);
     const glm::vec2 shift = perspective ? glm::vec2(frame.clip[2]) : -glm::vec2(frame.clip[3]);
     const std::array<glm::vec4, 3> slopes{glm::vec4((shift - 1.0f) / by_slope, 0, 0),

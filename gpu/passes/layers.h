@@ -9,7 +9,7 @@
 
 namespace trivar::gpu {
 
-// Where layers are in the picture, and how far along the view direction.
+// LayerBounds is the rectangle of layers in the picture, and their range along the view direction.
 struct LayerBounds {
     glm::ivec2 lo_px{0}, size_px{0};
     glm::vec2 range_world{0};

@@ -16,7 +16,7 @@ public:
     static bool worthwhile(const Scene& scene, const TileCounts& tiles);
     // Draws their depths at half the size of the picture.
     void draw(Tools& tools, const Frame& frame, const Scene& scene);
-    // What was drawn last: read back, for which it waits, or made on the graphics card.
+    // Return the depths of the last draw: read back, which waits, or built on the graphics card.
     DepthPyramid read_back() const;
     const DevicePyramid& on_card(Tools& tools);
 

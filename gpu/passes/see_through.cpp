@@ -27,7 +27,7 @@ bool see_through(const SceneItem& item, const MirroredMesh::Part& part)
     return item.see_through(part);
 }
 
-// As ghost.frag has it.
+// Decides like ghost.frag.
 bool shows_front_only(const SceneItem& item, const MirroredMesh::Part& part)
 {
     return !item.material(part.material).double_sided;

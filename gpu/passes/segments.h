@@ -9,7 +9,7 @@ namespace trivar::gpu {
 
 // A Segment is a piece of a line in the form that line.vert takes. Points are in scene space.
 struct Segment {
-    // at an end of the line, `before` or `after` is that end itself
+    // The ends and their neighbours; at an end of the line, `before` or `after` is that end.
     glm::vec3 before, from, to, after;
     glm::vec4 color_from, color_to; // linear, with coverage
     glm::vec4 along;                // at both ends: arc length in pixels, share of the length

@@ -34,7 +34,8 @@ LightBox casters_in_light(const Scene& scene, const glm::mat3& axes)
     return box;
 }
 
-// What the picture can show, ground before and behind the scene included, along the light.
+// Returns the box along the light of all that the picture can show, with the ground before and
+// behind the scene.
 LightBox view_in_light(const Frame& frame, const Scene& scene, const glm::mat3& axes)
 {
     LightBox box;

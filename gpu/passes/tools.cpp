@@ -197,7 +197,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
 
 void Tools::draw(std::span<const SceneItem> items, const MeshPass& pass)
 {
-    // What meshes without these attributes have: no tangent, white, no texture coordinates.
+    // Defaults for meshes without these attributes: no tangent, white, no texture coordinates.
     glVertexAttrib3f(1, 0, 0, 1);
     glVertexAttrib4f(2, 1, 0, 0, 0);
     glVertexAttrib4f(3, 1, 1, 1, 1);

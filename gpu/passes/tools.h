@@ -74,8 +74,8 @@ private:
     void set_material(const Program& program, const Material& material);
 };
 
-// What the vertex stage is told of where the item's copies stand; binds their patches, if they are
-// tiles.
+// Adds the definitions that place the item's copies in the vertex stage; binds their patches, if
+// they are tiles.
 void add_placing(std::vector<std::string>& defines, const SceneItem& item);
 
 // Whether the part is opaque: not see-through.

@@ -1,5 +1,5 @@
-// What a ray gathers on its way through a volume, up to the nearest surface or curve. FIELD_ORDER is
-// that of the spline, 2 to 4; ROUGH is for drafts.
+// Gathers along a ray through a volume, up to the nearest surface or curve. FIELD_ORDER is that of the
+// spline, 2 to 4; ROUGH is for drafts.
 in vec2 uv;
 layout(location = 0) out vec4 out_gathered; // linear light times the opacity, opacity
 layout(location = 1) out float out_hit;     // distance up to which half is held back; 0: nowhere

@@ -1,4 +1,4 @@
-// What every program of one sample knows. gpu/frame.h mirrors it field by field. Scene space is
+// The uniforms of every program of one sample. gpu/frame.h mirrors it field by field. Scene space is
 // world space moved to the middle of the scene: Z up, world units. Colours and light are linear.
 const float PI = 3.14159265359;
 

@@ -1,4 +1,4 @@
-// What one can see through: blended materials and previews, lit like everything else.
+// Draws see-through surfaces: blended materials and previews, lit like everything else.
 #define READS_MATERIAL
 #include "frame.glsl"
 #include "mesh_inputs.glsl"

@@ -1,8 +1,8 @@
-// What one can see through, in any order. A first pass adds up the optical depth, -log(1 - coverage),
-// at eight nodes between the nearest and the farthest of all that is see-through; a second one weighs
-// every layer by what reaches the eye past the others. All sums, so no order changes them.
-// LAYERS_AT_ONCE, of drafts, weighs by distance alone, without the first pass: as good where one
-// layer covers the next, and together they hide as much of what is behind.
+// Blends see-through surfaces in any order. A first pass adds up the optical depth, -log(1 - coverage),
+// at eight nodes between the nearest and the farthest of them; a second one weighs every layer by the
+// light that reaches the eye past the others. All are sums, so no order changes them. LAYERS_AT_ONCE, of
+// drafts, weighs by distance alone, without the first pass: as good where one layer covers the next,
+// and together they hide as much of what is behind.
 #if defined(LAYERS_AT_ONCE)
 layout(location = 0) out vec4 out_weighed;
 layout(location = 1) out float out_depth;

@@ -1,4 +1,4 @@
-// What a material makes of a point of a mesh, textures apart.
+// Applies a material to a point of a mesh, without textures.
 struct Surface {
     vec3 normal; // scene, towards the eye's side
     vec3 base, emissive;
@@ -31,7 +31,7 @@ bool shows_back(bool away) { return away && roughness_metallic.z < 0.5; }
 
 uniform vec4 clay_color;
 
-// What shows form alone.
+// Returns the surface as clay, which shows form alone.
 Surface as_clay(Surface s)
 {
     s.base = clay_color.rgb;

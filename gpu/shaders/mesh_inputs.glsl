@@ -1,4 +1,4 @@
-// What mesh.vert hands to fragment programs.
+// The inputs of fragment programs from mesh.vert.
 #include "distance.glsl"
 in vec3 at_scene;
 in vec3 at_normal;

@@ -1,5 +1,5 @@
-// What reaches a surface or the ground, at half size: the share of the key that shadow.glsl finds,
-// and of the ambient light. That one by visibility bitmasks (Therrien, Levesque, Gilet 2023) in the
+// Finds the light that reaches a surface or the ground, at half size: the share of the key, by
+// shadow.glsl, and of the ambient light, by visibility bitmasks (Therrien, Levesque, Gilet 2023) in the
 // slices of GTAO (Jimenez et al. 2016): the 32 sectors are uniform in sin(angle), so their free
 // share is cosine weighted; surfaces have a thickness, so thin parts throw no dark halo.
 #include "frame.glsl"
@@ -23,7 +23,7 @@ float quick_acos(float x)
 }
 
 #if SLICES > 0
-// Of the ambient light, at the point p of view space with normal n.
+// Returns the share of the ambient light at the point p of view space with normal n.
 float ambient_reaching(vec3 p, vec3 n, vec2 uv, float turn, float push)
 {
     ivec2 size = textureSize(ids_depths, 0);

@@ -1,4 +1,4 @@
-// What occlusion.frag found at half size, brought to full size.
+// Brings the results of occlusion.frag from half size to full size.
 layout(binding = 1) uniform sampler2D occlusion_map; // open share, signed distance, key's share
 
 // Each sample of the picture looks at another pixel of every 2 x 2.

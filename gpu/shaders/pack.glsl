@@ -32,7 +32,7 @@ vec3 unpacked_light(uint word)
 
 const uint BACK = 255u << 16; // in the last word
 
-// All but the normal.
+// Packs the material without the normal.
 uvec3 packed_material(Surface s)
 {
     return uvec3(packUnorm4x8(vec4(sqrt(s.base), s.roughness)), packed_light(s.emissive),

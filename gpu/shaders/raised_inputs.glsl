@@ -1,4 +1,4 @@
-// What raised.glsl wants. FILTERED: the device's filter looks up between control points, whose
+// The inputs of raised.glsl. FILTERED: the device's filter looks up between control points, whose
 // fractions have 8 bits on graphics cards: a preview.
 #include "volume_inputs.glsl"
 vec3 lattice_between(int first, vec3 at);

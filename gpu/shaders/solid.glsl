@@ -1,8 +1,8 @@
-// What fills the body here: SOLID 1 wood, 2 flesh, 3 metal.
+// Computes the material inside the body: SOLID 1 wood, 2 flesh, 3 metal.
 in vec3 at_rest;
 uniform int turned_about; // of metal, the axis, 0..2
 
-// What lies finer than a pixel is not drawn.
+// Fades detail that is finer than a pixel.
 float drawn(float cycles) { return 1.0 - smoothstep(0.25, 0.7, cycles * length(fwidth(at_rest))); }
 
 #include "filling.glsl"

@@ -25,8 +25,8 @@ vec3 dome(vec3 r, float alpha)
     return mix(frame.floor_light.rgb, frame.zenith.rgb, t) + frame.horizon.rgb * (0.3 / w) * b * b * b;
 }
 
-// What a lobe round r receives from everything but the key, and from the key (which the shadow
-// map may take away).
+// The light that a lobe round r receives from everything but the key, and from the key (which the
+// shadow map may take away).
 struct Reflected { vec3 ambient, key; };
 Reflected studio_reflected(vec3 r, float alpha)
 {

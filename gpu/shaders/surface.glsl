@@ -1,6 +1,6 @@
-// What a material makes of the point of the mesh that this fragment shows. TEXTURES
-// is the set of textures it has, a bit each: software GL reads what stands in a branch whether the
-// branch is taken or not. Without it the material's numbers and the vertex colour are all there is.
+// Evaluates a material at the point of the mesh that this fragment shows. TEXTURES is the set of
+// textures it has, a bit each: software GL reads a branch whether it is taken or not. Without it the
+// material's numbers and the vertex colour are all there is.
 #include "material.glsl"
 #ifdef SOLID
 #include "solid.glsl"

@@ -48,7 +48,7 @@ uniform uint capacity; // rows of a level
 uniform uint command_count;
 uniform uint first_total;
 layout(std430, binding = 2) writeonly buffer Rows { uint rows[]; };
-// What glDrawElementsIndirect reads, and then the level: indices, instances, 3 more, level, 2 unused.
+// Commands for glDrawElementsIndirect, then the level: indices, instances, 3 more, level, 2 unused.
 layout(std430, binding = 3) buffer Commands { uint commands[]; };
 layout(std430, binding = 4) writeonly buffer Totals { uint totals[]; };
 shared uint before[KINDS];         // in the groups before this one

@@ -8,7 +8,7 @@ uniform vec2 strength; // opacity of a long edge, and of a short one by its leng
 uniform float formed;  // 1: edges alone show the form, where they are too short to be told apart
 out float at_opacity;
 
-// As if lit by a lamp over the shoulder; from behind hardly.
+// Shades as if by a lamp over the shoulder; hardly from behind.
 float lit(vec3 normal)
 {
     vec3 n = normalize(normal);

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t least_room = 1 << 14; // triangles
 constexpr unsigned widest_dispatch = 65535; // groups along an axis, on every device
 
-// As crossed.comp has it.
+// The layout is that of crossed.comp.
 struct CrossedRun {
     glm::vec4 least, greatest;
     glm::vec3 middle;
@@ -88,7 +88,7 @@ const std::vector<std::uint32_t>& DeviceSilhouettes::crossed(Programs& programs,
 {
     triangles_.clear();
     if (run_count_ == 0) return triangles_;
-    // As many as the last time and a quarter more come back at once.
+    // The first request expects as many as the last time and a quarter more.
     std::size_t expected = std::max(least_room, last_count_ + last_count_ / 4);
     for (;;) {
         make_room(expected);

@@ -25,8 +25,8 @@ public:
     LateCounts& operator=(const LateCounts&) = delete;
     ~LateCounts();
 
-    // Where the card writes its counts of the next picture: for each layer so many kinds, 4 bytes
-    // each. The picture of three before is forgotten.
+    // Returns the buffer for the card's counts of the next picture: so many kinds for each layer, 4
+    // bytes each. The picture three before is forgotten.
     const Buffer& next(std::vector<Layer> layers);
     void asked(); // after the commands that write them
     // The counts of the last picture of which they are there and were not yet told.

@@ -31,7 +31,7 @@ Ref<Mesh> made_footprint()
     return make_ref(std::move(out));
 }
 
-// By level the numbers of the tiles that have it, ascending.
+// Returns the numbers of the tiles at each level, ascending.
 std::vector<std::vector<std::uint32_t>> by_level(const std::vector<std::uint8_t>& levels,
                                                  std::size_t count)
 {
@@ -131,7 +131,7 @@ void TileMirror::update(const Picture& picture, const Camera& camera, Mirror& mi
         of_instance_[i] = &drawn;
         counts_.tiles += entry.set->tiles->size();
         counts_.all_vertices += entry.set->vertex_count();
-        // Of the card: the most that there can be, until it has told.
+        // The card's counts are upper bounds until it has told them.
         for (std::size_t l = 0; l < (on_card ? 1 : drawn.levels.size()); ++l)
             counts_.add(l, drawn.levels[l].chosen, drawn.levels[l].mesh->vertex_count());
     }

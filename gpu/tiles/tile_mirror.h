@@ -46,10 +46,10 @@ public:
     // tiles must come after it.
     void show(const DepthPyramid& before, const glm::dmat4& world_to_clip);
     void show(const DevicePyramid* before, const glm::dmat4& world_to_clip, Programs& programs);
-    // For the index of an instance of that picture; null: it has no tiles, or they do not fit into
-    // the device and are drawn as one mesh.
+    // Returns the tiles of an instance, by its index in that picture; null: it has none, or they do
+    // not fit into the device and are drawn as one mesh.
     const DrawnTiles* of(std::size_t instance) const { return of_instance_.at(instance); }
-    // Of the last update, or of an earlier one where the card is not done yet.
+    // Returns the counts of the last update, or of an earlier one if the card is not done yet.
     const TileCounts& counts();
     std::size_t bytes() const; // memory of all patches
     static bool any(const Picture& picture);

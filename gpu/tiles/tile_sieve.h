@@ -34,7 +34,7 @@ public:
     // number on.
     void choose(Programs& programs, const TileRule& rule, const DevicePyramid* before,
                 const Buffer& totals, std::size_t first_total);
-    // What was chosen: the tiles of a level begin at its number times the capacity.
+    // The chosen tiles: those of a level begin at its number times the capacity.
     const std::shared_ptr<ChosenRows>& rows() const { return rows_; }
 
 private:

@@ -45,7 +45,7 @@ void paint_keys(const ui::Theme& theme, float x, const ui::Rect& row, const Acti
         ui::paint_text(theme.font.small, {{x, row.lo.y}, row.hi}, theme.color.text_3, "no key");
 }
 
-// What the last change took away, below the row that it was given to.
+// Draws the actions that lost their key by the last change, below the row that took it.
 void draw_losers(Editor& editor, const ui::Theme& theme, const ui::Rect& row)
 {
     auto& dialog = editor.preferences_dialog;

@@ -86,7 +86,7 @@ bool draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
     return browsed;
 }
 
-// What the plan comes to, and what of it is there.
+// Describes the extent of the plan, and how much of it exists already.
 std::string words_of(RecordDialog& dialog, const RecordingWish& wish)
 {
     const FrameNames& names = wish.sequence.names;

@@ -170,7 +170,7 @@ void draw_volume_dialog(Editor& editor, const ui::Theme& theme)
     VolumeImports& imports = editor.files.volumes;
     VolumeOffer* offer = imports.offered();
     if (!offer) return;
-    // What was read while another dialog is open waits for it.
+    // Data read while another dialog is open wait for it to close.
     if (!ImGui::IsPopupOpen("volume data") && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         return;
     const float pad = theme.px(24), foot = theme.px(60), rowed = theme.px(188.0f / 6);

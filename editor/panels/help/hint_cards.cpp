@@ -15,7 +15,7 @@ namespace trivar {
 
 namespace {
 
-// What is offered on the card, at scale 1: pictures of models in a row, and below them links.
+// The offers on the card, at scale 1: pictures of models in a row, and below them links.
 constexpr glm::vec2 tile_size{80, 66};
 constexpr float tile_gap = 8, row_gap = 10, link_height = 22;
 
@@ -25,7 +25,7 @@ struct Offers {
     float height = 0;
 };
 
-// As many of the models as there is room for.
+// Chooses as many of the models as fit.
 Offers offers_of(Editor& editor, const ui::Theme& theme, const HintCard& card,
                  const glm::vec2& room)
 {

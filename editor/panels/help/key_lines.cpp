@@ -6,7 +6,7 @@
 namespace trivar {
 namespace {
 
-// What the tool at hand says of itself, as the status line does.
+// Returns the hints of the tool at hand, as the status line shows them.
 std::vector<KeyLine> lines_of_tool(const Editor& editor)
 {
     const Tool& tool = *editor.tools[editor.tool];

@@ -236,7 +236,7 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
         ui::paint_box(r, theme.color.field, theme.size.rounding);
         return;
     }
-    // As much of it as has the shape of the place.
+    // Crops the picture to the shape of its place.
     const glm::vec2 size(texture->size_px());
     const float want = r.width() / r.height(), have = size.x / size.y;
     const glm::vec2 cut =

@@ -48,7 +48,7 @@ bool recent_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
     return is_chosen(editor, theme, row, clicked);
 }
 
-// What was worked on last, as many as there is room for; returns where it ends.
+// Draws the recent scenes, as many as fit; returns where they end.
 float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column, float y)
 {
     const auto& recent = editor.memory.of<RecentScenes>().of(editor.preferences.recent_scenes);
@@ -75,7 +75,7 @@ float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     return y;
 }
 
-// As many lines as there is room for.
+// Draws as many lines as fit.
 void tell_of_lacking(const ui::Theme& theme, const ui::Rect& r)
 {
     float y = r.lo.y;

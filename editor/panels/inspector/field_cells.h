@@ -8,13 +8,13 @@
 
 namespace trivar {
 
-// Where the fields of one row stand: beside each other, or below each other where they would be
-// too narrow to show a number.
+// FieldCells places the fields of one row: side by side, or below each other if they would be too
+// narrow to show a number.
 struct FieldCells {
     float width = 0; // of each, pixels
     glm::vec2 step{0};
 
-    // For so many fields in a row of that width, pixels.
+    // Lays out `count` fields in a row of that width, in pixels.
     FieldCells(const ui::Theme& theme, float row_width, int count)
     {
         constexpr float least = 53; // at scale 1: "-123.4" beside the letter of its axis

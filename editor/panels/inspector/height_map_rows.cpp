@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Of places from -1 to 1 along and across.
+// Samples the factor at places from -1 to 1 along and across.
 HeightGrid grid_of(int along, int across, const std::function<double(double, double)>& factor)
 {
     HeightGrid grid;

@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-// What the list of fields says of a number of an incision.
+// Finds the facts of a number of an incision in the list of fields.
 FieldFacts incision_facts(std::string_view wanted)
 {
     FieldFacts found;

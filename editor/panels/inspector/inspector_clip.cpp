@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-// What every one of them can play, in the order of the active one's file.
+// Returns the clips that every one of them can play, in the order of the active one's file.
 std::vector<std::string> common_clips(const Evaluation& evaluated, const std::vector<Id>& ids)
 {
     const auto clips_of = [&](Id id) {

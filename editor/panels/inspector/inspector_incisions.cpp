@@ -139,7 +139,7 @@ void section_row(Editor& editor, ValueRows& rows, Id id, NamedIncision& incision
     ui::gap(theme, 8);
 }
 
-// What became of it; what is wrong with it is said at the foot of the panel.
+// Draws the outcome; faults are told at the foot of the panel.
 void outcome_rows(const ui::Theme& theme, const Outcome* outcome)
 {
     const bool cut = outcome && outcome->refusal.empty();

@@ -13,12 +13,12 @@
 namespace trivar {
 namespace {
 
-// What the section shows: the warp that is made next, or one that was made.
+// WarpAtHand is the warp that the section shows: the next one to be made, or an earlier one.
 struct WarpAtHand {
     Id of = 0;
     std::size_t step = 0;  // its number among the lattice's steps; 0: a new one
     std::size_t known = 0; // steps there were
-    // Of a new one.
+    // The values of a new warp.
     VolumeAxis axis = VolumeAxis::up; // that the box turns about
     double toward_deg = 0;            // the side that it bends to
     double fixed = 0;                 // where along the axis it stays as it is

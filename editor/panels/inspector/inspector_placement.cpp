@@ -72,7 +72,7 @@ void carried_row(Editor& editor, const ui::Theme& theme, Id id, const PlacementS
                  theme.color.text_2, "it goes with what carries it");
 }
 
-// What the two ends of the bar above mean.
+// Labels the two ends of the bar above.
 void ends_row(const ui::Theme& theme, const char* low, const char* high)
 {
     const ui::Row row = ui::label_row(theme, "");

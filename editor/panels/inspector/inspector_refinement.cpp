@@ -19,7 +19,7 @@ Command refine_each(const std::vector<Id>& ids, const std::vector<Refining>& all
     return Refine{ids, {}, all};
 }
 
-// What came of it, of all together.
+// Draws the result of refining all of them together.
 void refined_facts(const ui::Theme& theme, const Evaluation& evaluated, const std::vector<Id>& ids)
 {
     std::size_t before = 0, after = 0, open = 0;

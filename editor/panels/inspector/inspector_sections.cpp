@@ -31,7 +31,7 @@ bool has_a_volume(const Document& document, Id id)
     return is_placed(document, id) || is_made_of<LatticeShape>(document, id);
 }
 
-// What is placed has these rows among those of its placement.
+// Placed objects have these rows among those of their placement.
 bool is_bent_by_lattices_alone(const Document& document, Id id)
 {
     return !is_placed(document, id) && !holds_others(object(document, id).source) &&

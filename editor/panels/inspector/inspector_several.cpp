@@ -13,7 +13,8 @@
 namespace trivar {
 namespace {
 
-// Those that have a transform of their own to change: not what lies on a stroke or is locked.
+// Returns the objects whose own transform can change: they do not lie on a stroke and are not
+// locked.
 std::vector<Id> movable(const Session& session)
 {
     const Document& document = session.document();

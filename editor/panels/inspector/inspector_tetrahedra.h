@@ -11,7 +11,7 @@ struct Editor;
 // The domain of a volume of tetrahedra, and its edits: the chosen one with its numbers.
 void draw_tetrahedra(Editor& editor, const ui::Theme& theme, Id id);
 
-// What a surface of simplex splines is made of.
+// Draws the facts of a surface of simplex splines.
 void draw_simplex_sheet(Editor& editor, const ui::Theme& theme, Id id);
 
 } // namespace trivar

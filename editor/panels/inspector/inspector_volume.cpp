@@ -26,8 +26,8 @@ void file_row(Editor& editor, const ui::Theme& theme, const VoxelShape& shape, I
     ui::tooltip({shape.path, {}, "Click to take another file, or a folder of slices."});
 }
 
-// What was last shown of the volume data that the inspector is at. It tells of data that are hidden
-// now, which are not evaluated.
+// LastShown keeps the last shown state of the volume data in the inspector, for data that are
+// hidden now and so are not evaluated.
 struct LastShown {
     std::string path, hash;
     VolumeReading reading;

@@ -24,8 +24,8 @@ bool only_by_keys(const Object& object, const Parameter& number)
            name.find(".points.") == name.npos;
 }
 
-// Of "shaping.2.shift.by.x": "shaping.2.shift", which all numbers of that step begin with; empty:
-// it is of no step.
+// Returns the prefix of all numbers of one step: "shaping.2.shift" for "shaping.2.shift.by.x";
+// empty if the number belongs to no step.
 std::string step_of(const std::string& parameter)
 {
     std::size_t end = parameter.starts_with("shaping.") ? 0 : parameter.npos;
@@ -41,7 +41,8 @@ std::string caption_of(const Object& object, const std::string& step)
     return fmt::format("Step {}: {}", number + 1, words_of(*object.shaping[number], box));
 }
 
-// What differs among the numbers of one step: "Move X" of "Step 1 shift move X".
+// Returns the part of a label that differs among the numbers of one step: "Move X" of "Step 1 shift
+// move X".
 std::string label_in(const std::string& step, const std::string& label)
 {
     std::string own = step.empty() ? label : label.substr(words_of_number(step).label.size() + 1);

@@ -53,7 +53,7 @@ std::array<std::string, 2> ends(ProfileKind kind)
     return {"start", "end"};
 }
 
-// What "Even" is as a curve.
+// Returns the curve of "Even".
 Points even(ProfileKind kind)
 {
     if (kind == ProfileKind::rise) return {{0, 0}, {1, 1}};

@@ -14,7 +14,7 @@ namespace {
 // At scale 1: the height of both views together, the room round the tile, and from how near a line
 // is taken and snaps.
 constexpr float most_top = 150, most_side = 90, line_reach = 8, snap_px = 5;
-// What is shown round the tile, as a share of its longer side.
+// The margin shown round the tile, as a share of its longer side.
 constexpr double room_round = 0.15;
 constexpr std::size_t most_drawn = 6000; // triangles
 constexpr double thinnest_cell = 0.01;

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What of volume data the rows of its levels are drawn with.
+// LevelRows is the input for drawing the rows of levels of volume data.
 struct LevelRows {
     const ShownVolume* shown = nullptr;      // null: not evaluated yet, or it cannot be read
     const ScoutedVolume* scouted = nullptr;  // null: not known yet

@@ -17,7 +17,7 @@
 namespace trivar {
 namespace {
 
-// What is typed, in large letters, and how much is found.
+// Draws the typed text in large letters, and the number of entries found.
 void draw_field(CommandPalette& palette, const ui::Theme& theme, const ui::Rect& r,
                 const std::string& count)
 {

@@ -37,7 +37,7 @@ std::string text_shown(const Field& field)
     return text;
 }
 
-// What a field takes in the line: its label, its value in a box, its unit.
+// Widths are the widths of a field in the line: its label, its value in a box, its unit.
 struct Widths {
     float label, value, unit;
     float all() const { return label + value + unit; }
@@ -54,7 +54,7 @@ Widths widths_of(const ui::Theme& theme, const Field& field, bool at_hand, float
     return w;
 }
 
-// As many whole fields as have room, with the one at hand among them.
+// FieldsShown are as many whole fields as fit, with the one at hand among them.
 struct FieldsShown {
     std::size_t first = 0, end = 0;
 };

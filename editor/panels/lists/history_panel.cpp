@@ -55,7 +55,7 @@ const Document& state_after(const History& history, std::size_t steps)
     return steps == 0 ? history.start() : history.steps()[steps - 1].result;
 }
 
-// What the line leads to; null: nothing but more lines.
+// Returns the document to which the line leads; null: it leads only to more lines.
 const Document* document_of(const History& history, const Line& line)
 {
     if (line.kind == Line::fork) return nullptr;

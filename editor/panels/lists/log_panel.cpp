@@ -55,7 +55,8 @@ std::vector<std::string> reasons(const ui::Theme& theme, const LogEntry& entry, 
                        room_in(theme, width));
 }
 
-// Of every line of the file in every frame: a long one is not read to its end.
+// Returns the height of a line. It runs for every line of the file in every frame, so it does not
+// read long ones to their end.
 float height_of(const ui::Theme& theme, const LogEntry& entry, float width)
 {
     if (entry.number == 0)
@@ -97,7 +98,7 @@ void draw_entry(const ui::Theme& theme, const LogEntry& entry, const ui::Rect& r
             ui::paint_text(font, {{left, y}, {right, y + line}}, c.bad, words);
         }
     } else if (!parts.rest.empty()) {
-        // As much of it as can be seen; a stroke has tens of thousands of letters.
+        // Only the visible part is laid out; a stroke has tens of thousands of letters.
         const std::string_view shown = parts.rest.substr(0, 200);
         ui::paint_text(font, {{left, top + line}, {right, top + 2 * line}}, c.text_2,
                        ui::elided(font, std::string(shown), right - left));
@@ -215,7 +216,7 @@ int help_typing(ImGuiInputTextCallbackData* data)
     return 0;
 }
 
-// What is wrong with it, or what could follow.
+// Returns the fault of the typed command, or the possible continuations.
 std::vector<std::string> told_by_field(const Editor& editor, const ui::Theme& theme, float width)
 {
     constexpr std::size_t most = 4;

@@ -69,7 +69,7 @@ void drag_rows(Editor& editor, const ui::Theme& theme, const std::vector<Outline
     editor.session.run(drop.command);
 }
 
-// What is held near the upper or the lower edge of the list, or beyond it, brings the rows there.
+// Scrolls while a row is dragged near the upper or the lower edge of the list, or beyond it.
 bool scroll_at_edges(const OutlinerState& o, const ui::Theme& theme, const ui::Rect& list)
 {
     if (o.dragged.empty() && o.painting == Column::none) return false;
@@ -148,7 +148,7 @@ void take_keys(Editor& editor, const std::vector<OutlineRow>& rows)
     if (enter) action(editor, "Rename").run(editor);
 }
 
-// What was chosen elsewhere is looked for here: its groups open and its row scrolls into view.
+// Shows an object that was selected elsewhere: opens its groups and scrolls its row into view.
 void reveal(Editor& editor)
 {
     OutlinerState& o = editor.outliner;

@@ -33,7 +33,7 @@ std::vector<ui::Color> colors_of_curves(const ui::Palette& c, const std::vector<
     return out;
 }
 
-// As many decimals as the step has.
+// Writes the value with as many decimals as the step has.
 std::string tick_text(double value, double step)
 {
     if (std::abs(value) < step / 2) value = 0;

@@ -101,7 +101,7 @@ void go_on(Editor& editor, const KeyField& field)
     if (!g.strayed) return;
     const Document& before = editor.session.committed();
     const glm::dvec2 at = field.meant(mouse), way = (at - g.grabbed) * (io.KeyShift ? 0.1 : 1.0);
-    // As it is stored, of a share of the height.
+    // Converts a share of the height to the stored value.
     const auto stored = [&](const TrackName& track, double share, bool difference) {
         const glm::dvec2 shown = field.values(track);
         return ((difference ? 0 : shown.x) + share * (shown.y - shown.x)) /

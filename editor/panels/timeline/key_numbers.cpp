@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// What the chosen keys have in common.
+// A CommonNumber holds what the chosen keys have in common.
 struct CommonNumber {
     const Key* first = nullptr;
     const Track* track = nullptr;

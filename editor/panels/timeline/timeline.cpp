@@ -93,8 +93,8 @@ void buttons(Editor& editor, Transport& line, bool steps)
     line.x += line.theme.px(8);
 }
 
-// What there is room for beside the ruler, or in the open timeline beside the numbers of the chosen
-// keys; the least wanted first to go.
+// Room says which parts fit beside the ruler, or in the open timeline beside the numbers of the
+// chosen keys; the least wanted go first.
 struct Room {
     bool title = true, rate = true, range = true,
          steps = true; // steps: to other frames, by buttons
@@ -256,7 +256,7 @@ void zoom(Editor& editor, const ui::Rect& ruler, const ui::Rect& tracks, const F
     editor.timeline.shown = kept_frames(shown, scale.time);
 }
 
-// What plays goes on in sight.
+// Scrolls so that the playhead stays in sight.
 void follow_playhead(Editor& editor)
 {
     std::optional<glm::dvec2>& shown = editor.timeline.shown;
@@ -310,7 +310,7 @@ void paint_thin_bars(const Editor& editor, const ui::Theme& theme, const ui::Rec
     }
 }
 
-// Of everything, the selected ones' over the others.
+// Paints the keys of all objects, those of the selected ones on top.
 void paint_key_strip(const Editor& editor, const ui::Theme& theme, const ui::Rect& r,
                      const FrameScale& scale)
 {

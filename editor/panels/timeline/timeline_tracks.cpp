@@ -20,8 +20,8 @@ std::string speed_text(const Travel& travel)
     return ui::short_number(travel.speed) + " m/s";
 }
 
-// What the travel becomes when the hand has gone so many frames. Where the stroke decides how long
-// it takes, pulling an end changes the speed; else how long it lasts.
+// Returns the travel after a drag of so many frames. If the stroke decides its duration, pulling an
+// end changes the speed; else the duration.
 Travel dragged(const Editor::Timeline& t, const Journey& journey, int frames, double rate)
 {
     Travel travel = t.travel;
