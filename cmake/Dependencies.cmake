@@ -69,7 +69,7 @@ foreach(library dcmjpeg dcmjpls dcmdata oflog ofstd)
   target_link_libraries(dcmtk INTERFACE ${DCMTK_${library}})
 endforeach()
 
-# What the program says of itself: NAME|VERSION|LICENCE, a line each.
+# The lines NAME|VERSION|LICENCE that the program tells of itself.
 # pkg-config knows FreeType by the number of its interface only.
 file(STRINGS ${FREETYPE_INCLUDEDIR}/freetype2/freetype/freetype.h FREETYPE_VERSION REGEX "define FREETYPE_(MAJOR|MINOR|PATCH)")
 string(REGEX REPLACE "[^0-9;]" "" FREETYPE_VERSION "${FREETYPE_VERSION}")

@@ -41,11 +41,12 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # What ccache's manual asks for where headers are precompiled.
+  # ccache's manual asks for this where headers are precompiled.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
                       "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
-  # By the files that were read (depend mode), never by preprocessed text: that names the former
-  # precompiled header where there is one, so that a changed header could be given another tree's.
+  # The key is the files that were read (depend mode), never preprocessed text: that names the
+  # former precompiled header where there is one, so that a changed header could be given another
+  # tree's.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 ${CCACHE})
 endif()
 find_program(MOLD mold)

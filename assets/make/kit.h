@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a model is made with.
+// The headers that every model is made with.
 #include "assets/make/field.h"
 #include "assets/make/loft.h"
 #include "assets/make/mesh.h"

@@ -20,7 +20,7 @@ namespace {
 
 using glm::vec3;
 
-// As the table of docs/assets.md says; sizes to a hundredth.
+// A Row of the table of docs/assets.md; sizes to a hundredth.
 struct Row {
     std::string name;
     vec3 size;

@@ -82,7 +82,7 @@ TEST(Camera, APixelIsAsLargeAsTheDistanceBetweenNeighbouringRays)
     }
 }
 
-// What the renderer draws is what the rays meet.
+// The rays meet the points that the renderer draws.
 TEST(Camera, MatricesAndProjectionAgree)
 {
     for (const Camera& camera : cameras()) {

@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Of every size that a double has, half of them as in scenes.
+// Returns numbers of every size that a double has, half of them as in scenes.
 double any_number(std::mt19937_64& random)
 {
     std::uniform_real_distribution<double> power(-14, 14), digits(-9.999, 9.999);

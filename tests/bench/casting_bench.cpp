@@ -70,7 +70,7 @@ void draw_often(benchmark::State& state, const Picture& picture, bool on_card = 
         state.counters[stage.name + " ms"] = stage.time_ms;
 }
 
-// What a window of 1280 x 720 shows while the view moves, at a share of its size in percent.
+// Draws a window of 1280 x 720 as while the view moves, at a share of its size in percent.
 void cast_draft(benchmark::State& state)
 {
     Picture picture = picture_of_head(static_cast<int>(state.range(0)));
@@ -95,7 +95,7 @@ void cast_baseline_shaders(benchmark::State& state)
     draw_often(state, picture, true);
 }
 
-// What a new transfer function costs before a picture.
+// Measures the cost of a new transfer function before a picture.
 void cast_transfer(benchmark::State& state)
 {
     const Ref<Casting> head = casting_of_head(static_cast<int>(state.range(0)));

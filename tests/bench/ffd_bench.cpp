@@ -45,8 +45,9 @@ Lattice random_lattice(int order, int count)
     return {testing::random_volume({knots, knots, knots}, 2, 0.02), glm::dmat4(1)};
 }
 
-// What one writes first: vertex after vertex, span, basis functions, triple sum. Single precision,
-// the order known to the compiler, the span found by a multiplication.
+// PlainLoop is the first version that one would write: vertex after vertex, span, basis functions,
+// triple sum. Single precision, the order known to the compiler, the span found by a
+// multiplication.
 template <int order> struct PlainLoop {
     int count;
     std::vector<float> knots;

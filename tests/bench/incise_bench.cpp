@@ -146,7 +146,7 @@ void BM_incise_document_frame(benchmark::State& state)
     for (int i = 0; i < 12; ++i) show();
     for (auto _ : state) show();
 }
-// Of 10^6 triangles: number of cuts that cross, thousandths of length and of width.
+// Cuts 10^6 triangles: number of cuts that cross, thousandths of length and of width.
 void BM_incise_large(benchmark::State& state)
 {
     const double width = 1e-3 * static_cast<double>(state.range(2));

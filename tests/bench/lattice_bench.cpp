@@ -7,10 +7,10 @@
 namespace trivar {
 namespace {
 
-// What one move of the mouse asks for while a control point of a lattice is dragged: the command,
-// the volume with its guard and the model in it, of 20 x 12 x 8 points and some 100,000 vertices.
-// All but the picture. Twisted: no vertex is where it was at rest. Laid: box and model lie on a
-// stroke, whose volume bends what the box has bent.
+// Measures one move of the mouse while a control point of a lattice is dragged: the command, the
+// volume with its guard and the model in it, of 20 x 12 x 8 points and some 100,000 vertices,
+// without the picture. Twisted: no vertex is where it was at rest. Laid: box and model lie on a
+// stroke, whose volume bends the result of the box further.
 enum class Box20 { at_rest, twisted, laid };
 
 Place along_a_line(Id lattice, Id ground)

@@ -6,14 +6,14 @@
 #include <ctime>
 #include <imgui.h>
 
-// What a frame of the whole window costs before its pixels are drawn, with nothing in the scene
+// Measures a frame of the whole window before its pixels are drawn, with nothing in the scene
 // moving: input, keys and all panels.
 namespace trivar {
 namespace {
 
 void frame_body(benchmark::State& state, SceneFile (*make)(), Editor::Tab tab)
 {
-    // Of this thread, so that what else the machine does is not counted.
+    // The clock counts this thread only, not other work of the machine.
     const auto now_s = [] {
         timespec now{};
         clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

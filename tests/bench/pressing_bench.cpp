@@ -41,9 +41,9 @@ void pressing_moves(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * 10000);
 }
 
-// What one move of the mouse asks for while the ball is pressed into a placed crocodile of 21,511
+// Measures one move of the mouse while the ball is pressed into a placed crocodile of 21,511
 // vertices, in a volume of 50 x 20 x 10 points: the command, the volume with its guard, and the
-// model in it, deformed here or left to the card. All but the picture.
+// model in it, deformed here or left to the card, without the picture.
 void press_drag(benchmark::State& state, bool deformed_here)
 {
     keep_freed_memory(); // as the program does

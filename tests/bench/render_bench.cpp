@@ -42,7 +42,7 @@ void render_final(benchmark::State& state)
     report(state, renderer);
 }
 
-// What a viewport shows while the camera moves.
+// Draws the viewport as while the camera moves.
 void render_draft(benchmark::State& state)
 {
     const HeadlessContext context;
@@ -141,7 +141,7 @@ void render_baseline_empty(benchmark::State& state)
     report(state, renderer);
 }
 
-// By processor time of all threads too, which other programs on the machine disturb less.
+// Measures the processor time of all threads too, which other programs on the machine disturb less.
 void timed(benchmark::internal::Benchmark* bench)
 {
     bench->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();

@@ -106,7 +106,7 @@ BENCHMARK_CAPTURE(silhouette_prepare, cranium, "cranium")
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
-// What the window shows while a level is dragged: with half the samples along each axis.
+// Finds the lines as while a level is dragged: with half the samples along each axis.
 void silhouette_dragged(benchmark::State& state, const char* name)
 {
     const BenchVolume* volume = bench_volume(name);
@@ -292,7 +292,8 @@ BENCHMARK_CAPTURE(silhouette_suggestive, waves_128, "waves")
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
-// What the lines of a mesh are found by, with all further lines, and a view of them.
+// Prepares the shape in which the lines of a mesh are found, with all further lines, or finds a
+// view of them.
 void silhouette_of_mesh(benchmark::State& state, bool view)
 {
     const Ref<Mesh> torus = make_ref(torus_mesh(1, 0.4, {256, 128}));

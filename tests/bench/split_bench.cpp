@@ -17,7 +17,7 @@ const Mesh& torus_of_triangles()
     static const Mesh torus = [] {
         const Mesh quads = torus_mesh(1, 0.4, {500, 500});
         Mesh out = quads;
-        // As the workload has it: positions and faces alone, a point a vertex
+        // The workload has positions and faces alone, a point a vertex.
         out.normals.clear();
         out.uvs.clear();
         out.points.clear();

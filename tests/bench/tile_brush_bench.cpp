@@ -10,8 +10,8 @@
 #include <ctime>
 #include <glm/gtc/constants.hpp>
 
-// What a brush of tiles costs on a torus of 20,000 triangles: while it hovers, by its first dab,
-// and by each further dab, alone and among about 100,000 tiles.
+// Measures a brush of tiles on a torus of 20,000 triangles: while it hovers, its first dab, and
+// each further dab, alone and among about 100,000 tiles.
 namespace trivar {
 namespace {
 
@@ -89,9 +89,9 @@ Evaluator new_brush_evaluator()
     return Evaluator(std::make_shared<const AssetStore>(""));
 }
 
-// From the document's new value to the set of tiles that is drawn, dab after dab of one stroke. In
-// the counters: the tiles, those that a dab lays, and the bytes that a picture sends to the card
-// because of it.
+// Measures dab after dab of one stroke, from the document's new value to the set of tiles that is
+// drawn. The counters hold the tiles, those that a dab lays, and the bytes that a picture sends to
+// the card because of it.
 void tiles_dab(benchmark::State& state, Document (*make)())
 {
     const Document before = make();
@@ -132,8 +132,8 @@ void tiles_dab(benchmark::State& state, Document (*make)())
 
 enum class Dabbed { evaluated, drawn, drawn_again };
 
-// From the document with the first dab of a layer to its picture, where the base is shown already;
-// or that picture once more.
+// Measures from the document with the first dab of a layer to its picture, with the base shown
+// already; or that picture once more.
 void tiles_first_dab(benchmark::State& state, Dabbed dabbed)
 {
     const gpu::HeadlessContext context;
@@ -161,8 +161,8 @@ void tiles_first_dab(benchmark::State& state, Dabbed dabbed)
     }
 }
 
-// What the tool does in a frame in which the mouse has moved over the base of a layer, and its
-// ring. Of this thread.
+// Measures the tool and its ring in a frame in which the mouse has moved over the base of a layer,
+// in time of this thread.
 void tiles_hover(benchmark::State& state)
 {
     const auto now_s = [] {

@@ -137,7 +137,7 @@ void per_cell(benchmark::State& state, const Covering& covering)
                             static_cast<std::int64_t>(covering.tiles().size()));
 }
 
-// What a new pattern costs: the cells and their nodes on the surface at rest.
+// Measures a new pattern: the cells and their nodes on the surface at rest.
 void tiles_cover_layout(benchmark::State& state)
 {
     const LimitSurface surface = covered_torus();
@@ -147,7 +147,7 @@ void tiles_cover_layout(benchmark::State& state)
     per_cell(state, covering);
 }
 
-// What an edit of the base costs: heights, guard and patches. One thread.
+// Measures an edit of the base: heights, guard and patches. One thread.
 void tiles_cover_pose(benchmark::State& state)
 {
     const LimitSurface surface = covered_torus();
@@ -164,8 +164,8 @@ void tiles_cover_pose(benchmark::State& state)
     per_cell(state, covering);
 }
 
-// What core/patches/tile_kernel.h is held against: vertex after vertex by the definition, in double
-// precision.
+// Bends vertex after vertex by the definition, in double precision, to compare
+// core/patches/tile_kernel.h with.
 void bend_plainly(const Mesh& unit, const PlacedTile& tile, glm::vec3* positions,
                   glm::vec3* normals)
 {

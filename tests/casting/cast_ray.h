@@ -14,7 +14,7 @@ struct CastRay {
     float thickness = 1; // length in voxels per t, times the density
 };
 
-// What a ray gathers from its beginning to its end.
+// CastLight is the light that a ray gathers from its beginning to its end.
 struct CastLight {
     glm::vec3 color{0}; // linear light that is given off, not lit by others, times the opacity
     float opacity = 0;

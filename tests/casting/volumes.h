@@ -17,7 +17,7 @@ double shells(const glm::dvec3& p, const glm::dvec3& middle);
 
 Ref<VoxelField> field_of(const Ref<VoxelGrid>& grid, FieldOrder order = FieldOrder::cubic);
 
-// From clear to a dense red and a denser blue, over 0 to 200.
+// Returns points from clear to a dense red and a denser blue, over 0 to 200.
 std::vector<TransferPoint> red_and_blue();
 
 } // namespace trivar::testing

@@ -19,7 +19,7 @@ protected:
         const MovePoints move{5, {.points = {{14, 4, 3}, {15, 4, 3}, {16, 4, 3}}, .guard = guard}};
         return keyed(after(laid(), move), 5, "shaping.0.shift.by." + axis, std::move(keys));
     }
-    // What is claimed of the bar, which holds at twenty times the frame rate.
+    // Returns the claim for the bar, which holds at twenty times the frame rate.
     FilmCertificate::PartClaim claimed(const Document& document, double tolerance = 2e-3) const
     {
         const AnimatedExport made = exported(document, tolerance);

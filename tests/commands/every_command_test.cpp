@@ -97,7 +97,7 @@ TEST(EveryCommand, WithRandomFieldsIsAppliedOrRejectedAndNothingElse)
         try {
             const Document result = after(start, command);
             ++applied;
-            // What was accepted can be written and read, and does the same again.
+            // An accepted command can be written and read, and does the same again.
             const Command again = command_from_json_line(to_json_line(command));
             EXPECT_EQ(digest(after(start, again)), digest(result)) << to_json_line(command);
         } catch (const Rejected& error) {

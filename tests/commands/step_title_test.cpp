@@ -257,7 +257,7 @@ TEST(StepTitle, TellsATurnOnTheSurfaceFromAMoveOverIt)
     // About a middle that is not quite that of the stroke, and far from it: along a bend.
     EXPECT_EQ(said_of(turn_about({1.2, 2, 0}, 45)), "Turn Pot on the surface 45°");
     EXPECT_EQ(said_of(turn_about({1, -6, 0}, 10)), "Slide Pot 1.4 m");
-    // What stood in the way gave it another camera: where it met what it lies on tells.
+    // An obstacle changed the stroke's camera: the hits on its hosts tell the turn.
     Sketch seen_anew = sketch;
     seen_anew.camera.perspective = !sketch.camera.perspective;
     for (StrokeSample& each : seen_anew.samples) each.p_px *= 0.5;

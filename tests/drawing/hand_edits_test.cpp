@@ -25,7 +25,7 @@ TEST(HandEdits, KeepDeletionsWidthsAndColors)
 {
     const DrawingSheet drawing = two_line_drawing();
     const std::string text = svg_of(drawing);
-    // As Inkscape saves it: the width and the colour in a style, the attribute as it was.
+    // Inkscape saves the width and the colour in a style, the attribute as it was.
     const std::string edited =
         replaced(text, "<path id=\"bone---skin-sabc\"",
                  "<path id=\"bone---skin-sabc\" style=\"stroke-width: 5.4; stroke:#ff0000\"");

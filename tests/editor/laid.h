@@ -31,7 +31,7 @@ struct LaidRig : Rig {
     {
         return *editor.session.evaluated().objects.at(id)->placement;
     }
-    // Of its contact surface, in the world.
+    // The middle of its contact surface, in the world.
     glm::dvec3 middle(Id id = 2) const { return evaluate(laid(id).contact, {0.5, 0.5}).value; }
     glm::dvec3 ahead(Id id = 2) const
     {

@@ -80,7 +80,7 @@ struct Rig {
         for (const char c : text) screen.input().push(ui::type_text(static_cast<unsigned char>(c)));
         frames(3);
     }
-    // Where a point of the scene stands in the window.
+    // Returns the place of a point of the scene in the window.
     glm::vec2 seen_at(const glm::dvec3& p_world) const
     {
         return layout().view.lo + glm::vec2(project(editor.session.view.camera, p_world).p_px);
@@ -100,7 +100,7 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
-    // Where nobody looks at pictures: as cheap as they can be.
+    // Makes pictures as cheap as they can be, for tests that look at none.
     void draw_cheaply()
     {
         screen.draw_little();

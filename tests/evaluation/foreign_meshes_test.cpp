@@ -29,7 +29,7 @@ protected:
     {
         return testing::new_evaluator()(document).objects.at(1);
     }
-    // Of all parts as another program reads them, by their places.
+    // Returns all parts as another program reads them, by their places.
     Mesh exported(const Document& document)
     {
         const std::string path = folder_.file("out.stl");

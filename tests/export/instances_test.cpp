@@ -186,7 +186,7 @@ TEST(Instances, OfCopiesShareOneMeshAndKeepTheNamesOfObjects)
     EXPECT_NE(back.nodes[0].name, back.nodes[1].name);
 }
 
-// What stands between a name and the end of its list in a text of USD.
+// Returns the numbers between a name and the end of its list in a text of USD.
 std::vector<float> usd_numbers(const std::string& text, const std::string& name, std::size_t from)
 {
     const std::size_t at = text.find('[', text.find(name + " = [", from) + name.size());
@@ -285,7 +285,7 @@ TEST(Instances, OfUsdAreOneInstancerWhereTilesGrow)
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(text.find("def PointInstancer", first + 1), std::string::npos);
     EXPECT_FALSE(holds(text, "from frame"));
-    // As many at each time as the scene has then.
+    // The file has as many instances at each time as the scene has then.
     const std::size_t kinds = text.find("int[] protoIndices.timeSamples", first);
     ASSERT_NE(kinds, std::string::npos);
     std::set<std::size_t> counts;

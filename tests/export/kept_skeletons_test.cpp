@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// What single precision takes of places of a few metres, and of times of a second.
+// The rounding of single precision at places of a few metres, and times of a second.
 constexpr double single_precision = 1e-5;
 
 class KeptSkeletons : public testing::ExportedScenes {

@@ -104,7 +104,7 @@ TEST_F(NodesOfFiles, HaveTheRenderCameraWithItsKeys)
         const Camera now = document_at(moving, frame).kept_views.at("picture");
         const Stance stance = stance_at(made.model, &made.model.clips[0], (frame - 1) / 12);
         const glm::dmat4 at = stance.to_model[static_cast<std::size_t>(node)];
-        // What it looks at stays in the middle of its picture.
+        // The camera's target stays in the middle of its picture.
         const glm::dvec4 seen = glm::inverse(at) * glm::dvec4(now.target, 1);
         EXPECT_LT(glm::length(glm::dvec2(seen)), 0.01) << frame;
         EXPECT_LT(glm::distance(glm::dvec3(at[3]), now.eye), 0.01) << frame;

@@ -38,7 +38,7 @@ struct CapColors {
     const Material* material = nullptr;
 };
 
-// Of the vertices at faces whose material is called "inside".
+// Returns the colours of the vertices at faces whose material is called "inside".
 CapColors cap_colors(const Model& model)
 {
     CapColors out;

@@ -66,7 +66,8 @@ protected:
         return animated_export({document, {1, document.time.last_frame}, tolerance, "a.trivar"},
                                assets_);
     }
-    // What is proven keeps to its own bound at ten times the frame rate, all else to the tolerance.
+    // Proven parts keep to their own bound at ten times the frame rate, all others to the
+    // tolerance.
     void expect_holds(const Document& document, const AnimatedExport& made,
                       int per_frame = 10) const
     {

@@ -9,7 +9,7 @@ namespace trivar::testing {
 // finds is true, what it misses it misses. samples >= 2.
 double smallest_jacobian(const Lattice& lattice, int samples);
 
-// Of all cells together: bad where one is, good where all are.
+// Returns the verdict on all cells together: bad where one is, good where all are.
 Verdict verdict_of(const Lattice& lattice);
 
 } // namespace trivar::testing

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-// What every instruction set that was compiled and this processor has makes of a mesh.
+// Deforms a mesh on every instruction set that was compiled and that this processor has.
 std::vector<std::pair<std::int64_t, Mesh>> on_every_target(const Mesh& mesh, const Lattice& lattice)
 {
     std::vector<std::pair<std::int64_t, Mesh>> out;

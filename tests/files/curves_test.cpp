@@ -57,7 +57,7 @@ TEST(Curves, HaveTheColoursOfTheirVertices)
                 ElementsAre(glm::vec4(1, 0, 0, 1), glm::vec4(0, 1, 0, 1)));
 }
 
-// As faces are.
+// Lines follow the same rules as faces.
 TEST(Curves, ThatNameNoVerticesOrOneAreLeftOutAndSaidOnce)
 {
     const Model model =

@@ -108,7 +108,7 @@ TEST(GlbRules, TangentsAreUnitWhateverTheFileHad)
     ASSERT_FALSE(read.meshes[0]->tangents.empty());
     for (const glm::vec4& t : read.meshes[0]->tangents)
         EXPECT_NEAR(glm::length(glm::vec3(t)), 1, 1e-5);
-    // Those of a mesh without normals are for normals that nobody knows.
+    // The tangents of a mesh without normals belong to normals that nobody knows.
     mesh.normals.clear();
     model.meshes[0] = make_ref(mesh);
     EXPECT_TRUE(read_model_bytes(write_glb(model), "a.glb", "").meshes[0]->tangents.empty());

@@ -37,8 +37,9 @@ TEST(UvTransform, InvertsVAsTheSecondExampleDoes)
     expect_at(inverted({0.3f, 0.2f}), 0.3, 0.8);
 }
 
-// By hand: (0.6, 0.2) scaled by (2, 3) is (1.2, 0.6); turned by 30 degrees, cos 0.8660254 and sin
-// 0.5, it is (1.0392305 + 0.3, 0.5196152 - 0.6) = (1.3392305, -0.0803848); then it is moved.
+// Computed by hand: (0.6, 0.2) scaled by (2, 3) is (1.2, 0.6); turned by 30 degrees, cos 0.8660254
+// and sin 0.5, it is (1.0392305 + 0.3, 0.5196152 - 0.6) = (1.3392305, -0.0803848); then it is
+// moved.
 TEST(UvTransform, ScalesThenTurnsThenMoves)
 {
     const UvTransform all{.offset = {0.25, -0.5}, .scale = {2, 3}, .rotation = quarter / 3};

@@ -186,7 +186,7 @@ TEST(Png, OfSixteenBitsComesBackWithItsBitsAndWords)
     for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(image.rgba[i], 10 * i);
 }
 
-// What is slow to load is loaded for what needs it only.
+// The slow library is loaded only for formats that need it.
 TEST(Pictures, InPngAndJpegAreReadAndPngWrittenWithoutTheLibraryForTheOthers)
 {
     const auto is_loaded = [] {

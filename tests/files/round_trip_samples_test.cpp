@@ -101,8 +101,8 @@ struct Corner {
     std::uint32_t material;
 };
 
-// Of all faces of all nodes at their places, mesh by mesh or those of a mesh by their materials, as
-// GLB has them.
+// Returns the corners of all faces of all nodes at their places, mesh by mesh, or those of a mesh
+// by their materials, as in GLB.
 std::vector<Corner> corners(const Model& model, bool by_material)
 {
     std::vector<Corner> out;

@@ -10,7 +10,7 @@
 
 namespace trivar::testing {
 
-// What a small model is made of in any of the formats of text.
+// A TextModel is a small model that any of the formats of text can hold.
 struct TextModel {
     std::vector<std::string> vertices; // "x y z"
     std::vector<std::vector<int>> faces;

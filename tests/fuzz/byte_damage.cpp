@@ -14,7 +14,7 @@ const std::vector<std::string> extreme_words{
     "0",     "2147483648", "-2147483649", "1e-320", "3e38",       "-3e38",
     "1e308", "",           "1e9",         "0x7",    "1,5",        "18446744073709551616"};
 
-// As four bytes: -1, the largest and the least, NaN, infinity, -0 and huge numbers.
+// Extreme values of four bytes: -1, the largest and the least, NaN, infinity, -0 and huge numbers.
 constexpr std::array<std::uint32_t, 10> extreme_bits{
     0xffffffffu, 0x7fffffffu, 0x80000000u, 0x7fc00000u, 0x7f800000u,
     0x7f7fffffu, 0xff7fffffu, 0x00000001u, 0x00010000u, 0u};

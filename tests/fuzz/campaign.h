@@ -22,8 +22,8 @@ using FileSet = std::vector<NamedFile>;
 struct Campaign {
     // The files of one case. Pure: the same seed and number give the same bytes.
     std::function<FileSet(std::uint64_t seed, int number)> damaged;
-    // What a program does with the first of them, which lies at `path`. Throws Rejected where the
-    // file is refused. Any other exception is a failure.
+    // Does with the first of them, which lies at `path`, all that a program does. Throws Rejected
+    // if the file is refused. Any other exception is a failure.
     std::function<void(const std::string& path)> use;
 };
 

@@ -8,7 +8,7 @@
 
 namespace trivar::testing {
 
-// Where the files of a case lie, and what libraries say of it.
+// A CaseFolder holds the files of a case, and the output of libraries on it.
 struct CaseFolder {
     std::filesystem::path path;
     std::filesystem::path files() const { return path / "case"; }

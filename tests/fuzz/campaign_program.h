@@ -9,7 +9,7 @@
 
 namespace trivar::testing {
 
-// What a program does that runs campaigns: adds its options to those of `app`, reads the words of
+// The body of a program that runs campaigns: adds its options to those of `app`, reads the words of
 // the command line and runs what they name. `entries` is called once they are read. Returns the
 // status of the program.
 int campaign_program(CLI::App& app, int count, char** words,

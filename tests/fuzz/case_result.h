@@ -35,7 +35,7 @@ inline bool failed(const CaseResult& result)
     return result.end >= CaseEnd::broken;
 }
 
-// What the process that runs the cases says of them, a line each, to the one that watches it.
+// The lines that the process that runs the cases writes to the one that watches it.
 std::string begin_line(int number);
 std::string end_line(const CaseResult& result);
 struct CaseLine {

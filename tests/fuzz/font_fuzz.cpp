@@ -5,7 +5,8 @@
 
 #include <cstdlib>
 
-// What letters a font gives, closed they are: accents, two directions, what it lacks, with a bevel.
+// Makes a body of a font's letters, closed if they are: accents, two directions, missing ones, with
+// a bevel.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
     using namespace trivar;

@@ -29,7 +29,7 @@ const trivar::Part& bent_box()
     return part;
 }
 
-// What files are compared with.
+// Returns the file that others are compared with.
 const std::string& plain_box()
 {
     static const std::string bytes =

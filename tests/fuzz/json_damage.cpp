@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// As they are to stand in the text: JSON libraries would not hold all of them.
+// Numbers as they are to stand in the text: JSON libraries would not hold all of them.
 const std::vector<std::string> extreme_numbers{
     "-1",          "0",          "1",          "2",           "0.5",
     "-0",          "-0.0",       "0.001",      "1e-320",      "1e39",

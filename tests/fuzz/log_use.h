@@ -7,10 +7,10 @@
 
 namespace trivar::testing {
 
-// What a program does with a scene: reads and replays it, takes all of it back and does it again,
-// writes it whole and compact, reads that, opens it as a file that it goes on with and, where that
-// is cheap, works out what it shows, at two frames, and writes that. Throws Rejected where the
-// scene is refused and Broken where a promise does not hold.
+// Uses a scene like the program: reads and replays it, undoes all of it and does it again, writes
+// it whole and compact, reads that, opens it as a file to continue and, if that is cheap, evaluates
+// it at two frames, and writes that. Throws Rejected if the scene is refused and Broken if a
+// promise does not hold.
 void use_log(const std::string& path);
 
 // Written, whole and compact, and read back it gives the same document; so it does when all of it

@@ -7,9 +7,9 @@
 
 namespace trivar::testing {
 
-// What a program does with a model's file: reads it, from memory and with what lies beside it, asks
+// Uses a model's file like the program: reads it, from memory and with the files beside it, asks
 // which files it names, checks it, poses it by its clips, writes it in every format and reads that
-// again. Throws Rejected where the file is refused and Broken where a promise does not hold.
+// again. Throws Rejected if the file is refused and Broken if a promise does not hold.
 void use_model(const std::string& path);
 
 // Every mesh passes its check, can be cut to triangles and has finite positions, also in the middle

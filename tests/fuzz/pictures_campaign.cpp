@@ -83,7 +83,7 @@ std::size_t number_at(const std::string& bytes, std::size_t at, std::size_t coun
     return out;
 }
 
-// Of the directory of a TIFF: the type, the count or the value of an entry.
+// Replaces the type, the count or the value of an entry in the directory of a TIFF.
 void replace_entry(std::string& bytes, Random& random)
 {
     const std::size_t directory = number_at(bytes, 4, 4), count = number_at(bytes, directory, 2);

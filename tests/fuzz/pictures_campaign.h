@@ -26,9 +26,9 @@ private:
     std::vector<std::string> sound_;
 };
 
-// What a program does with one: reads it, as colours and as numbers. Returns why it was refused,
-// empty: it was not. Throws std::logic_error where a promise is not kept: pixels of another number,
-// a library's words.
+// Reads a picture like the program, as colours and as numbers. Returns why it was refused, empty:
+// it was not. Throws std::logic_error if a promise is not kept: pixels of another number, a
+// library's words.
 std::string use_picture(const DamagedPicture& picture, PictureReader& reader);
 
 } // namespace trivar::testing

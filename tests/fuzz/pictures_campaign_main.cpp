@@ -57,7 +57,7 @@ long peak_kib_of(const std::string& process)
     return peak;
 }
 
-// Of this one and of those it started, together; of one that has ended, the most that any held.
+// Returns the peak of this process and of those it started, together; of ended ones, the greatest.
 long peak_kib()
 {
     rusage used{};

@@ -25,8 +25,8 @@ inline void pose_all(const Model& model)
     }
 }
 
-// What is read must be sound: every mesh passes its check and can be cut to triangles, every clip
-// be played.
+// Checks that a file that was read is sound: every mesh passes its check and can be cut to
+// triangles, every clip be played.
 inline int read_any(const unsigned char* data, std::size_t size, const std::string& name)
 {
     try {

@@ -11,8 +11,8 @@
 
 namespace trivar::testing {
 
-// What is read must be sound: as many samples as its size says, at least two along each axis, a
-// place that spans space, and a summary. The reader is the one that the first bytes tell.
+// Checks that a volume that was read is sound: as many samples as its size says, at least two along
+// each axis, a place that spans space, and a summary. The first bytes choose the reader.
 inline int read_any_volume(const unsigned char* data, std::size_t size, const std::string& name)
 {
     try {

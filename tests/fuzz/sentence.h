@@ -7,8 +7,8 @@
 
 namespace trivar::testing {
 
-// What is wrong with a sentence for the user: it is empty, longer than 400 bytes, or holds line
-// ends, other control characters or bytes that are no UTF-8. Empty: nothing.
+// Returns the flaw of a sentence for the user: it is empty, longer than 400 bytes, or holds line
+// ends, other control characters or bytes that are no UTF-8. Empty: none.
 std::string flaw_of_sentence(std::string_view sentence);
 
 // Throws Broken for the first of them that has a flaw.

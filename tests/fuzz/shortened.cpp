@@ -12,7 +12,7 @@ shortened(std::vector<std::string> lines,
     std::size_t length = std::max<std::size_t>(lines.size() / 2, 1); // of what is left out
     while (!lines.empty()) {
         bool found = false;
-        // From the end: what comes after a failure is needed least.
+        // The search begins at the end: the lines after a failure are needed least.
         for (std::size_t end = lines.size(); end > 0;) {
             const std::size_t begin = end > length ? end - length : 0;
             std::vector<std::string> fewer(lines.begin(), lines.begin() + std::ptrdiff_t(begin));

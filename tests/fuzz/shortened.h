@@ -7,9 +7,9 @@
 
 namespace trivar::testing {
 
-// As few of the lines, in their order, as still fail: none of them can be left out alone. All of
-// them must fail. Source: Zeller, Hildebrandt 2002, Simplifying and isolating failure-inducing
-// input.
+// Returns as few of the lines, in their order, as still fail: none of them can be left out alone.
+// All of them must fail. Source: Zeller, Hildebrandt 2002, Simplifying and isolating
+// failure-inducing input.
 std::vector<std::string>
 shortened(std::vector<std::string> lines,
           const std::function<bool(const std::vector<std::string>&)>& fails);

@@ -16,7 +16,7 @@
 namespace trivar::testing {
 namespace {
 
-// What our writer does not write and other programs do.
+// Features that other programs write and our writer does not.
 constexpr const char* other_obj = R"(mtllib other.mtl
 v 0 0 0 1
 v 1 0 0 1 0.5 0.5

@@ -63,7 +63,7 @@ std::vector<FileSet> sound_volumes_of(const std::string& kind)
     return out;
 }
 
-// What a program does with what it reads: tells of it, shows its usual level, reads a part.
+// Uses a grid like the program: describes it, shows its usual level, reads a part.
 void use_grid(const VoxelGrid& grid)
 {
     if (grid.size.x < 2 || grid.size.y < 2 || grid.size.z < 2)

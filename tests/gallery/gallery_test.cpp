@@ -62,7 +62,7 @@ Scene replayed(const std::string& name)
     return {document_at(document, document.time.first_frame), evaluator_here()(document)};
 }
 
-// As a scene is shown: in its first frame, or in the one that says what it is about.
+// Returns the scene in its first frame, or in the one that says what it is about.
 Scene shown(const std::string& name)
 {
     const std::optional<int> frame = testing::shown_frame(name);
@@ -168,7 +168,7 @@ TEST_P(Gallery, IsPosedAndDeformedAlikeInEveryWay)
 
 class Motion : public ::testing::TestWithParam<std::string> {};
 
-// As trivar render --sheet 3x2 --size 480x270 draws it of all frames.
+// The picture is that of trivar render --sheet 3x2 --size 480x270 of all frames.
 TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
 {
     constexpr glm::ivec2 size_px{480, 270};
@@ -193,7 +193,7 @@ TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
 
 class ProvenMotion : public ::testing::TestWithParam<std::string> {};
 
-// Of two of its frames; docs/export.md has more of them.
+// Only two of its frames are exported; docs/export.md has more of them.
 TEST_P(ProvenMotion, IsExportedAndProvenBetweenItsMomentsToo)
 {
     const int middle = document_of(GetParam()).time.first_frame + 19;

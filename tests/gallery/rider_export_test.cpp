@@ -47,7 +47,7 @@ const RiderFilm& rider_film()
     return film;
 }
 
-// What is carried by what walks has no bound between the moments, and the export says so.
+// An object carried by a walking one has no bound between the moments, and the export says so.
 TEST(RiderFilm, ShowsTheSceneInEveryFrame)
 {
     const auto& [scene, assets, made] = rider_film();
@@ -66,7 +66,7 @@ TEST(RiderFilm, ShowsTheSceneInEveryFrame)
     EXPECT_GT(parts[riding_crocodile], 0);
 }
 
-// What of the file belongs to one object of the scene.
+// Returns the part of the file that belongs to one object of the scene.
 EvaluatedObject only_of(const EvaluatedObject& read, const AnimatedExport& made, Id object)
 {
     EvaluatedObject out = read;

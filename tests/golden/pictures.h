@@ -8,8 +8,8 @@
 
 namespace trivar::testing {
 
-// What may differ between two machines that draw the same picture: rounding everywhere, edges by
-// a sample here and there.
+// A PictureTolerance is the allowed difference between two machines that draw the same picture:
+// rounding everywhere, edges by a sample here and there.
 struct PictureTolerance {
     int step = 10;            // of 255, in any channel: more counts as a different pixel
     double share = 0.004;     // of the pixels that may be different

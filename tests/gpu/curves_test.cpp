@@ -57,7 +57,7 @@ protected:
         for (int y = 0; y < image.size_px.y; ++y) sum += linear(rgb_at(image, {x, y})[channel]);
         return sum;
     }
-    // What the curve adds to the pixels of a row, between two columns.
+    // Returns what the curve adds to the pixels of a row, between two columns.
     std::vector<int> added(const Image& without, int y, int from, int to) const
     {
         std::vector<int> out;

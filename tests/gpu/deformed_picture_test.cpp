@@ -19,7 +19,7 @@ Stage volume_stage(int order, double size, const Embedding& embedding = {}, unsi
             embedding};
 }
 
-// From the box [-1, 1]^3 to the parameters.
+// Maps the box [-1, 1]^3 to the parameters.
 Embedding in_a_box()
 {
     glm::dmat4 half(0.5);

@@ -19,7 +19,7 @@ inline std::array<Knots, 3> equal_axes(int order, int count)
     return {knots, knots, knots};
 }
 
-// As near as one way has to come to another.
+// Expects two ways to agree as closely as they have to.
 inline void expect_equal(const DeformedArrays& a, const DeformedArrays& b)
 {
     ASSERT_EQ(a.positions.size(), b.positions.size());
@@ -54,7 +54,7 @@ protected:
         return read_back(to);
     }
 
-    // What the vertex shader makes of it as it draws: the last volume, the others before.
+    // Deforms as the vertex shader does while it draws: the last volume there, the others before.
     DeformedArrays by_vertex_shader(const Mesh& mesh, const std::vector<Stage>& stages)
     {
         DeviceVertices from = uploaded_vertices(mesh), between;

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-// What a draft leaves out must not be seen.
+// A draft leaves out nothing that is seen.
 namespace trivar::gpu::testing {
 namespace {
 

@@ -102,7 +102,7 @@ glm::vec3 on_vase(double turn, double height)
     return {r * std::cos(angle), r * std::sin(angle), height};
 }
 
-// Of wire round a ball: rings in one colour and ribs in another.
+// The wires round a ball are rings in one colour and ribs in another.
 TEST_F(GoldenPictures, OfAVaseOfWire)
 {
     Picture picture;

@@ -157,7 +157,7 @@ TEST_F(TheRenderer, DrawsInPiecesWhatItDrawsAtOnceAndShowsTheLastPictureMeanwhil
     EXPECT_EQ(texels(renderer.draw(picture, size), size), whole);
 }
 
-// As the frames of a sequence are drawn in any order: shadows on the ground, and glass.
+// The frames of a sequence are drawn in any order: shadows on the ground, and glass.
 TEST_F(TheRenderer, DrawsInPiecesWithNothingLeftOfThePictureBefore)
 {
     const glm::ivec2 size(96, 64);
@@ -316,7 +316,7 @@ TEST_F(TheRenderer, DrawsTheGridAtHeightZeroWhateverStandsThere)
         picture.camera.eye = {0, -7, 5};
         picture.camera.perspective = true;
         EXPECT_GT(color_at({1.3, 0, 0}).r, color_at({1.3, 0, 0}).g + 60) << z;
-        // From the front the grid is the upright plane of X and Z.
+        // The grid seen from the front is the upright plane of X and Z.
         picture.camera.eye = {0, -7, 0};
         picture.camera.perspective = false;
         picture.camera.height_world = 6;

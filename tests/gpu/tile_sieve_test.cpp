@@ -46,7 +46,7 @@ Instance first_of(const Instance& layer, std::size_t count)
 
 class ChosenTiles : public WithContext {
 protected:
-    // By instance and level the tiles that are drawn.
+    // Lists hold the tiles that are drawn, by instance and level.
     using Lists = std::vector<std::vector<std::vector<std::uint32_t>>>;
 
     static std::vector<std::uint32_t> numbers_in(const Buffer& buffer)

@@ -32,8 +32,8 @@ TEST(ColorMap, IsOrderedByLightnessInEvenSteps)
     }
 }
 
-// What remains of the hue to an eye without one kind of cones: blue and rust stay apart, for they
-// differ along the axis that red-green blindness leaves, and the fold's magenta is neither.
+// The colours differ to an eye without one kind of cones: blue and rust stay apart, for they differ
+// along the axis that red-green blindness leaves, and the fold's magenta is neither.
 TEST(ColorMap, KeepsItsSidesApartByMoreThanRedAndGreen)
 {
     const glm::vec3 less = diverging_color(-1), more = diverging_color(1);

@@ -34,7 +34,7 @@ Translucent sheet(float y, glm::vec4 color, float facing = -1, float half = 0.8f
     return veil;
 }
 
-// As bytes.
+// Encodes linear light as bytes.
 glm::vec3 encoded(glm::vec4 linear)
 {
     return 255.0f * (1.055f * glm::pow(glm::vec3(linear), glm::vec3(1 / 2.4f)) - 0.055f);

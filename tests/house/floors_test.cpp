@@ -15,8 +15,8 @@
 namespace trivar::testing {
 namespace {
 
-// From the ground up; docs/architecture.md draws the same house. Rooms beside each other on one
-// floor do not know each other. A room may be one file and its header.
+// The floors from the ground up; docs/architecture.md draws the same house. Rooms beside each other
+// on one floor do not know each other. A room may be one file and its header.
 const std::vector<std::vector<std::string>> floors{
     {"core/base"},
     {"core/animation"},
@@ -98,7 +98,7 @@ struct Place {
     int floor = -1; // none: it is no part of the house
     std::string room = {};
 };
-// Of a path below the top level.
+// Returns the floor and the room of a path below the top level.
 Place place_of(const std::string& path)
 {
     for (std::size_t i = 0; i < floors.size(); ++i)
@@ -134,7 +134,7 @@ bool shows_foreign_headers(const std::string& text)
     });
 }
 
-// What is wrong with one file, one sentence each.
+// Returns the faults of one file, one sentence each.
 std::vector<std::string> complaints(const std::string& path, const std::string& text)
 {
     std::vector<std::string> out;
@@ -179,7 +179,7 @@ std::vector<std::string> leaks(const Files& files)
     return out;
 }
 
-// What each thing includes of others.
+// Arrows lead from each thing to the others that it includes.
 using Arrows = std::map<std::string, std::set<std::string>>;
 Arrows arrows_between(const Files& files)
 {
@@ -255,7 +255,7 @@ bool defines_a_class(const std::string& text)
     return false;
 }
 
-// What the document's headers see of other rooms beside values, a sentence for each header.
+// Returns a sentence for each header of the document that sees more of other rooms than values.
 std::vector<std::string> more_than_values(const Files& files)
 {
     std::set<std::string> seen;

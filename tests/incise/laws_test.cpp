@@ -18,7 +18,7 @@ struct RandomCut {
     std::vector<Incision> incisions;
 };
 
-// Of all kinds, the same for the same number.
+// Returns a random cut of any kind, the same for the same number.
 RandomCut random_cut(const CutSkin& skin, std::size_t number)
 {
     RandomHand hand(skin, 40 + number);

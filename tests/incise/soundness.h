@@ -5,7 +5,7 @@
 
 namespace trivar::testing {
 
-// What is wrong with a cut mesh; all 0 for a sound one.
+// CutFaults counts the faults of a cut mesh; all 0 for a sound one.
 struct CutFaults {
     std::size_t open = 0;    // directed edges without an opposite one
     std::size_t twice = 0;   // directed edges of two faces

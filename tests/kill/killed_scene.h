@@ -10,7 +10,7 @@
 
 namespace trivar::testing {
 
-// What came of rounds in which a window was killed.
+// KillFindings are the results of rounds in which a window was killed.
 struct KillFindings {
     int rounds = 0, named = 0, reopened_at_once = 0;
     std::size_t lines = 0; // of scenes' files, that came to be shown: steps, undos, redos
@@ -39,7 +39,7 @@ private:
     Dice& dice_;
     TemporaryFolder home_;
     std::string path_; // empty: it has no name
-    // Of a scene that gets one from the hand.
+    // The file of a scene that gets its name from the hand.
     std::string given_ = home_.file("untitled.trivar");
     Shown last_; // that was shown of it by any of its windows
     std::unique_ptr<WatchedProgram> killed_;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What a killed window left on the disk.
+// Checks the file that a killed window left on the disk.
 
 namespace trivar::testing {
 

@@ -29,7 +29,7 @@ Server start_server()
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    // Of one number it would stay closed for the other program.
+    // The number must differ: with the same one it would stay closed for the other program.
     const int end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, told_at + 1);
     posix_spawn_file_actions_adddup2(&actions, end, told_at);
     std::array<std::string, 8> words{"Xvfb", "-displayfd",  "3",         "-screen",

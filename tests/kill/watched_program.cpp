@@ -16,7 +16,7 @@
 namespace trivar::testing {
 namespace {
 
-// Of this program, but for what says where things are.
+// Copies the environment of this program except for the places of things.
 std::vector<std::string> environment_of(const std::string& home, const std::string& screen)
 {
     std::vector<std::string> all{"HOME=" + home, "XDG_STATE_HOME=" + home + "/state",

@@ -9,7 +9,7 @@
 
 namespace trivar::testing {
 
-// What a frame of the window shows at most, as the program says before it shows it.
+// Shown is the most that a frame of the window can show, as the program says before it shows it.
 struct Shown {
     std::size_t steps = 0, of = 0; // in force, and with those that were undone
     std::size_t lines = 0;         // of the scene's file

@@ -9,7 +9,7 @@
 namespace trivar::testing {
 namespace {
 
-// By its points alone: without normals and seams.
+// Returns the mesh by its points alone: without normals and seams.
 Mesh bare(const Mesh& mesh)
 {
     Mesh out;

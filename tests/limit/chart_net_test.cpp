@@ -34,7 +34,7 @@ TEST(ChartWalks, RoundATorusCloseExactly)
     const ChartNet net = limit_of(torus_cage()).net();
     for (std::uint32_t c = 0; c < net.size(); ++c)
         for (int e = 0; e < 4; ++e) {
-            // As many charts ahead as lie round the torus that way.
+            // The walk goes as many charts ahead as lie round the torus that way.
             const ChartPlace from{c, {0.5, 0.25}};
             int round = 0;
             ChartPlace at = from;

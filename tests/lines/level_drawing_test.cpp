@@ -53,7 +53,7 @@ TEST_P(LevelDrawings, LieWhereTheCameraSeesThem)
     }
 }
 
-// Of two hills at one height, seen from above, the low one is broader, and nearly under the level.
+// Seen from above, the low one of two hills is broader, and nearly under the level.
 TEST_P(LevelDrawings, RatherKeepLinesThatLastAsTheLevelChanges)
 {
     const glm::ivec3 size(48, 24, 24);

@@ -143,7 +143,7 @@ TEST(SuggestiveContours, AreWhereTheCurvatureAlongTheSightVanishes)
     const Silhouettes lines = suggestive_lines(ring, view, {.suggestive = true, .detail = 20});
     ASSERT_GE(lines.count(), 1u);
     for (const SilhouettePoint& point : lines.points) {
-        // Of the ring: along its tube 1, round it cos / (3 + cos).
+        // The curvatures of the ring are 1 along its tube and cos / (3 + cos) round it.
         const float out = std::hypot(point.p.x, point.p.y), cosine = out - 3;
         const glm::vec3 round(-point.p.y / out, point.p.x / out, 0),
             n(point.p.x / out * cosine, point.p.y / out * cosine, point.p.z),

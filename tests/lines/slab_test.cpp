@@ -104,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(All, SlabCurvesOf,
                                            VoxelFieldOptions{.spline = FieldSpline::smoothing},
                                            VoxelFieldOptions{.blur = 3}));
 
-// Of coefficients, relative to the greatest, by the number of slices on either side.
+// Returns the deviation of coefficients, relative to the greatest, by the number of slices on
+// either side.
 double deviation(const VoxelGrid& grid, int halo)
 {
     const auto& samples = std::get<std::vector<std::uint16_t>>(grid.samples);

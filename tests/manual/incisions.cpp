@@ -27,7 +27,7 @@ struct Counts {
     std::map<std::string, long> refusals;
 };
 
-// What is asked of random incisions beyond their strokes.
+// Adds random demands to incisions beyond their strokes.
 void ask_more(const CutSkin& skin, RandomHand& hand, double share_through,
               std::vector<Incision>& incisions)
 {

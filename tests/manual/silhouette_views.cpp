@@ -43,7 +43,7 @@ Subject subject_of(std::string name, VoxelGrid grid, double level)
     return {std::move(name), field, std::move(mesh)};
 }
 
-// What is in a box of a volume, whose faces cut its body.
+// Returns the part of a volume in a box whose faces cut its body.
 Subject part_of(const Subject& whole, double level)
 {
     const glm::ivec3 size = whole.field->grid().size;

@@ -63,7 +63,7 @@ TEST(Repair, JoinsBordersThatLieAFewUnitsInTheLastPlaceApart)
                            apart = repaired(loose_box(size, 1e-5f * size));
         EXPECT_EQ(testing::count_edges(same.mesh).open, 0);
         EXPECT_EQ(testing::count_edges(near.mesh).open, 0);
-        // What is one point is at one place, to the bit.
+        // Vertices of one point are at one place, to the bit.
         EXPECT_EQ(points_by_position(near.mesh.positions), near.mesh.points);
         EXPECT_GT(testing::count_edges(apart.mesh).open, 0) << "a gap that somebody wants";
     }

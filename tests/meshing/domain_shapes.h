@@ -17,7 +17,7 @@ TriangleSurface torus(double around, double tube, int n, int m);
 TriangleSurface sphere(int n);
 TriangleSurface box_surface(const glm::dvec3& lo, const glm::dvec3& hi);
 
-// What is wrong with cells, as a sentence; empty: they make a domain of that degree, no face has
+// Returns the fault of cells, as a sentence; empty: they make a domain of that degree, no face has
 // three cells, and the border is a closed surface that meets itself nowhere.
 std::string fault(const SimplexMesh<3>& mesh, int degree = 2);
 

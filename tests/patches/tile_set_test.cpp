@@ -14,7 +14,8 @@ using namespace testing;
 
 constexpr TileCell unit_box_cell{{0, 0, -0.5}, 1, 1};
 
-// What reaches beyond the unit square, as a posed model may, and what does not fill it.
+// Returns units that reach beyond the unit square, as a posed model may, and some that do not fill
+// it.
 std::vector<Mesh> some_units()
 {
     std::vector<Mesh> out;

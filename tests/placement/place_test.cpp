@@ -75,7 +75,7 @@ TEST(Place, NeverOvershootsUpwardsWithoutSprings)
         double highest = -1e300;
         for (const glm::dvec3& p : out.contact.points)
             highest = std::max(highest, -glm::dot(p, View(camera).forward()));
-        // What is seen highest toward the camera is a corner of the roof.
+        // A corner of the roof is highest toward the camera.
         double roof = -1e300;
         for (const double x : {-0.45, 0.45})
             for (const double y : {-1.0, 1.0})

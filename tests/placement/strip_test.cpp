@@ -41,7 +41,7 @@ TEST(Sketch, AKnownCubicIsRecovered)
     const Curve<glm::dvec2> again = fit(cubic.knots, t, points, {.smoothing = 1e-13, .ends = true});
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_NEAR(glm::length(again.points[i] - cubic.points[i]), 0, 1e-6);
-    // From the points alone, whose parameters are not known, within the tolerance.
+    // The points alone, whose parameters are not known, give it within the tolerance.
     const Curve<glm::dvec2> fitted = fit_sketch(points, 0.01);
     for (const glm::dvec2& p : points) {
         double nearest = 1e9;

@@ -196,7 +196,7 @@ TEST(Journey, LeadsAProcessionAtEqualGaps)
         for (int k = 1; k <= 3; ++k) {
             EXPECT_NEAR(length_on(journey, line, t, k), length_on(alone, line, t, 0) - 0.3 * k,
                         1e-9);
-            // Those that are not on the stroke yet are not shown.
+            // Followers that are not on the stroke yet are hidden.
             EXPECT_EQ(journey.at(t, k).hidden,
                       length_on(journey, line, t, k) < line.length_at(p.fill / 2) - 1e-6);
         }

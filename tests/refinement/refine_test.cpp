@@ -138,7 +138,8 @@ TEST(Refining, LeavesNoNeedlesBesideAnEdgeThatIsJustWithinTheTolerance)
 
 TEST(Refining, LeavesNoNeedlesWhereTheVolumeHasKinks)
 {
-    // Of order 2 an edge is a chain of chords, whose ends may be off an S by twice what it is off.
+    // An edge of order 2 is a chain of chords, whose ends may be off an S by twice the edge's own
+    // error.
     std::mt19937 random(11);
     std::uniform_real_distribution<double> share(0.002, 0.02);
     for (int seed = 1; seed <= 6; ++seed) {

@@ -15,7 +15,7 @@ namespace trivar {
 template <int S> struct DegenerateDomain {
     SimplexDomain<S> domain;
     std::string kind;
-    // Of the least cell by its longest edge: volume times S! over the edge to the power S.
+    // The volume of the least cell times S! over its longest edge to the power S.
     double flatness = 1;
 };
 

@@ -20,7 +20,7 @@ public:
     explicit ExactRecursion(const SimplexDomain<S>& domain);
     ~ExactRecursion();
 
-    // By cell and multi-index. At most a few ms.
+    // Returns the values by cell and multi-index. At most a few ms.
     std::vector<double> values(const Point& x, const Point& direction);
 
     // Whether a cell has x in it or on its faces.

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What was found at the points of one dimension and degree.
+// A CampaignClass counts the findings at the points of one dimension and degree.
 struct CampaignClass {
     int variables = 3, degree = 1;
     std::size_t points = 0;          // at which values were compared

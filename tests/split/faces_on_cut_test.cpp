@@ -83,7 +83,7 @@ std::optional<Severed> halves_of(const Mesh& mesh, const PlainCut& cut, Unsevere
     return out;
 }
 
-// As many faces run along every edge one way as the other.
+// Expects as many faces to run along every edge one way as the other.
 void expect_even(const Mesh& mesh)
 {
     EXPECT_EQ(closedness(mesh).unequal, 0u);

@@ -90,7 +90,8 @@ bool was_laid(const Evaluation& evaluated)
     });
 }
 
-// What one does to the host and where that takes what lies on it, without laying it again.
+// Expects a command on the host to move the strokes attached to it by that matrix, without laying
+// them again.
 void expect_carried(const Document& document, const Command& command, const glm::dmat4& by,
                     Id id = laid_id)
 {
@@ -345,7 +346,7 @@ TEST(SetParent, KeepsThePlaceAndGoesWithAnyObject)
     EXPECT_NEAR(to_world(moved, 3)[3].y, to_world(document, 3)[3].y + 5, 1e-12);
     const Document freed = after(moved, SetParent{{3}, 0});
     EXPECT_LT(off(to_world(freed, 3), to_world(moved, 3)), 1e-12);
-    // What goes with an object outlives it; what is in a group does not.
+    // An attached object outlives its host; one in a group does not outlive the group.
     const Document gone = after(moved, Delete{{host_id}});
     EXPECT_LT(off(to_world(gone, 3), to_world(moved, 3)), 1e-12);
     expect_refused(parented, SetParent{{host_id}, 3}, "which is in it");

@@ -134,7 +134,7 @@ TEST(Cutting, GoesThroughEachPieceWhereItStoodWhenTheCutWasDrawn)
         for (const Part& part : ball->parts) {
             EXPECT_TRUE(is_closed_body(*part.mesh()));
             const bool upper = bounds_in_world(part).center().z > 0.2;
-            // As it stood then
+            // The offset takes the point back to its place at that time.
             const glm::dvec3 off(0, 0, upper ? 0.25 - gap / 2 : -0.25 + gap / 2);
             double least = 1e300, most = -1e300;
             for (const glm::vec3& p : part.mesh()->positions) {

@@ -34,7 +34,7 @@ std::vector<glm::vec3> points_of(const Document& document, Id id)
     return testing::world_points(all_of(document).objects.at(id)->parts.at(0));
 }
 
-// As a person gives it, where a step that does nothing is refused.
+// Applies a command as a person gives it, where a step that does nothing is refused.
 Document given(const Document& document, const Command& command)
 {
     check_new(document, command);
@@ -318,7 +318,7 @@ TEST(Lattices, PassOverStepsOfOlderScenesThatTheyCannotTake)
         EXPECT_EQ(points_of(older, 1), points_of(sound, 1));
         EXPECT_THAT(all_of(older).objects.at(2)->notices,
                     ::testing::Contains(HasSubstr("step 2 of its shaping")));
-        // What was passed over counts no more: what fits without it fits.
+        // A step that was passed over counts no more: others fit without it.
         EXPECT_NO_THROW(given(older, InsertKnots{2, {.up = {0.5}}}));
         EXPECT_THROW(given(older, MovePoints{2, {.points = {{0, 0, 4}}}}), Rejected);
     }

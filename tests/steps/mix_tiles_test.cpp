@@ -166,7 +166,7 @@ TEST(MixTiles, IsRefusedInASentence)
     expect_no_mix(MixTiles{other_box, 1, {{base_ball, 1}}}, "no layer of tiles");
     expect_no_mix(MixTiles{layer_stud, 1, {{3, 1}}}, "lies on a stroke");
     expect_no_mix(MixTiles{layer_stud, 1, {{other_box, -1}}}, "weight");
-    // What is mixed in cannot be painted on the layer, nor laid on it.
+    // An object that is mixed in cannot be painted on the layer, nor laid on it.
     expect_no_mix(PaintTiles{other_box, layer_stud, a_tile_stroke()}, "depends on");
 }
 

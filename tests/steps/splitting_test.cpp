@@ -108,7 +108,7 @@ TEST(Splitting, ReadsTheSwitchOfOlderFiles)
     EXPECT_EQ(closing("true"), SplitClosing::capped);
     EXPECT_EQ(closing("\"stitched\""), SplitClosing::stitched);
     EXPECT_THAT([&] { closing("1"); }, ThrowsMessage<Rejected>(HasSubstr("stitched")));
-    // As they were counted when it was a switch
+    // The digests are from the time when it was a switch.
     Split command = by_the_pillar();
     EXPECT_EQ(digest(after(ball_and_pillar(0), command)), "c84269b190dba4de573d2a230e2bb461");
     command.splitting.closing = SplitClosing::open;

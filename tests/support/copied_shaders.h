@@ -8,7 +8,8 @@
 
 namespace trivar::testing {
 
-// What ShaderFolder takes for a checkout: a copy of the shaders, to be changed.
+// CopiedShaders is a folder that ShaderFolder takes for a checkout: a copy of the shaders, to be
+// changed.
 struct CopiedShaders {
     TemporaryFolder folder;
     CopiedShaders()

@@ -20,7 +20,7 @@ struct Layout {
     std::vector<char> cut; // whether a seam cuts it
 };
 
-// What is wrong with a layout.
+// LayoutFlaws counts the flaws of a layout.
 struct LayoutFlaws {
     int tiles = 0, cut = 0;
     double bare = 0;      // share of the surface on which no tile is

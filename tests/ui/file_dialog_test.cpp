@@ -85,7 +85,7 @@ TEST(FileDialog, TabWalksToItsButtonsAndBack)
     EXPECT_FALSE(d.dialog.is_open());
 }
 
-// What Enter chooses where that name is suggested.
+// Returns the folder that Enter chooses if that name is suggested.
 std::optional<std::string> folder_of_name(const std::string& name)
 {
     Dialog d({.title = "Folder",

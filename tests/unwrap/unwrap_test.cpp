@@ -218,7 +218,7 @@ TEST(Unwrap, CanBeStoppedWhereverItIs)
 
 TEST(Unwrap, MayBeStoppedBeforeTheLastLook)
 {
-    // What it reads lives for as long as the work that was left needs it.
+    // The input lives for as long as the work that was left needs it.
     for (int round = 0; round < 3; ++round) {
         const UnwrapInput input{make_ref(torus_mesh(1, 0.4, {60, 40})), 1};
         EXPECT_THROW(

@@ -244,7 +244,7 @@ TEST_F(DicomSeries, TakesOneOfSeveralSlicesAtAPlace)
 
 TEST_F(DicomSeries, TakesTheTimeThatIsAskedFor)
 {
-    // By their numbers the times follow each other as a whole; by name they are mixed.
+    // The times follow each other as a whole by their numbers; by name they are mixed.
     constexpr int places = 4, times = 3;
     std::vector<NamedSlice> slices;
     for (int time = 0; time < times; ++time)

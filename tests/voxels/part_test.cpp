@@ -167,7 +167,7 @@ TEST(GridPart, StaysWithinTheVolume)
 
 TEST(GridPart, FitsIntoTheMemoryOrIsRefused)
 {
-    // Of 120 bytes.
+    // The samples take 120 bytes.
     const std::string bytes = write_nrrd(testing::small_volume());
     const VoxelGrid grid = read_volume_bytes(bytes, "a.nrrd", "").grid;
     ReadVolumeOptions options;

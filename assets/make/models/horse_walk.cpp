@@ -12,7 +12,7 @@ namespace {
 
 constexpr float on_ground = .28f, grounded = .64f; // way of a hoof there; share of a cycle
 constexpr float sink = .014f, bob = .005f;         // of the trunk: legs that reach out are short
-// What a sole stands over the ground: on it, where a volume ends, rounding would decide whether
+// The height of a sole over the ground: on it, where a volume ends, rounding would decide whether
 // that still bends it.
 constexpr float clearance = .0005f;
 
@@ -77,7 +77,7 @@ void share_out(vec4& weights, float rest_to_first, float first_to_second)
     weights.w = rest_to_first * first_to_second;
 }
 
-// Of the joints of the trunk, then upper, lower and foot of each leg.
+// Returns the influence of the joints of the trunk, then of upper, lower and foot of each leg.
 Influence steed_influence(const Limb& fore, const Limb& hind, vec3 p)
 {
     Influence out = along_x({body[chest].at.x, body[pelvis].at.x}, p);

@@ -8,7 +8,7 @@ namespace make {
 // A column whose section is a head seen from the side: it looks along +x, its crown toward -z.
 Model profile()
 {
-    // From the nape over the crown and down the face; x forward, y up.
+    // The outline from the nape over the crown and down the face; x forward, y up.
     const std::vector<vec2> face = {
         {-.165f, .000f}, {-.165f, .090f}, {-.180f, .160f}, {-.235f, .235f}, {-.285f, .330f},
         {-.310f, .450f}, {-.300f, .580f}, {-.250f, .690f}, {-.165f, .765f}, {-.055f, .795f},

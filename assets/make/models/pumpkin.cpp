@@ -14,7 +14,7 @@ namespace {
 constexpr float height = .40f; // of the middle
 constexpr int ribs = 11;
 
-// From 0 in the furrows to 1 on the ribs, which are not all as wide.
+// Returns 0 in the furrows to 1 on the ribs, which are not all as wide.
 float rib(float angle)
 {
     const float uneven = angle + .10f * std::sin(2 * angle + 1) + .05f * std::sin(3 * angle);
@@ -63,7 +63,7 @@ vec3 rind(vec3 p)
     return c * (1 + .04f * noise(p * 23.f));
 }
 
-// As a candle on the ground of it lights it.
+// Returns the colour of a place inside, lit by a candle on the ground.
 vec3 lit_inside(vec3 p)
 {
     const float away = glm::distance(p, vec3(0, .22f, 0));

@@ -5,7 +5,7 @@
 
 namespace make {
 
-// What makes a horse differ from a camel.
+// A Steed holds the differences between a horse and a camel.
 struct Steed {
     std::vector<Station> trunk;
     std::vector<vec4> neck, fore, hind, tail, mane; // limbs: xyz and radius

@@ -5,7 +5,7 @@
 
 namespace make {
 
-// Where it stands on legs its trunk is so much higher than where it lies on its belly.
+// The height by which its trunk rises when it stands on its legs instead of lying on its belly.
 inline constexpr float reptile_rise = .013f;
 
 // A skin for the root's mesh and the clip "walk": it trots, its spine bending from side to side.

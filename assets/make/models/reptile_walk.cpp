@@ -49,7 +49,7 @@ std::vector<Leg> legs()
     return out;
 }
 
-// Of joints 0 to 5 of the spine, then leg and foot of each leg.
+// Returns the influence of joints 0 to 5 of the spine, then of leg and foot of each leg.
 Influence influence(const Limb& fore, const Limb& hind, vec3 p)
 {
     std::vector<float> x;

@@ -67,7 +67,7 @@ Model snake()
                {.945f, .025f, .0365f, .021f, .017f, 2.25f},
                {.972f, .0245f, .0275f, .0165f, .0135f, 2.3f},
                {.990f, .024f, .0185f, .0115f, .0105f, 2.3f}});
-    // What the pattern and the texture coordinates go round.
+    // The axis round which the pattern and the texture coordinates go.
     const Curve spine({{0, .004f}, {.06f, .008f}, {.2f, .0185f}, {.4f, .026f}, {1, .026f}});
     auto f = [=](vec3 p0) {
         vec3 p = mirror_z(p0);

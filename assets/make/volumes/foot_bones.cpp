@@ -92,7 +92,7 @@ std::vector<Metatarsal> metatarsals()
              {5.4f, 5.8f, 6}}};
 }
 
-// From its base to its head, waisted between.
+// Makes a bone from its base to its head, waisted between.
 Solid phalanx(vec3 base, vec3 head, float wide, float high, float taper)
 {
     return tube({{base, wide, high},

@@ -20,7 +20,7 @@ private:
     std::vector<float> lengths_;
 };
 
-// Of the left half; the right half mirrors it.
+// JawTeeth are the teeth of the left half; the right half mirrors them.
 struct JawTeeth {
     Tissue crowns, roots, pulps;
 };

@@ -78,7 +78,7 @@ Solid patella()
                   5);
 }
 
-// What of a surface the cartilage covers: a thickness that fades to its rim.
+// Makes the cartilage on the part `where` of a bone's surface: a thickness that fades to its rim.
 Solid coat(const Solid& bone, float thick, const Solid& where)
 {
     const vec3 lo = glm::max(bone.lo - thick, where.lo), hi = glm::min(bone.hi + thick, where.hi);

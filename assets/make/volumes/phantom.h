@@ -40,7 +40,8 @@ struct Phantom {
 };
 inline constexpr float phantom_reach_mm = 3.5f;
 
-// From 0 outside to 1 inside over the width, as the samples of a scanner average over their cells.
+// Returns 0 outside to 1 inside, rising over the width, as the samples of a scanner average over
+// their cells.
 float inside(float distance, float width);
 
 // Blurred by (1 2 1)/4 along each axis; 0.1 to 1 us a sample, the same bits for any number of

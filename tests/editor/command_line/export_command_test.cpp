@@ -71,7 +71,7 @@ TEST_F(ExportCommand, WritesAFileThatIsVerified)
     EXPECT_THAT(verified.text, HasSubstr("what it claims holds"));
 }
 
-// What is off further than a claim says stands beside what is claimed of that.
+// A deviation beyond the claim for a part is printed beside that claim.
 TEST_F(ExportCommand, IsNeverSaidToHoldBesideAFigureThatIsBeyondItsClaim)
 {
     write_file(folder_.file("bar.gltf"), testing::gltf_text(testing::rigged_model()));

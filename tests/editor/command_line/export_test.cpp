@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// What the window writes, of a scene that lies open in it.
+// WindowExport exports a scene that is open in the window.
 class WindowExport : public ::testing::Test {
 protected:
     void open(const std::string& text)

@@ -60,7 +60,7 @@ struct Sequences : ::testing::Test {
     {
         return run(arguments(folder.file(name), more, frames));
     }
-    // By name, of the pictures that are whole.
+    // Returns the pictures that are whole, by name.
     std::map<std::string, std::string> files(const std::string& name) const
     {
         std::map<std::string, std::string> out;

@@ -42,7 +42,7 @@ protected:
                          folder.file("pot.glb")});
     }
     Ran verified() { return run_verb({"verify", folder.file("pot.glb")}); }
-    // What is said of the exported file once the JSON value behind a name is another.
+    // Returns the words on the exported file after the JSON value of a name was replaced.
     std::string verified_with(const std::string& name, const std::string& value, bool last)
     {
         const std::string bytes = read_text_file(folder.file("pot.glb")), key = "\"" + name + "\":";
@@ -235,7 +235,7 @@ TEST_F(CertifiedExport, SaysWhereThereIsNothingToCertify)
 
 TEST_F(CertifiedExport, SaysWhatIsNotRefinedInWords)
 {
-    // Of two that are laid one is refined as the scene says; the other keeps its triangles.
+    // Only one of two laid objects is refined; the other keeps its triangles.
     AddBox second;
     Refine refine;
     refine.objects = {2};

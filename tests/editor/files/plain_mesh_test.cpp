@@ -32,7 +32,7 @@ struct SavedLaid : LaidRig {
             sum += part.mesh()->face_count();
         return sum;
     }
-    // By the dialog, with another tolerance.
+    // Asks in the dialog, with another tolerance.
     void ask(const char* name, double tolerance)
     {
         action(editor, name).run(editor);

@@ -51,7 +51,7 @@ TEST(PlacementHandles, ARimSetsTheWidthAndTheRoofTheHeightAStepEach)
     EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.02 * width);
     EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.02 * width);
     const HoldPoint roof = rig.hold(HoldKind::height);
-    // From where the stroke was drawn the height is seen end on: its handle is on a stalk.
+    // The height is seen end on from where the stroke was drawn: its handle is on a stalk.
     EXPECT_GT(glm::distance(rig.handle(roof), rig.seen_at(roof.p_world)), 20);
     const Camera& camera = rig.editor.session.view.camera;
     const double px = pixel_size_world(camera, project(camera, roof.base_world).depth_world);

@@ -123,7 +123,7 @@ TEST(Tutorial, ShowsAGestureOnItsWayUnlessMotionIsReduced)
     Lesson lesson(small_tutorial(folder));
     lesson.key({ui::key_right});
     lesson.wait();
-    // By a clock of its own: the window jumps where its pictures take long.
+    // The tutorial runs on a clock of its own: the window jumps where its pictures take long.
     Session& session = lesson.editor.session;
     lesson.editor.tutorial.next(session);
     double between = 0;

@@ -12,7 +12,7 @@ using ::testing::IsSupersetOf;
 
 struct Hovering : testing::Rig {
     Hovering() : Rig({1024, 700}) { two_objects(); }
-    // What is said once the mouse rests there.
+    // Returns the tooltip once the mouse rests there.
     ui::Tip said_at(glm::vec2 at)
     {
         screen.input().push(ui::move_to(at));

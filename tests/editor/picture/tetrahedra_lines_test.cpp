@@ -15,7 +15,7 @@ TetrahedraEffects volume_of(const TetrahedraShape& shape)
 
 TEST(TetrahedraLines, AreThoseOfTheBorderAndWhileSelectedThoseInside)
 {
-    // of a cube of 6 tetrahedra: 12 edges and 6 diagonals, and the one inside
+    // A cube of 6 tetrahedra has 12 edges and 6 diagonals, and the one inside.
     const TetrahedraEffects cube = volume_of({.boxes = glm::ivec3(1)});
     TetrahedraLines lines;
     EXPECT_EQ(lines(cube, {}, 1, false).size(), 18U);

@@ -38,8 +38,8 @@ struct Gesture {
     bool hasty = false;                 // nothing is waited for, neither within it nor after it
     bool blind = false;                 // a dialog or menu that is open is not closed before
     std::vector<std::string> held = {}; // "Ctrl", "Shift", "Alt"
-    // What comes in between, when `at` of the way is done: the name of a key, "right", "focus",
-    // "turn", "wheel", "resize", or "type" and letters; empty: nothing.
+    // An interruption when `at` of the way is done: the name of a key, "right", "focus", "turn",
+    // "wheel", "resize", or "type" and letters; empty: none.
     std::string between = {};
     double at = 0.5;
     bool operator==(const Gesture&) const = default;

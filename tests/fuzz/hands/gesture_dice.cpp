@@ -298,7 +298,7 @@ Gesture some_gesture(const GestureWords& words, const StartScene& scene, Dice& d
     return some_rare(scene, dice);
 }
 
-// What a hand works at is selected: mostly what is made for it.
+// Selects the object that a hand works at: mostly the one made for it.
 Gesture some_selection(const StartScene& scene, Dice& dice)
 {
     if (once_in(dice, 10)) return {.kind = Kind::chord, .text = "Ctrl+A"};

@@ -10,7 +10,7 @@
 
 namespace trivar::testing {
 
-// What gestures are drawn from.
+// GestureWords are the sets from which gestures are drawn.
 struct GestureWords {
     std::vector<std::string> tools;    // their keys
     std::vector<std::string> chords;   // keys of all actions

@@ -68,7 +68,7 @@ void Hand::wait_for_background(double at_most_s)
     }
 }
 
-// What is not at its end; empty: nothing.
+// Names the work that has not ended; empty: none.
 std::string Hand::going_on()
 {
     const Session& session = editor().session;

@@ -109,7 +109,7 @@ void HandLaws::check_words() const
     for (const auto& [id, object] : session.evaluated().objects) check_sentences(object->notices);
 }
 
-// What is proposed belongs to a gesture, a field or a dialog that is not at its end.
+// A proposal belongs to a gesture, a field or a dialog that has not ended.
 void HandLaws::check_at_rest() const
 {
     Editor& editor = hand_.editor();

@@ -10,7 +10,7 @@
 
 namespace trivar::testing {
 
-// What holds whenever a hand rests, whatever it did. All of it throws Broken.
+// HandLaws hold whenever a hand rests, whatever it did. Each failure throws Broken.
 //
 //   the document   its log, written and read back, on disk too, gives the same
 //   the past       what was committed before is the same as then, bit for bit

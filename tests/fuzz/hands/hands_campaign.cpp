@@ -48,7 +48,7 @@ Taken make_gesture(Hand& hand, HandLaws& laws, const Gesture& gesture, bool thor
     return taken;
 }
 
-// What became of a gesture.
+// Prints the result of a gesture.
 void tell(const Editor& editor, std::size_t steps_before, const Taken& taken)
 {
     const History& history = editor.session.scene().history();

@@ -18,7 +18,7 @@ Document fitting_document();
 TileStroke a_tile_stroke();
 NamedIncision an_incision(); // over the ball
 
-// For every verb one command that fitting_document() accepts.
+// Returns for every verb one command that fitting_document() accepts.
 std::vector<Command> fitting_commands();
 
 // A command whose fields are random: mostly sensible, now and then extreme, NaN or no text.

@@ -36,7 +36,7 @@ struct BoxRig : testing::Rig {
                 screen.input().push(ui::press(ui::Button::left, down, 1000 + time_s));
         frames(8);
     }
-    // By a key, along an axis, as far as typed.
+    // Edits by a key, along an axis, by the typed amount.
     void by_keys(int kind, int axis, const std::string& amount)
     {
         move(layout().view.center() + glm::vec2(200, 100));

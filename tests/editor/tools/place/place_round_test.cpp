@@ -85,7 +85,7 @@ TEST(PlaceRoundAction, NeedsABodyAndSaysWhyItCannotBe)
     EXPECT_EQ(rig.editor.session.notices.all().back().title, "Nothing was placed");
 }
 
-// What is laid is outside the box 1 x 2 x 3 at (2, 0, 0), and near it everywhere.
+// The laid object is outside the box 1 x 2 x 3 at (2, 0, 0), and near it everywhere.
 TEST(PlaceRoundAction, GoesRoundAnyBodyAboutAnyOfItsAxes)
 {
     RoundRig rig;

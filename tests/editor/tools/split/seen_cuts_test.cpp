@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-// What is drawn is cut where it is seen, whatever was done with the object before.
+// A drawn cut goes where it is seen, whatever was done with the object before.
 
 namespace trivar {
 namespace {
