@@ -17,8 +17,8 @@ Stance stance_at(const Model& model, const Clip* clip, double time_s);
 
 // A Pose is what moves the vertices of a mesh one by one. Empty: nothing moves them.
 struct Pose {
-    // For each joint of the skin, transforms the mesh to the place that it has in a node without a
-    // transform.
+    // The transform of the mesh by each joint of the skin, to the place that it has in a node
+    // without a transform.
     std::vector<glm::mat4> joints;
     std::vector<float> morph_weights; // by target; empty where all are 0
     bool empty() const { return joints.empty() && morph_weights.empty(); }

@@ -91,7 +91,7 @@ Facts three(const glm::dvec3& v)
     return {v.x, v.y, v.z};
 }
 
-// Of one that does not fit into half of the memory what its head says alone.
+// Describes a volume; one that does not fit into half of the memory by its head alone.
 Facts volume_facts(const std::string& path)
 {
     constexpr double millimetres = 1e3;

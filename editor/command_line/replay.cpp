@@ -91,7 +91,7 @@ double frame_of(const ReplayOptions& options, const Document& document)
     return frame;
 }
 
-// What was asked of a volume and not done, or not wholly.
+// Tells which demands on a volume were not met, or not wholly.
 void tell_of_shaping(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects) {
@@ -112,7 +112,8 @@ void tell_of_shaping(const ReplayResult& replayed, const Streams& streams)
     }
 }
 
-// What is proven of every volume. One that folds may be meant so: this is no check that fails.
+// Tells what is proven of every volume. One that folds may be meant so: this is no check that
+// fails.
 void tell_of_volumes(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects) {
@@ -234,7 +235,7 @@ void write_timings(const std::string& path, const Timings& timings)
     write_bytes(path, nlohmann::ordered_json{{"stages", stages}}.dump(2) + "\n");
 }
 
-// What is not certified of what --epsilon asks for is said. Whether all of it is.
+// Tells what --epsilon asks for and is not certified. Whether all of it is.
 bool certified(const Export& result, const ReplayOptions& options, const Streams& streams)
 {
     const std::vector<std::string> open = not_certified(*result.certificate);

@@ -163,7 +163,7 @@ private:
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
     }
 
-    // What is claimed of a part, against what the scene gives.
+    // Compares the claim for a part with the one that the scene gives.
     void check_claim(const Certificate::PartClaim& claim, const Certificate::PartClaim& given)
     {
         const std::string name = part_title(claim);

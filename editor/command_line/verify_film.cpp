@@ -110,8 +110,8 @@ private:
         return true;
     }
 
-    // What a sample may be off beyond what is claimed of a part at every time: what single
-    // precision leaves of the file, and of places that are far out.
+    // Returns the distance that a sample may be off beyond the claim for a part at every time: the
+    // rounding of the file to single precision, and of places that are far out.
     static double single_precision(const FilmSample& sample)
     {
         return std::max(glb_number_tolerance, 0x1p-21 * sample.reach);

@@ -48,7 +48,7 @@ bool same_shape(Source a, Source b, const std::string& folder)
     return a == b;
 }
 
-// Of the objects below `first` those in which one from there on stands, of the same shape.
+// Returns the objects below `first` that hide one added from there on: same place, same shape.
 std::vector<Id> hidden_in(const Document& document, Id first, const std::string& folder)
 {
     const auto stands = [](const Object& each) {

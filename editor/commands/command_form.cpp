@@ -291,7 +291,7 @@ void ask_for_stroke(CommandForm& form, const Sketch& sketch)
     };
 }
 
-// What is typed of the object at hand: all of it, or what follows the last comma.
+// Returns the typed letters of the object at hand: all of them, or those after the last comma.
 std::string_view letters_of(const Field& field)
 {
     return field.kind == Field::objects ? cut_at(field.typed, ",").back() : trimmed(field.typed);

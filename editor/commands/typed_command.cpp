@@ -90,7 +90,7 @@ json& place_of(json& object, std::string_view field)
     return (*at)[std::string(field)];
 }
 
-// Of the command, but not the objects it is about.
+// Returns the values of a command without the objects that it is about.
 json values_of(const Command& command)
 {
     json values = json::parse(to_json_line(command));
@@ -105,7 +105,8 @@ Command default_of(std::string_view name)
     throw Rejected(fmt::format("There is no command \"{}\". Tab lists them.", printable(name)));
 }
 
-// What is not typed and stays as it is; nothing for commands that make something new.
+// Returns the values that are not typed and stay as they are; empty for commands that make
+// something new.
 json present_values(const json& typed, const Document& document)
 {
     const json& ids = typed.contains("object")    ? typed["object"]

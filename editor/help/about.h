@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// What this program is made of.
+// A Library is a library that this program contains.
 struct Library {
     std::string name, version, licence;
 };

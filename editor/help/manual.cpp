@@ -69,7 +69,7 @@ std::vector<ManualPage> manual_in(const std::string& folder)
     }
     const auto rank = [](const ManualPage& page) {
         const auto at = std::ranges::find(order, page.name);
-        // What nobody has ordered comes before the keys.
+        // Pages without a stated order come before the keys.
         return at == order.end() ? std::ssize(order) * 2 - 3 : 2 * (at - order.begin());
     };
     std::ranges::sort(pages, [&](const ManualPage& a, const ManualPage& b) {

@@ -65,7 +65,7 @@ Camera mixed(const Camera& a, const Camera& b, double t)
     return camera;
 }
 
-// As a hand would have left it: what was worked on is selected.
+// Selects the objects that a step changed, as a hand would have left it.
 void select_what_was_done(Session& session, std::size_t step)
 {
     const History& history = session.scene().history();

@@ -29,7 +29,7 @@ struct Reading {
     const Json& from;
     std::vector<std::string>& odd;
 
-    // What is there under the name, if it is of the kind that is wanted.
+    // Returns the value of that name, if it is of the wanted kind.
     const Json* value_of(const char* name, bool (Json::*wanted)() const noexcept) const
     {
         const auto found = from.find(name);

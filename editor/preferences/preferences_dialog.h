@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What the dialog of the preferences remembers between two frames.
+// PreferencesDialog is the state of the dialog of the preferences between two frames.
 struct PreferencesDialog {
     enum Page { // in the order of their names
         of_general,

@@ -11,7 +11,7 @@ namespace trivar {
 // person gave to an action by its name.
 const std::vector<std::pair<std::string_view, std::string_view>>& renamed_actions();
 
-// What an action is called now that was called so before; the same where it is called so still.
+// Returns the present name of an action that once had this name; the same if it was never renamed.
 std::string_view present_action(std::string_view name);
 
 } // namespace trivar

@@ -36,7 +36,7 @@ void remember_scene(Editor& editor)
     forget_moved(recent, path);
 }
 
-// What others hold of the preferences.
+// Copies the preferences that others hold.
 void apply_preferences(Editor& editor)
 {
     Preferences& p = editor.preferences;
@@ -103,7 +103,7 @@ void remember_view(Editor& editor, ui::Frame& frame)
         frame.again_in(quiet_s);
 }
 
-// What was under way belongs to a scene that is gone.
+// Ends work that belongs to a scene that is gone.
 void meet_scene(Editor& editor)
 {
     long& met = editor.memory.of<KnownScene>().number;

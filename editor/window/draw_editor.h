@@ -10,7 +10,7 @@ namespace trivar {
 
 struct Editor;
 
-// Of the preferences what does not act by being read.
+// PreferencesInForce are preferences that must be applied, such as the thread limit.
 struct PreferencesInForce {
     int threads = 0;
     std::unique_ptr<ThreadLimit> limit;

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// What the list of fields says of one member of a value.
+// FieldFacts are the facts of one member of a value in the list of fields.
 struct FieldFacts {
     std::string name, help;
     Rule rule;
@@ -26,7 +26,7 @@ template <class T, class V> FieldFacts facts_of(V T::*member)
     return found;
 }
 
-// What panels call the values of an enumeration, in their order.
+// Returns the words that panels use for the values of an enumeration, in their order.
 template <class E> std::vector<std::string> choices_in_words()
 {
     std::vector<std::string> words;

@@ -11,7 +11,7 @@ std::string text_of(const MD_ATTRIBUTE& attribute)
     return {attribute.text, attribute.size};
 }
 
-// What the parser tells, in its order.
+// A Reader collects the parser's events in their order.
 struct Reader {
     std::vector<Block> blocks;
     std::vector<int> next_numbers; // of the lists we are in; 0: dots

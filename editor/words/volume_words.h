@@ -17,7 +17,7 @@ VolumeEdit as_done(VolumeEdit edit, const Shaping& done);
 // The same words for a step that is done, with what was chosen then.
 std::string words_of(const VolumeEdit& edit, bool box, const Shaping& done);
 
-// What is proven of a volume, as the end of a sentence: "folds nowhere, proven".
+// Words the facts that are proven of a volume, as the end of a sentence: "folds nowhere, proven".
 std::string words_of(const CellVerdicts& verdicts);
 std::string words_of(const Overlap& overlap);
 
