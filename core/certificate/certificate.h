@@ -54,8 +54,10 @@ struct SampledPart {
     std::size_t triangles = 0;
     bool other_triangles = false;
 };
-// `corners` holds three vertices per triangle, grouped by material as write_glb() groups them.
-// `steps` is the number of samples along an edge.
+// Samples the triangles of a part of a file.
+//   positions  of the file, world, metres
+//   corners    three vertices per triangle, grouped by material as write_glb() groups them
+//   steps      number of samples along an edge
 SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                     const std::vector<std::uint32_t>& corners, int steps);
 

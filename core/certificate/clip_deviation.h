@@ -21,11 +21,11 @@ struct PartOnItsWay {
     glm::dmat4 e0{1}, e1{1}; // to_uvw at the first and the last moment, with laps counted
 };
 
-// Each component is at most how far, in u, v and w, a point of the part is from moving evenly
-// between the two moments; empty: not known. Both travel and the clip are counted. Where the clip
-// has keys between the two moments, the poses are compared at these keys; from one key to the next
-// the product rule bounds them (core/walking/pose_rates.h, core/walking/planting_rates.h). Cost per
-// key: O(#nodes #bones + #joints #targets).
+// Bounds how far, in u, v and w, a point of the part is from moving evenly between the two moments;
+// empty: not known. Both travel and the clip are counted. If the clip has keys between the two
+// moments, the poses are compared at these keys; from one key to the next the product rule bounds
+// them (core/walking/pose_rates.h, core/walking/planting_rates.h). Cost per key: O(#nodes #bones +
+// #joints #targets).
 std::optional<glm::dvec3> deviation_of(const PartOnItsWay& way);
 
 } // namespace trivar

@@ -19,9 +19,12 @@ struct CommonMesh {
     std::vector<double> space;
 };
 
-// The meshes of the strips of one object that a volume deforms. The triangles are refined at one
-// moment after the other until no moment splits any, or after four rounds. Throws Cancelled, and
-// Rejected as refine() does.
+// Makes the meshes of the strips of one object that a volume deforms. The triangles are refined at
+// one moment after the other until no moment splits any, or after four rounds.
+//   strips     of the object
+//   motion     its bound
+//   tolerance  metres
+// Throws Cancelled, and Rejected as refine() does.
 std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const FilmStrip*>& strips,
                                       MotionBound& motion, double tolerance,
                                       const Progress& progress = {});

@@ -15,12 +15,12 @@ struct FilmSample {
     double reach = 0; // length of the furthest place, metres
 };
 
-// The scene is evaluated anew, `per_frame` times per frame, and compared with what the file's clip
-// shows at these times by the rules of glTF: at every vertex and, for parts in a volume, in the
-// middle of every triangle. Parts whose claim holds at the film's moments only are compared at
-// these moments too. The result has one entry per part of the certificate. One moment at a time is
-// in memory. A part that appears or disappears between two frames is not compared between them.
-// Throws Cancelled.
+// Compares a file's clip with the scene, which is evaluated anew: at every vertex and, for parts in
+// a volume, in the middle of every triangle, by the rules of glTF.
+//   per_frame  number of times per frame; parts whose claim holds only at the film's moments are
+//              compared at these too
+// The result has one entry per part of the certificate. One moment at a time is in memory. A part
+// that appears or disappears between two frames is not compared between them. Throws Cancelled.
 std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Document& document,
                                      const Ref<AssetStore>& assets, int per_frame,
                                      const Progress& progress = {});

@@ -9,10 +9,11 @@
 
 namespace trivar {
 
-// Chooses, of `count` moments, those that get a key: the first, the last, and as few as possible
-// between them. `holds(from, to)` says whether no key is needed between two moments. The distance
-// asked for is doubled while the answer is yes and then bisected: O(log distance) questions per
-// key.
+// Chooses the moments that get a key: the first, the last, and as few as possible between them.
+//   count  number of moments
+//   holds  whether no key is needed between two moments
+// The distance asked for is doubled while the answer is yes and then bisected: O(log distance)
+// questions per key.
 std::vector<std::size_t> chosen_keys(std::size_t count,
                                      const std::function<bool(std::size_t, std::size_t)>& holds);
 

@@ -31,6 +31,11 @@ struct CellPolynomials {
     }
 };
 
+// Computes the polynomials of some cells.
+//   displacement  of the lattice, world units
+//   axes          cells along u, v and w
+//   cells         the occupied cells, in the order of the result
+//   embedding     object space to uvw, and to the world at rest
 // Cost: about 800 multiplications of four doubles per cell of a tri-cubic lattice, as much as the
 // deformation of some ten vertices.
 CellPolynomials cell_polynomials(const Trivariate<glm::dvec3>& displacement,

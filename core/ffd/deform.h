@@ -16,6 +16,7 @@ struct DeformedPoint {
     glm::dvec3 position_world;
     glm::dmat3 jacobian;
 };
+// Deforms one point by the definition. p_object: a point in object space, also beyond the lattice.
 DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding,
                      const Lattice& lattice);
 
@@ -44,7 +45,8 @@ public:
     Deformer(Deformer&&) noexcept;
     Deformer& operator=(Deformer&&) noexcept;
 
-    // The lattice must have the axes given at construction. Faces, UVs, colours are copied.
+    // Deforms the mesh. `lattice` must have the axes given at construction; faces, UVs and colours
+    // are copied.
     Mesh operator()(const Lattice& lattice) const;
 
     // The same without the copies. `reuse` may hold anything and gives its storage: moving the last
@@ -56,6 +58,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
+// Deforms a mesh once: Deformer with the arrays of the whole mesh.
 Mesh deform(const Mesh& mesh, const Embedding& embedding, const Lattice& lattice);
 
 } // namespace trivar

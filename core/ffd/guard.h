@@ -30,11 +30,14 @@ struct GuardOptions {
     int steps = 256; // shares are multiples of 1 / steps
 };
 
-// Judges all cells. Tri-cubic: 5 ms per 1000 cells on two threads where few are doubtful.
+// Judges all cells of a lattice. Cost for tri-cubic ones: 5 ms per 1000 cells on two threads, if
+// few are doubtful.
 CellVerdicts judge(const Lattice& lattice, const GuardOptions& options = {});
 
-// Judges the volume again after control points were moved: only the touched cells, for the sign
-// that the volume had. The size of the moves does not matter.
+// Judges only the touched cells again.
+//   before  the verdicts before control points were moved; their sign stays
+//   now     the lattice after the moves
+//   moves   which control points moved; how far does not matter
 CellVerdicts judged_again(CellVerdicts before, const Lattice& now, std::span<const PointMove> moves,
                           const GuardOptions& options = {});
 
@@ -49,7 +52,7 @@ struct CertifiedShare {
 };
 CertifiedShare certified_share(const Lattice& from, const CellVerdicts& before,
                                std::span<const PointMove> moves, const GuardOptions& options = {});
-// The share for a single edit: judges the lattice first.
+// Judges the lattice first and returns the certified share of a single edit.
 double certified_share(const Lattice& from, std::span<const PointMove> moves,
                        const GuardOptions& options = {});
 

@@ -13,13 +13,14 @@ struct ChunkResult {
     glm::vec3 *positions, *normals, *tangents;
 };
 
-// Deforms one chunk. A normal or tangent that cannot be determined becomes (0, 0, 0); returns
-// whether there was one.
-// was one.
-//
-// Each vertex is computed by itself: its result depends on its position and the lattice, not on
-// other vertices, their order or the width of a register. Sums of products are fused on every
-// processor that can (AVX2 and newer), and then have the same bits on all of these.
+// Deforms one chunk of the mesh.
+//   chunk        its number in `vertices`
+//   polynomials  of the occupied cells of `vertices`
+//   out          receives the results; a normal or tangent that cannot be determined is (0, 0, 0)
+// Returns whether there was such a normal or tangent. Each vertex is computed by itself: its result
+// depends on its position and the lattice, not on other vertices, their order or the width of a
+// register. Sums of products are fused on every processor that can (AVX2 and newer), and then have
+// the same bits on all of these.
 bool deform_chunk(const SortedVertices& vertices, std::size_t chunk,
                   const CellPolynomials& polynomials, const ChunkResult& out);
 

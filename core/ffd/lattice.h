@@ -11,7 +11,10 @@ namespace trivar {
 // A Lattice is a free-form deformation volume: F(uvw) = rest(uvw) + sum_ijk N_ijk(uvw) D_ijk.
 // Control points are stored as displacements D from their places at rest, which are the images of
 // their Greville abscissae by the affine map `rest`. A lattice of zeros is exactly `rest`, for
-// B-splines reproduce affine maps.
+// B-splines reproduce affine maps. One axis of order 3 with five control points:
+//
+//      knots  |       |       |       |     0 0 0 1/3 2/3 1 1 1: three cells
+//   Greville  o   o       o       o   o     0 1/6 1/2 5/6 1: where the control points rest
 struct Lattice {
     Trivariate<glm::dvec3> displacement;
     glm::dmat4 rest{1}; // uvw to world, affine

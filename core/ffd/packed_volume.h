@@ -21,9 +21,11 @@ PackedAxes packed_axes(const std::array<Knots, 3>& axes);
 // Displacements by unwrapped index, w fastest: x, y, z and a zero.
 std::vector<glm::vec4> packed_points(const Trivariate<glm::dvec3>& displacement);
 
-// How an object that fills about `object` lies in a lattice. Moving or scaling the parameters of an
-// animated object changes `embedding` and this, and nothing else. What comes out is relative to
-// `origin_world`, so it has its digits wherever in the world that lies. O(#control points).
+// Computes how an object lies in a lattice, for core/kernel. Moving or scaling the parameters of an
+// animated object changes `embedding` and this, and nothing else.
+//   object        box of the object, about; object space
+//   origin_world  results are relative to it, so they keep their digits anywhere in the world
+// O(#control points).
 VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& axes, const Embedding& embedding,
                          const Box& object, const glm::dvec3& origin_world = glm::dvec3(0));
 

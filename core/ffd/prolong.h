@@ -6,10 +6,12 @@
 
 namespace trivar {
 
-// The same function over a longer axis (0: u, 1: v, 2: w), which must be open and clamped. Beyond
-// its domain, from `from` <= begin and to `to` >= end, it continues straight with a continuous
-// derivative. Exact; control points away from the ends keep their bits. How long the axis becomes
-// changes nothing between its ends. O(number of control points).
+// Prolongs a lattice along one axis, exactly.
+//   axis      0 u, 1 v or 2 w; open and clamped
+//   from, to  the new ends: from <= begin, to >= end; the function continues straight beyond the
+//             domain, with a continuous derivative
+// Control points away from the ends keep their bits, and the new length changes nothing between the
+// old ends. O(#control points).
 Lattice prolonged(const Lattice& lattice, int axis, double from, double to);
 
 // The same function over all parameters in a box, prolonged along each open axis in whole quarters

@@ -22,10 +22,10 @@ struct RepairAttempt {
     double moved_rms = 0, moved_most = 0; // world, over all control points
 };
 
-// An UnfoldedLattice is the result of the smallest change found after which every cell is proven
-// good. All ways are tried, each only as far as it needs, and the one that moves control points
-// least (root of the mean square) is taken. Control points whose sites lie in a declared exception
-// stay. The same on every machine.
+// An UnfoldedLattice is the result of unfolded(), which finds the smallest change after which every
+// cell is proven good. All ways are tried, each only as far as it needs, and the one that moves
+// control points least (root of the mean square) is taken. Control points whose sites lie in a
+// declared exception stay. The same on every machine.
 struct UnfoldedLattice {
     Lattice lattice;              // the given lattice where nothing helped or nothing was wrong
     bool certified = false;       // all cells are proven good

@@ -39,8 +39,9 @@ struct SortedVertices {
     std::array<std::vector<float>, 3> normal, tangent; // the mesh's, or empty
 };
 
-// O(#V + #cells of an axis) per chunk. Any vertex may lie anywhere; a position that is not a number
-// gives results that are not numbers.
+// Sorts the vertices of a mesh. `cells` must be those of `axes`. Any vertex may lie anywhere; a
+// position that is not a number gives results that are not numbers. O(#V + #cells of an axis) per
+// chunk.
 SortedVertices sort_by_cell(const Mesh& mesh, const Embedding& embedding,
                             const std::array<Knots, 3>& axes,
                             const std::array<AxisCells, 3>& cells);

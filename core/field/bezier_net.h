@@ -20,8 +20,11 @@ struct BezierNet {
 // The net of one cell of a cubic B-spline, from its 4 x 4 x 4 coefficients in the same order.
 void make_bezier(BezierNet& net);
 
-// The net of <p + from, grad f>, for p in the unit cube of a cell, or of <from, grad f> without the
-// place: the derivatives raised to degree 3 in each variable, and p_x f_x is of degree 3 in x, too.
+// Returns the net of <p + from, grad f> for p in the unit cube of a cell, or of <from, grad f> for
+// a parallel view.
+//   f     the net of the cell
+//   from  the lower corner of the cell minus the eye, or the direction of sight; voxels
+// The derivatives are raised to degree 3 in each variable; p_x f_x is of degree 3 in x, too.
 enum class Sight { parallel, from_eye };
 BezierNet sight_net(const BezierNet& f, const glm::vec3& from, Sight sight);
 

@@ -7,9 +7,12 @@
 
 namespace trivar {
 
-// The samples of a grid, x fastest, after (1 2 1)/4 was applied that many times along each of x, y
-// and z; beyond the grid they are mirrored. That is nearly a Gauss bell of sqrt(times / 2) voxels.
-// Second derivatives of what was measured need some of it. O(#samples * times).
+// Blurs samples by (1 2 1)/4, nearly a Gauss bell of sqrt(times / 2) voxels. Second derivatives of
+// measured data need some of it.
+//   samples  x fastest; mirrored beyond the grid
+//   size     number of samples along each axis
+//   times    number of passes along x, y and z
+// O(#samples * times).
 template <class Sample>
 std::vector<float> blurred(std::span<const Sample> samples, const glm::ivec3& size,
                            const glm::ivec3& times);

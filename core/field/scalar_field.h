@@ -19,25 +19,32 @@ namespace trivar {
 // samples are mirrored, which is as if they went on with slope 0.
 template <class Real> class ScalarField {
 public:
-    // Builds the coefficients: a causal and an anticausal recursion along each axis [Unser,
-    // Aldroubi, Eden 1993]. Samples have x fastest. 4 bytes a sample (8 for double), 0.2 ns a byte.
-    // Throws Rejected if the size does not fit the number of samples or an axis has fewer than two.
+    // Builds the coefficients by a causal and an anticausal recursion along each axis [Unser,
+    // Aldroubi, Eden 1993].
+    //   samples  x fastest
+    //   size     number of samples along each axis, at least 2
+    //   spline   interpolating goes through the samples, smoothing takes them as coefficients
+    // Cost: 4 bytes a sample (8 for double), 0.2 ns a byte. Throws Rejected if the size does not
+    // fit the number of samples or an axis has fewer than two.
     template <class Sample>
     ScalarField(std::span<const Sample> samples, const glm::ivec3& size,
                 FieldSpline spline = FieldSpline::interpolating,
                 FieldOrder order = FieldOrder::cubic);
 
-    // The function near a slab of the grid: `samples` are those of all slices from `first_slice` on
-    // that are held, of a grid of that size. Places are those of the whole grid. Beyond the slab
-    // the samples are taken as mirrored, which is wrong but for the ends of the grid: a value errs
-    // by what 0.27^n leaves n slices within it, below the rounding from 16 on.
+    // Builds the function near a slab of the grid, at the places of the whole grid.
+    //   samples      those of all slices from `first_slice` on that are held
+    //   size         of the whole grid
+    // Samples beyond the slab are taken as mirrored, which is wrong except at the ends of the grid:
+    // n slices within the slab a value errs by a share of 0.27^n, below the rounding from 16 on.
     template <class Sample>
     ScalarField(std::span<const Sample> samples, const glm::ivec3& size, int first_slice,
                 FieldSpline spline, FieldOrder order);
 
-    // The same function over a part of the grid that begins at a sample and has that number of
-    // them, at least two, along each axis. Its place p is the place first + p of this one, and it
-    // has the same values there, also in its border. O(#samples of the part).
+    // Returns the same function over a part of the grid. Its place p is the place first + p of this
+    // one, and it has the same values there, also in its border.
+    //   first  the first sample of the part
+    //   size   number of its samples along each axis, at least 2
+    // O(#samples of the part).
     ScalarField part(const glm::ivec3& first, const glm::ivec3& size) const;
 
     const glm::ivec3& size() const { return size_; } // number of samples along each axis

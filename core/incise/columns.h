@@ -6,8 +6,15 @@
 
 namespace trivar {
 
-// CutColumns say which way walls go down below points of a drawing: as Inward does, but where cuts
-// lean or go through the body. At a depth w a column is at position(point) - w outward(point).
+// CutColumns hold the direction of the wall below each point of a drawing: inward, unless the cut
+// leans or goes through the body. At a depth w a column is at position(point) - w outward(point):
+//
+//      a        b        c       points of the drawing on the skin, w = 0
+//    --o--------o--------o--
+//       \       |       /
+//        o      o      o         w = depth / 2
+//         \     |     /
+//          o    o    o           w = depth of the floor
 class CutColumns {
 public:
     CutColumns(const CutDrawing& drawing, const Inward& inward)

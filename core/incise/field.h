@@ -16,10 +16,13 @@ struct CutTerm {
     float held = 1; // what is left of it beside other incisions
 };
 
-// The field of each incision: continuous everywhere but across its own slit. Beside the cut the
-// skin moves to that side, across the cut; less with the distance from it, with the depth below the
-// skin and towards the ends. Sides at the slit come from the sectors, and elsewhere from a flood
-// that starts there. In parallel by pieces; the same terms for any number of threads.
+// Computes the field of each incision: continuous everywhere but across its own slit. Beside the
+// cut the skin moves to that side, across the cut; less with the distance from it, with the depth
+// below the skin and towards the ends. Sides at the slit come from the sectors, and elsewhere from
+// a flood that starts there.
+//   pieces   of the runs; worked on in parallel
+//   step     depth of one of depth_steps, units of the mesh
+// The same terms for any number of threads.
 std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
                               const SlitGraph& graph, const CutWalls& walls,
                               const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,

@@ -31,7 +31,10 @@ struct IncisedFlaps {
     std::vector<glm::dvec3> group_normals;    // at rest, by area
 };
 
-// O(#flaps #slots + #faces). `incisions`: those of which the mesh was made.
+// Makes the flaps of an incised mesh.
+//   incisions  those from which the mesh was made
+//   places     of the flaps
+// O(#flaps #slots + #faces).
 IncisedFlaps flaps_of(const IncisedMesh& incised, std::span<const Incision> incisions,
                       std::span<const FlapPlace> places);
 

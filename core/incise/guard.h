@@ -22,12 +22,12 @@ public:
         std::uint32_t a, b;
     };
     std::vector<Walls> walls_in_the_way() const;
-    // Whether nothing pierces at any share at which it is looked at, with all that was asked for.
+    // Whether no wall pierces another at any tested opening up to the one asked for.
     bool admits_all() const;
-    // Tells how far each incision may open along its length: quite where nothing pierces then.
-    // Where two are in each other's way the later one opens less, where it moves what pierces.
-    // Nothing where their lack() would be `most` or more, which ends the search early. `alone` is
-    // not known yet.
+    // Returns how far each incision may open along its length: fully where nothing pierces then. Of
+    // two that are in each other's way the later one opens less, where it moves the part that
+    // pierces. `alone` is not set yet.
+    //   most  ends the search early, with nothing, once lack() would be this or more
     std::optional<std::vector<Admission>> admitted(double most) const;
     // Adds how far each one could open if it were alone, where others hold it.
     void find_alone(std::vector<Admission>& admitted) const;

@@ -16,16 +16,20 @@ struct InciseOptions {
     double reach = 0.01; // of the skin's diagonal: strokes are looked for so far off the skin
 };
 
-// Cuts a skin. An incision that cannot be cut is left out, and its outcome says why. Closed stays
-// closed and 2-manifold, with the Euler number that it had; seams stay and none is made; vertices
-// of the mesh keep their numbers and bits. Costs what the region of the cuts costs, and one copy of
-// the arrays; cuts in each other's way are tried again, shallower and narrower, for a counted
-// number of looks at triangles, a second or two. The same bits for any number of threads.
-// Generalizes the one slit in one patch of [Schein, thesis, 6.8]; docs/incise.md tells the steps.
+// Cuts a skin. An incision that cannot be cut is left out, and its outcome says why. A closed skin
+// stays closed and 2-manifold, with the same Euler number; seams stay and none is made; vertices of
+// the mesh keep their numbers and bits.
+//   skin        made ready once for a mesh
+//   incisions   units of the mesh; of two in each other's way the later one gives way
+// Cost: that of the region of the cuts, and one copy of the arrays; cuts in each other's way are
+// tried again, shallower and narrower, for a counted number of looks at triangles, a second or two.
+// The same bits for any number of threads. Generalizes the one slit in one patch of [Schein,
+// thesis, 6.8]; docs/incise.md tells the steps.
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
-// The same; `made` lends the mesh, in the memory of one that nobody has any more, and `progress` is
-// told of each attempt: what it throws ends the work.
+// Cuts a skin into memory that is used again.
+//   made      lends the mesh, in the memory of one that nobody has any more
+//   progress  told of each attempt; its throw ends the work
 IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options, Lender<Mesh>& made, const Progress& progress = {});
 

@@ -23,7 +23,15 @@ double value_at(const CutProfile& profile, double x);
 double value_round(const CutProfile& profile, double x);
 
 // An Incision is one cut in a skin, as a document stores it. Lengths are in units of the mesh. A
-// stroke that ends at the point where it began is a loop.
+// stroke that ends at the point where it began is a loop. Its profile across the stroke, when fully
+// open:
+//
+//     floor v                 floor u                     with a bevel
+//     ---.<-width->.---       ---.<-width->.---       ---.            .---    skin
+//         \       /               \       /               `.<-width->.'       bevel deep
+//          \     /                 \     /                  \       /
+//           `. .'                   \___/                    \     /
+//             v   depth             floor_width * width       `. .'
 struct Incision {
     std::vector<SurfacePoint> stroke; // on the skin at rest, two at least
     double depth = 0.1;               // where the cut is deepest, before the body's limits
@@ -50,7 +58,8 @@ struct Incision {
 // Returns the width of the gap where it is widest, of a cut of that length when fully open: the
 // stated width, or as much as its lips have length for.
 double width_of(const Incision& cut, double length);
-// And how far beside it the skin gives way: what it says, or three widths, as far as it is long.
+// Returns how far beside it the skin gives way: the stated reach, else three widths with the bevel,
+// at most the length.
 double reach_of(const Incision& cut, double length);
 double length_of(std::span<const SurfacePoint> stroke);
 // The same cut with its stroke from end to start.

@@ -9,8 +9,14 @@ namespace trivar {
 // A coarse lattice is better than a fine one: what is nearly one point or one line becomes one.
 inline constexpr int lattice_steps = 1024;
 
-// A LatticePoint is a point of the skin, told by the smallest thing that it lies on, so that every
+// A LatticePoint is a point of the skin, named by the smallest thing that it lies on, so that every
 // triangle round it gives it the same numbers.
+//
+//      2
+//      |\            four steps in place of 1024: p lies in the triangle, with
+//      | \           b = 1 (weight 1/4 of corner 1) and c = 2 (2/4 of corner 2);
+//      | p\          q lies on the edge, 3 steps from its end 0
+//      0--q1
 struct LatticePoint {
     enum class On : char { point, edge, triangle } on = On::point;
     std::uint32_t index = 0; // point, lower side of the edge, or triangle of the skin

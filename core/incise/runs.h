@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A CutRun is a stroke after the drawing was arranged: its points in their order. That of a loop
-// goes on round for a part, beyond its length, so that its pieces overlap there too.
+// A CutRun is a stroke after the drawing was arranged: its points in their order. A loop's run
+// continues past its start, so that its first and last pieces overlap.
 struct CutRun {
     struct At {
         std::uint32_t point;
@@ -53,9 +53,9 @@ struct DrawnStroke {
 std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStroke> strokes,
                             std::span<const Incision> incisions);
 
-// Gives the runs their depth at each point: that of the profile, within what the skin's curvature
-// and the body's thickness let be, without steep steps, and times the `shares` that incisions are
-// let have along their length.
+// Sets the depth of runs at each point: that of the profile, within the limits of the skin's
+// curvature and the body's thickness, without steep steps. `shares`: the factors along their
+// lengths that incisions are admitted.
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
                 const CutColumns& columns, std::span<const Incision> incisions,
                 std::span<const Narrowing> shares);

@@ -32,9 +32,15 @@ struct SlitEdge {
     int depth_at(std::uint32_t point) const { return a == point ? depth_a : depth_b; }
 };
 
-// A SlitNode is a point at which slit edges end. They divide what lies round it into sectors:
-// sector i lies between edge i and the next one, counter-clockwise. Below the node hangs a column
-// of levels; at each level sectors that belong together are one vertex.
+// A SlitNode is a point at which slit edges end. They divide the skin round it into sectors: sector
+// i lies between edge i and the next one, counter-clockwise. Below the node hangs a column of
+// levels; at each level sectors that belong together are one vertex.
+//
+//            e1              level 0, the skin  s0   s1   s2     three vertices
+//        s1  |  s0           level 1            s0   s1   s2
+//            |               level 2            s0 = s1   s2     below the floor of e1
+//      e2 ---+--- e0         level 3            s0 = s1 = s2     the deepest floor: that of
+//            s2                                                  e0 and e2
 struct SlitNode {
     std::uint32_t point = 0;
     std::vector<std::uint32_t> edges;   // counter-clockwise
@@ -55,10 +61,11 @@ struct SlitGraph {
     KeyNumbers node_of_point;
 };
 
-// The slit edges of runs with depths, and their nodes, whose edges are in no order yet. No floor
-// hangs free: the deepest floor of a node belongs to two edges at least, or lies above the last row
-// of a cut through the body. Edges without depth are left out. `step` is the depth of one step;
-// floors nearer than `alike` steps become one.
+// Makes the slit edges of runs with depths, and their nodes, whose edges are in no order yet. No
+// floor hangs free: the deepest floor of a node belongs to two edges at least, or lies above the
+// last row of a cut through the body. Edges without depth are left out.
+//   step   the depth of one of depth_steps, units of the mesh
+//   alike  floors nearer than so many steps become one
 SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
                    std::span<const Incision> incisions, const CutDrawing& drawing,
                    const Inward& inward, double step, int alike);

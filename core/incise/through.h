@@ -18,6 +18,11 @@ FarSide far_side(const CutRun& run, const CutDrawing& drawing, const CutColumns&
 // A ThroughCut is a run and the one that it has on the far side. The last row of its walls goes
 // from the last point of columns of the near run to points of the far one, which need not be as
 // many: each step of `zip` goes on by one point on one of the two.
+//
+//      near  0-----1-----2          zip: (0, 0) (0, 1) (1, 1) (1, 2) (2, 2) (2, 3), the
+//            |`.   |`.   |`.        edges of the last row; between each and the next one
+//            |  `. |  `. |  `.      is a triangle
+//      far   0-----1-----2-----3
 struct ThroughCut {
     struct Step {
         std::uint32_t near, far; // numbers of points of the runs

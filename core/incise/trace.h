@@ -25,10 +25,11 @@ struct Traced {
     std::string notice;             // a sentence, where not all is drawn, or not as one chain
 };
 
-// Draws lines over the skin through places in their order: between two of them in the plane through
-// both and their mean normal. Points near points that are drawn already become these: so strokes
-// join, and such as run over each other share their edges. A line is parted where it touches an
-// open border or faces that are no surface, and where the surface does not go on to the next place.
+// Draws lines over the skin through the places of each part in their order: between two of them in
+// the plane through both and their mean normal. Points near points that are drawn already become
+// these: so strokes join, and strokes that run over each other share their edges. A line is parted
+// where it touches an open border or faces that are no surface, and where the surface does not go
+// on to the next place.
 Traced trace(const CutDrawing& drawing, std::span<const StrokePart> parts);
 
 } // namespace trivar

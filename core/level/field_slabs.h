@@ -22,10 +22,13 @@ std::uint64_t field_bytes(std::size_t bytes_per_sample, const VoxelFieldOptions&
 // Slices on either side of samples, on which the function there depends to nearly all its bits.
 int slab_halo(const VoxelFieldOptions& options);
 
-// The largest slabs that fit into so much memory. With 32 slices on either side the coefficients
-// are nearly all the bits of those of the whole; where these do not fit there are 16, and they err
-// by 1e-9 of their size. `options.coarsen` was done already. Throws Rejected where a slab does not
-// fit.
+// Plans the largest slabs that fit into memory.
+//   size              of the data, after `options.coarsen` was done
+//   bytes_per_sample  of the data
+//   memory_bytes      for samples and coefficients of one slab
+// With 32 slices on either side the coefficients have nearly all the bits of those of the whole; if
+// these do not fit there are 16, and they err by 1e-9 of their size. Throws Rejected if a slab does
+// not fit.
 SlabPlan slab_plan(const glm::ivec3& size, std::size_t bytes_per_sample,
                    const VoxelFieldOptions& options, std::uint64_t memory_bytes);
 

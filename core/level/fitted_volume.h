@@ -18,17 +18,18 @@ struct FittedVolume {
     double rms = 0;               // of the differences at the others, in samples
 };
 
-// Fits the values of a field at the points of its grid, or at every second, third .. along each
-// axis where there would be more than 100 for each coefficient. A sample on the other side of the
+// Fits the values of a field at the points of its grid; at every second, third .. along each axis
+// if there were more than 100 for each coefficient otherwise. A sample on the other side of the
 // boundary than its cell is left out. Cells are half as long at the boundary as elsewhere, and as
-// short as the coefficients allow. 2 s for 2,000 of them, most of it the mesher's. Throws Rejected
-// as parted_cells() and fitted_field() do. The same bits for any number of threads.
+// short as the coefficients allow. Cost: 2 s for 2,000 of them, most of it the mesher's; the same
+// bits for any number of threads. Throws Rejected as parted_cells() and fitted_field() do.
 FittedVolume fitted_volume(const VoxelField& field, const TetrahedraFit& fit);
 
-// The closed surface of the body on one side of a level (a value of the grid's data); see
-// field_surface(). That of the boundary's level is the border of the cells inside or outside, where
-// the fit itself may be beyond the level in small spots. `to_space` maps voxels to the mesh's
-// space.
+// Returns the closed surface of the body on one side of a level; see field_surface(). At the
+// boundary's level it is the border of the cells inside or outside, where the fit itself may be
+// beyond the level in small spots.
+//   level     a value of the grid's data
+//   to_space  maps voxels to the mesh's space
 Mesh fitted_surface(const FittedVolume& volume, const VoxelGrid& grid, double level, LevelSide side,
                     const glm::dmat4& to_space);
 

@@ -63,11 +63,13 @@ struct LevelMesh {
     std::size_t bytes() const;
 };
 
-// Finds the level. `samples` are the field's values at the points of its lattice: its own samples
-// if it goes through them, else lattice_values(). Samples of a level that is beyond all of them
-// give an empty mesh. About 0.3 us per vertex; the same for any number of threads. With the samples
-// of some slices alone, from `first_slice` on, which is a multiple of 8, it is the part of the mesh
-// there, with the numbers that vertices and triangles have from there on.
+// Finds the level of a field.
+//   samples      the field's values at the points of its lattice: its own samples if it goes
+//                through them, else lattice_values()
+//   level        in samples; beyond all of them the mesh is empty
+//   first_slice  a multiple of 8: with the samples of only some slices from there on, the result is
+//                the part of the mesh there, with its numbers of vertices and triangles
+// Cost: about 0.3 us per vertex; the same for any number of threads.
 template <class Sample>
 LevelMesh level_mesh(const ScalarField<float>& field, std::span<const Sample> samples, float level,
                      LevelAccuracy accuracy = LevelAccuracy::exact, int first_slice = 0);

@@ -7,12 +7,14 @@
 
 namespace trivar {
 
-// Makes the surface of a body as a mesh: the level, turned so that its normals point out of the
-// body, and the parts of the grid's faces that are in the body, so that it is closed. `to_space`
-// maps voxels to the mesh's space, affine and not singular. Vertices of the level have the
-// gradient's direction as their normal; those of the grid's faces have that of the face, and stand
-// at the same point. `samples` are those of which the level was made. Vertices at one place count
-// as one point. O(#triangles + #samples in faces).
+// Makes the closed surface of a body: the level, turned so that its normals point out of the body,
+// and the parts of the grid's faces that are in the body.
+//   samples   those from which the level was made, x fastest
+//   size      number of samples along each axis
+//   to_space  maps voxels to the mesh's space; affine and not singular
+// Normals of the level have the gradient's direction; vertices of the grid's faces have the face's
+// normal and stand at the same point. Vertices at one place count as one point. O(#triangles +
+// #samples in faces).
 template <class Sample>
 Mesh level_surface(const LevelMesh& level, std::span<const Sample> samples, const glm::ivec3& size,
                    LevelSide side, const glm::dmat4& to_space);

@@ -16,12 +16,14 @@ struct GeodesicRay {
     int creases = 0; // number of creases that it went over
 };
 
-// Follows the straightest way from a place along a vector of the tangent plane there, whose length
-// is the way's. The error falls with the fourth power of the number of steps: by Runge and Kutta in
-// the coordinates of charts where these are smooth, and with the point in space as the state near
-// extraordinary vertices and creases. A way goes over a crease as if both sides were unfolded, and
-// stops at borders. 1 to 5 microseconds a step in charts, 3 to 15 in space; at most 4 steps + 32
-// are made.
+// Follows the straightest way over the surface.
+//   start  where it begins
+//   way    in the tangent plane there; its length is the way's
+//   steps  the error falls with their fourth power; at most 4 steps + 32 are made
+// Steps are by Runge and Kutta, in the coordinates of charts where these are smooth, and with the
+// point in space as the state near extraordinary vertices and creases. A way goes over a crease as
+// if both sides were unfolded, and stops at borders. Cost: 1 to 5 us a step in charts, 3 to 15 in
+// space.
 GeodesicRay geodesic(const LimitSurface& surface, const ChartPlace& start, const glm::dvec3& way,
                      int steps);
 // Goes on from where a ray has come to.
@@ -31,9 +33,11 @@ void extend(const LimitSurface& surface, GeodesicRay& ray, double length, int st
 // then within a thousandth of the length while length times curvature is at most 1.
 int steps_from(const LimitSurface& surface, const ChartPlace& start, double length);
 
-// Finds the place nearest to a point of space, by Newton's method from a place near it. It slides
-// along borders and creases and does not go over them. At most 12 evaluations; it stops where it
-// comes within `tolerance` or no nearer.
+// Finds the place nearest to a point of space, by Newton's method.
+//   near       a place near it
+//   p          in the space of the surface
+//   tolerance  it stops if it comes within this distance, or no nearer
+// It slides along borders and creases and does not cross them. At most 12 evaluations.
 struct FootPoint {
     ChartPlace at;
     LimitJet jet;

@@ -38,9 +38,9 @@ private:
 // A ShareOfStep says where node `step` of `count` intervals lies along a chart, from 0 to 1.
 using ShareOfStep = double (*)(int step, int count);
 
-// Evaluates the nodes' points on a surface: the position is that at a node's first place, and the
-// normal the mean of those at all of its places, so that it is one on a crease too. In parallel;
-// the same bits for any number of threads. O(#nodes).
+// Evaluates the nodes' points on a surface: the position at a node's first place, and the mean of
+// the normals at all of its places, so that it is one on a crease too. `share` places the nodes
+// along a chart. In parallel; the same bits for any number of threads. O(#nodes).
 std::vector<SurfacePoint> points_at(const ChartSurface& surface, const SharedNodes& nodes,
                                     ShareOfStep share);
 

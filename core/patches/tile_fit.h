@@ -17,9 +17,11 @@ struct BentPlaces {
     glm::dvec3 unit_middle{0}, middle{0}; // the means of the vertices, in the unit cell and bent
     glm::dmat3 unit_spread{0}, spread{0}; // sums of (u u^T) and (p u^T) about the means, over #V
 };
-// `to_world` is applied after the patch. The derivatives of T in the middle of the tile count a
-// millionth of the vertices, so that directions along which the mesh is flat follow them. O(#V),
-// about 0.2 microseconds per vertex.
+// Bends the vertices of a tile and sums them up.
+//   unit      the mesh in the unit cell
+//   to_world  applied after the patch
+// The derivatives of T in the middle of the tile count a millionth of the vertices, so that
+// directions along which the mesh is flat follow them. O(#V), about 0.2 us per vertex.
 BentPlaces bent_places(const Mesh& unit, const PlacedTile& tile,
                        const glm::dmat4& to_world = glm::dmat4(1));
 

@@ -25,11 +25,13 @@ struct BentVertices {
     glm::vec4* tangents; // unit; the handedness stays
 };
 
-// Bends the vertices of one tile: positions are offset + T - origin, rounded once at the scale of
-// the tile and once more at that of the offset; normals are exact, by the cofactors of the
-// derivatives of T. Each vertex is computed by itself, and sums of products are fused where the
-// processor can, as in core/ffd/kernel.h. About 300 million vertices per second on one core
-// with AVX-512.
+// Bends the vertices of one tile.
+//   offset  positions are offset + T - origin, rounded once at the scale of the tile and once more
+//           at that of the offset
+//   out     receives #vertices of each wanted attribute; normals are exact, by the cofactors of the
+//           derivatives of T
+// Each vertex is computed by itself, and sums of products are fused where the processor can, as in
+// core/ffd/kernel.h. About 300 million vertices per second on one core with AVX-512.
 void bend_vertices(const TileVertices& vertices, const TilePowers& tile, const glm::vec3& offset,
                    const BentVertices& out);
 

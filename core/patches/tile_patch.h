@@ -13,6 +13,10 @@ namespace trivar {
 //
 //   T(x, y, z) = P(x, y) + z N(x, y)                 (Elber, "Geometric texture modeling", 2005)
 //
+//    \      |        |      /     z = 1: P + N
+//     \     |        |     /
+//      P----P--------P----P       z = 0: the base; nodes at x = 0, 1/4, 3/4 and 1
+//
 // Control point 4 j + i belongs to power i of x and j of y.
 struct TilePatch {
     std::array<glm::dvec3, 16> p, n;

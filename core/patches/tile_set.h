@@ -51,12 +51,13 @@ struct TileSet {
     std::size_t vertex_count() const { return model->mesh->vertex_count() * tiles->size(); }
     std::size_t face_count() const { return model->mesh->face_count() * tiles->size(); }
 };
-// Bounds all tiles, and bends only the few whose hulls reach out of the box of the others. In
-// parallel. About 2 microseconds per tile; runs of tiles that stand in `before`, too, cost nothing.
+// Makes a set of tiles: bounds all of them, and bends only the few whose hulls reach out of the box
+// of the others. `before`: runs of tiles that it has, too, cost nothing. In parallel, about 2 us
+// per tile.
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<PlacedTiles>& tiles,
                       const Ref<TileSet>& before = nullptr);
-// The same for tiles of which a mesh that is nearer to what they stand for can be made: with as
-// many vertices and faces, tile by tile, each about where the patches have it.
+// Makes a set of tiles for which a better mesh than that of the patches exists. `mesh`: as many
+// vertices and faces, tile by tile, each about where its patch has it.
 Ref<TileSet> tile_set(const Ref<TileModel>& model, const Ref<PlacedTiles>& tiles,
                       Lazy<Ref<Mesh>> mesh, const Ref<TileSet>& before = nullptr);
 

@@ -44,8 +44,7 @@ struct Attachment {
 // The host of most samples, the first of equals; of none: the first that is touched.
 std::size_t main_host(const Attachment& attachment);
 
-// Whether anything is left of it that the strip lies on. Not where all of that was deleted and only
-// what it passed is left.
+// Whether any host under the strip still exists, and not only objects that the strip passes.
 bool carries(const Attachment& attachment);
 
 // The same with other numbers for the objects. Hosts without a number go, and their samples meet

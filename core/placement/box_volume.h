@@ -5,9 +5,12 @@
 
 namespace trivar {
 
-// A volume that is a box about the origin, at rest, in the form that place() gives for a stroke. u,
-// v and w run along X, Y and Z. `size` is in metres, above 0; the grid must have enough control
-// points for the orders. A press moves control points up or down toward the middle of the box.
+// Makes a volume that is a box about the origin, at rest, in the form that place() gives for a
+// stroke. u, v and w run along X, Y and Z. A press moves control points up or down toward the
+// middle.
+//   size    metres, above 0
+//   grid    control points along X, Y and Z, enough for the orders
+//   orders  2..6 each
 Placement place_box(const glm::dvec3& size, const glm::ivec3& grid, const glm::ivec3& orders);
 
 // The volume after an affine map. Directions, radii and reports stay those of the given volume; so

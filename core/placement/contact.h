@@ -18,8 +18,10 @@ bool creased(const Knots& knots, int control_point);
 bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& nodes,
            const std::vector<glm::dvec3>& direction);
 
-// The surface over nodes at the Greville abscissae. It goes through the nodes; where that would
+// Makes the surface over nodes at the Greville abscissae. It goes through the nodes; if that would
 // overshoot, the nodes are its control points, which never overshoots.
+//   nodes          v fastest, world
+//   through_nodes  false: the nodes are always control points
 Surface<glm::dvec3> contact_surface(const std::array<Knots, 2>& axes,
                                     const std::vector<glm::dvec3>& nodes, bool through_nodes);
 

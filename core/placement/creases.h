@@ -45,12 +45,12 @@ struct CreasePoint {
     bool ridge = true; // false: the bottom of a valley
 };
 
-// Searches along the lines of the grid, and from the middles of those cells that are not where
-// their corners suggest. An interval is halved, at most four times, while its ends differ by more
-// than 25 degrees or in their object, or while its middle lies off. Where they still differ,
-// bisection finds the edge, and the planes of both sides give the point on it. A cliff, whose sides
-// are not seen to meet, is no crease: springs and the lift treat cliffs. Cost: a few rays per node
-// and some hundred per edge found.
+// Finds the edges of the scene along the lines of the grid, and from the middles of those cells
+// that are not where their corners suggest. An interval is halved, at most four times, while its
+// ends differ by more than 25 degrees or in their object, or while its middle lies off. If they
+// still differ, bisection finds the edge, and the planes of both sides give the point on it. A
+// cliff, whose sides are not seen to meet, is no crease: springs and the lift treat cliffs. Cost: a
+// few rays per node and some hundred per edge found.
 std::vector<CreasePoint> crease_points(const StripChart& chart, const RayScene& scene,
                                        bool skip_back_faces);
 

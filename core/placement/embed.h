@@ -41,8 +41,12 @@ ModelFrame model_frame(const PlacementParameters& parameters, const Box& model);
 double strip_width(const ModelFrame& frame, const PlacementParameters& parameters, double length);
 double volume_height(const ModelFrame& frame, const PlacementParameters& parameters, double length);
 
-// Maps object space to the volume's parameters: +x along u from `start`, `fill` long; y across; z
-// up.
+// Maps object space to the volume's parameters:
+//
+//      u = 0      start                 start + fill      1     along the stroke
+//        |----------[ -x   model   +x ]----------------|
+//
+// y runs across, z up.
 glm::dmat4 model_to_uvw(const ModelFrame& frame, const PlacementParameters& parameters);
 
 } // namespace trivar

@@ -6,9 +6,10 @@
 
 namespace trivar {
 
-// The placement of nodes that are displaced by s along their springs: contact surface, lift,
-// volume, embedding, report. place() calls it with the nodes at rest, an animation with moving
-// ones.
+// Finishes a placement from its nodes: contact surface, lift, volume, embedding, report. place()
+// calls it with the nodes at rest, an animation with moving ones.
+//   s      #nodes: the displacements along the springs
+//   frame  how the model is turned
 Placement finished(const StripLayout& layout, const std::vector<double>& s, const Camera& camera,
                    const PlacementParameters& parameters, const ModelFrame& frame,
                    const RayScene& scene, Timings& timings);

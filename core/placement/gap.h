@@ -23,10 +23,11 @@ struct Gap {
     bool inside = false; // the strip covers the sample
 };
 
-// Takes Newton steps toward S(uv) = p - gap d, with d the line of sight, from the parameters of the
-// sample. The last step is not taken, but the gap is exact to second order. Where the steps do not
-// settle, the sample is not covered. `more_cells` asks about a strip that is wider by so many cells
-// on all sides.
+// Measures the gap of a sample, by Newton steps toward S(uv) = p - gap d, with d the line of sight.
+//   sample      its uv is the start
+//   more_cells  asks about a strip that is wider by so many cells on all sides
+// The last step is not taken, but the gap is exact to second order. If the steps do not settle, the
+// sample is not covered.
 Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample,
            double more_cells = 0);
 

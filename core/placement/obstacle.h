@@ -26,8 +26,12 @@ struct ObstacleSolution {
     double residual = 0; // largest |s - clamp(s + force / diagonal, lo, hi)| of the free unknowns
 };
 
-// Applies projected successive over-relaxation from s, in the given order of unknowns, until no
-// unknown of a sweep moves by more than the tolerance. 0 < omega < 2. Cryer 1971.
+// Solves by projected successive over-relaxation. Cryer 1971.
+//   s            the start, #unknowns
+//   order        of the unknowns in a sweep
+//   omega        0 < omega < 2
+//   tolerance    it ends when no unknown of a sweep moves by more
+//   most_sweeps  or after these
 ObstacleSolution projected_sor(const ObstacleProblem& problem, std::vector<double> s,
                                const std::vector<int>& order, double omega, double tolerance,
                                int most_sweeps);

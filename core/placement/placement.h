@@ -54,12 +54,16 @@ struct Placement {
     std::vector<StripNode> nodes; // at the Greville abscissae of the contact surface, v fastest
 };
 
-// Lays a volume along the stroke for a model with the given box: sketch fit, offsets, ray grid,
-// misses, springs, contact surface, lift, volume. The model's +x runs along the stroke, its +z
-// stands on the scene. Throws Rejected with a sentence that says what to do, for a click, a stroke
-// that leaves the picture or hits nothing, one that leaves its surface for another far behind where
-// jumps are bridged, and sizes that are not positive. Pure; any number of
-// threads gives the same bits. Schein 2006, chapter 2.
+// Lays a volume along a stroke for a model: sketch fit, offsets, ray grid, misses, springs, contact
+// surface, lift, volume. The model's +x runs along the stroke, its +z stands on the scene. Schein
+// 2006, chapter 2.
+//   sketch   the stroke in its camera's picture, pixels
+//   model    box of the model, its own space, metres
+//   scene    on which the stroke falls, world
+//   timings  receives the time of each stage
+// Pure; the same bits for any number of threads. Throws Rejected with a sentence that says what to
+// do, for a click, a stroke that leaves the picture or hits nothing, one that leaves its surface
+// for another far behind where jumps are bridged, and sizes that are not positive.
 Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
                 const RayScene& scene, Timings& timings);
 

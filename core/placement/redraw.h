@@ -9,9 +9,9 @@ namespace trivar {
 // These functions change a stroke that was drawn before. Pixels are those of the sketch's own
 // picture.
 
-// The samples of another view, as if they had been drawn in the sketch's view. Each is the place at
-// which its ray meets the scene, or where the ray passes at the depth of the last meeting. Equal
-// views change nothing. Empty where no ray meets the scene.
+// Returns the samples of another view as if they had been drawn in the sketch's view: the places at
+// which their rays meet the scene, or pass at the depth of the last meeting. Equal views change
+// nothing. Empty if no ray meets the scene.
 std::vector<StrokeSample> seen_from(const Camera& sketch, const Camera& drawn_in,
                                     const std::vector<StrokeSample>& samples,
                                     const RayScene& scene);
@@ -23,15 +23,16 @@ struct NearestShare {
 NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p_px);
 double length_px(const std::vector<StrokeSample>& samples);
 
-// The stroke with a piece drawn anew. The new piece leaves the old stroke at the sample that is
+// Returns the stroke with a piece drawn anew. The new piece leaves the old stroke at the sample
 // nearest to its beginning. A piece that ends within `near_px` of the stroke replaces the part
 // between; any other replaces the rest, on the side toward which it sets out. All other samples
 // stay as they are; times continue without a break.
 Sketch redrawn(const Sketch& sketch, const std::vector<StrokeSample>& piece, double near_px);
 
-// The stroke after it was pulled at one place. That place moves by the whole way, its neighbours on
-// both sides by less and less, and samples further than `reach` (a share of the length) do not
-// move. A ring is bent across its seam too.
+// Bends the stroke by a pull at one place. That place moves by the whole way, its neighbours on
+// both sides by less and less. A ring is bent across its seam too.
+//   share  the place, a share of the stroke's length
+//   reach  samples further than this share of the length do not move
 Sketch bent(const Sketch& sketch, double share, glm::dvec2 by_px, double reach);
 
 } // namespace trivar

@@ -24,20 +24,21 @@ struct Band {
     glm::dvec3 normal(double angle, double across) const;
 };
 
-// A volume over a band, closed as the band is: u goes round once, v across it from right to left, w
-// along the normals. On a twisted band the surface lies in the middle of the volume, w = 1/2, for
-// after one round the model walks on the band's other side. The model stands on the surface with
-// its +z up and +x along the way, beginning at share `start` of the way. Of the parameters it uses
-// sizes, profiles, the contact level (not on twisted bands), grid, orders, start, fill and the turn
-// of the model. The grid interpolates, so the error falls with the order'th power of the spacing.
-// Throws Rejected for a mirrored matrix, for a strip wider than its surface, and for a height
-// across, a height map or a rise round a twisted band; a volume that folds says so in its report.
-// O(#control points).
+// Makes a volume over a band, closed as the band is: u goes round once, v across it from right to
+// left, w along the normals. On a twisted band the surface lies in the middle of the volume, w =
+// 1/2, for after one round the model walks on the band's other side.
+//   parameters  those used: sizes, profiles, the contact level (not on twisted bands), grid,
+//               orders, start, fill and the turn of the model
+//   model       box of the model, which stands on the surface with its +z up and +x along the way
+// The grid interpolates, so the error falls with the order'th power of the spacing. O(#control
+// points). Throws Rejected for a mirrored matrix, for a strip wider than its surface, and for a
+// height across, a height map or a rise round a twisted band; a volume that folds says so in its
+// report.
 Placement place_round(const Band& band, const PlacementParameters& parameters, const Box& model);
 
-// The same round any body, where a plane cuts it: u is the share of the length of the way. Lines
-// across have the width along the surface. Between its nodes too the contact surface stays in front
-// of the taut surface of the section, within the tolerance of the lift where that can be; the
+// Makes a volume round any body, where a plane cuts it: u is the share of the length of the way.
+// Lines across have the width along the surface. Between its nodes too the contact surface stays in
+// front of the taut surface of the section, within the tolerance of the lift where that can be; the
 // report says what stands out. Throws Rejected for a strip that is wider than the body.
 Placement place_round(Section section, const PlacementParameters& parameters, const Box& model);
 

@@ -16,9 +16,9 @@ struct Ground {
     glm::dvec3 p{0}, normal{0, 0, 1};
 };
 
-// The place of the scene under a point near it, along the normal given: within `reach`, metres, to
-// both sides. Its normal is the mean over a disc of that radius, so that it does not jump from face
-// to face. Nothing: there is no scene. 17 rays.
+// Returns the place of the scene under a point near it, along its normal. Its normal is the mean
+// over a disc, so that it does not jump from face to face. Nothing: there is no scene. 17 rays.
+//   reach  metres to both sides, and the radius of the disc
 std::optional<Ground> ground_under(const RayScene& scene, const Ground& near, double reach);
 
 // The same where a ray first meets the scene.
@@ -37,10 +37,13 @@ glm::dmat4 slid(const Ground& from, const Ground& to);
 glm::dmat4 turned_on(const Ground& ground, double angle_deg);
 glm::dmat4 grown_on(const Ground& ground, double factor);
 
-// The stroke after a motion that turns, scales evenly and shifts, its camera moved along. Where
-// something now stands between that camera and the place to which the stroke was moved, the same
-// stroke is seen from close above that place, in parallel. `before` is the scene on which it fell,
-// `scene` the one it falls on now; `above` says where it is after the motion.
+// Moves a stroke, with its camera.
+//   by      turns, scales evenly and shifts
+//   before  the scene on which it fell
+//   scene   the scene on which it falls now
+//   above   where it is after the motion
+// If something now stands between the camera and the place to which the stroke was moved, the same
+// stroke is seen from close above that place, in parallel.
 Sketch moved_stroke(const Sketch& sketch, const glm::dmat4& by, const RayScene& before,
                     const RayScene& scene, const Ground& above);
 

@@ -12,6 +12,11 @@ namespace trivar {
 // <= hi. Springs of rest length zero join neighbours. The sheet's energy is 1/2 sum k |P_a - P_b|^2
 // + bending / 2 sum |P_before - 2 P + P_after|^2 + pull / 2 sum area s^2. The weights k make the
 // energy that of a membrane for any spacing of the nodes; they are 1 where the grid is square.
+//
+//         :   :   :   :   :        hi: each node slides along its line
+//         o---o---o---o---o        nodes at rest, joined by springs
+//      ___|___         ___|___     lo: the scene, which holds the outer ones
+//             \_______/            a gap that the sheet bridges
 struct SpringSheet {
     int rows = 0, columns = 0;             // node (i, j) has index i * columns + j
     std::vector<double> along, across;     // #rows, #columns: ascending positions, metres
@@ -61,9 +66,10 @@ struct RestShape {
 std::vector<char> rough_nodes(const SpringSheet& sheet, const std::vector<double>& s,
                               double roughness_deg);
 
-// Frees the neighbourhoods of rough nodes, finds their rest shape from s, and repeats this where
-// the sheet has become rough, until no new node is rough. Nodes are only ever added, so it ends.
-// Schein 2006, 2.3.2.
+// Frees the neighbourhoods of rough nodes, finds their rest shape, and repeats this where the sheet
+// has become rough, until no new node is rough. Nodes are only ever added, so it ends. Schein 2006,
+// 2.3.2.
+//   s        #nodes: the start, lo <= s <= hi
 RestShape rest_shape(const SpringSheet& sheet, std::vector<double> s, const RestOptions& options);
 
 } // namespace trivar

@@ -11,6 +11,12 @@ namespace trivar {
 // A Strip is the ruled strip round a curve in the picture: R(a, v) = C(a) + lerp(-right, left, v)
 // N(a) for a and v in [0, 1], where N points to the left of the direction of travel. Schein 2006,
 // 2.3.1.
+//
+//     v = 1   left rim    +----+----+----+----+
+//                         |    |    |    |    |     rulings: straight lines across
+//             C(a)     a=0 -----------------> a=1
+//                         |    |    |    |    |
+//     v = 0   right rim   +----+----+----+----+
 struct Strip {
     Curve<glm::dvec2> center;
     std::vector<double> left_px, right_px; // half widths at equal steps of a, at least 2
@@ -25,9 +31,9 @@ struct Strip {
     glm::dvec2 at(double a, double v) const { return ruling(a).at(v); }
 };
 
-// The strip with the given half widths, at equal steps of a. Where the curve bends more tightly
-// than a half width, the inner side is narrowed to 0.9 of the curve's radius, gradually before and
-// after, so that no ruling crosses another.
+// Makes the strip with the given half widths, at equal steps of a. Where the curve bends more
+// tightly than a half width, the inner side is narrowed to 0.9 of the curve's radius, gradually
+// before and after, so that no ruling crosses another.
 Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_width_px);
 
 // The largest turn of the curve, in radians, within a stretch that is as long as the strip is wide.

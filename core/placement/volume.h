@@ -27,12 +27,16 @@ struct Extrusion {
     double least_det() const;
 };
 
-// F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the normals of S. An
-// offset between 0 and 1 blends the two and makes the result unit. `height` gives h for each node,
-// in metres. Where the offset would fold because S curves more tightly than it is high, the height
-// is reduced, and the rise is smoothed until no node folds. The rise of an extrusion is positive
-// throughout: where a spline through the heights would not be, the heights are its control points.
-// Schein 2006, 2.3.1.
+// Makes the extrusion. F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the
+// normals of S. An offset between 0 and 1 blends the two and makes the result unit. Schein 2006,
+// 2.3.1.
+//   contact        S
+//   height         h of each node, metres
+//   through_nodes  as for contact_surface()
+//   levels         at which folds are looked for
+// Where the offset would fold because S curves more tightly than it is high, the height is reduced,
+// and the rise is smoothed until no node folds. The rise is positive throughout: where a spline
+// through the heights would not be, the heights are its control points.
 Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
                     const std::vector<double>& height, double offset, bool through_nodes,
                     const Levels& levels = {});

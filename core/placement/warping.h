@@ -5,8 +5,9 @@
 
 namespace trivar {
 
-// The place to which a warp takes a point of a box about the origin. `p` and `size` are in metres
-// along the box's own X, Y and Z; size is above 0.
+// Returns the place to which a warp moves a point of a box about the origin.
+//   p     metres, along the box's own X, Y and Z
+//   size  metres, above 0
 glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp);
 
 // A share of a warp: every amount times `share`.

@@ -10,11 +10,10 @@
 namespace trivar {
 
 // ErrorBounds gives certified bounds in world units. Their promise holds for exact arithmetic, and
-// each bound is raised by what rounding may hide in its own computation. A bound is infinite where
-// a method does not apply: for all methods where the map jumps inside, for those by second
-// derivatives also where it has a kink (a knot of an axis of order 2, the end of an open axis). The
-// last cell is remembered, so each thread needs an ErrorBounds of its own.
-// of an axis of order 2, the end of an open axis). Remembers the last cell: one for each thread.
+// each bound is raised by the rounding of its own computation. A bound is infinite where a method
+// does not apply: for all methods where the map jumps inside, for those by second derivatives also
+// where it has a kink (a knot of an axis of order 2, the end of an open axis). It remembers the
+// last cell, so each thread needs one of its own.
 class ErrorBounds {
 public:
     explicit ErrorBounds(Ref<DisplacementCells> cells) : cells_(std::move(cells)) {}

@@ -9,8 +9,7 @@
 
 namespace trivar {
 
-// A NextVolume deforms what another volume has deformed before: the embedding is from the world in
-// which that one left it.
+// A NextVolume is a further volume of a chain; its embedding maps the output of the volume before.
 struct NextVolume {
     Embedding embedding;
     Ref<Lattice> lattice;

@@ -45,14 +45,17 @@ struct RefinementResult {
 };
 
 // Splits edges until the deformed flat triangles are nowhere further from the deformed surface than
-// the tolerance. There are no T-junctions, also not between parts whose boundaries meet in
-// parameter space bit by bit. New vertices take positions, normals, tangents, colours, texture
-// coordinates, influences and morph targets from the flat triangle; seams stay seams. Cost: each
-// new triangle is bounded once, 2 to 5 us for a tri-cubic lattice. Any number of threads gives the
-// same bits. Throws Rejected for a tolerance that is not above 0 or is finer than rounding.
-// Progress is the share of the edges that need no split; it may fall back when edges are split.
-// The volumes in `next` deform what the lattice has deformed, one after the other; bounds and
-// tolerance are of what the last one gives (core/refinement/composed_bounds.h).
+// the tolerance.
+//   parts     meshes with their places in the volume
+//   lattice   the first volume
+//   next      further volumes, one after the other; bounds and tolerance are of the output of the
+//             last one (core/refinement/composed_bounds.h)
+//   progress  told the share of the edges that need no split; it may fall back when edges are split
+// There are no T-junctions, also not between parts whose boundaries meet in parameter space bit by
+// bit. New vertices take positions, normals, tangents, colours, texture coordinates, influences and
+// morph targets from the flat triangle; seams stay seams. Cost: each new triangle is bounded once,
+// 2 to 5 us for a tri-cubic lattice. The same bits for any number of threads. Throws Rejected for a
+// tolerance that is not above 0 or is finer than rounding.
 RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
                         const RefineOptions& options, const Progress& progress = {},
                         const std::vector<NextVolume>& next = {});

@@ -18,14 +18,18 @@ struct CertifiedSilhouettes {
     std::size_t loose_ends = 0; // of curves, within the grid; 0 unless rounding hid a leaf
 };
 
-// Finds all silhouettes of a level of an interpolating or smoothing cubic field, but for what fits
-// into boxes of 2^-depth voxels. Cells and then their halves, along x, y and z in turn, are left
-// out where the Bezier net of D - level or that of <V, grad D> has no zero: no silhouette is there.
-// In the boxes that remain the level is marched as in level_mesh(), on the lattice of their
+// Finds all silhouettes of a level of an interpolating or smoothing cubic field, except for pieces
+// that fit into boxes of 2^-depth voxels. Cells and then their halves, along x, y and z in turn,
+// are left out if the Bezier net of D - level or that of <V, grad D> has no zero: no silhouette is
+// there. In the boxes that remain the level is marched as in level_mesh(), on the lattice of their
 // corners. Two boxes that touch see the same numbers at their common corners. An eye needs no other
-// bounds: <p - eye, grad D> is of degree 3 in each variable, too. Depth 3 or 4: recall of at least
-// 0.9999 of the length. Throws Rejected if the field is not cubic, depth is not 0 .. 5, or the view
-// is none. The same for any number of threads; the progress is called from any of them.
+// bounds: <p - eye, grad D> is of degree 3 in each variable, too.
+//   level     in samples
+//   view      a direction or an eye, voxels
+//   depth     0 .. 5; with 3 or 4 the recall is at least 0.9999 of the length
+//   progress  called from any thread
+// Throws Rejected if the field is not cubic, depth is out of range or the view is none. The same
+// for any number of threads.
 CertifiedSilhouettes certified_silhouettes(const ScalarField<float>& field, const FieldHulls& hulls,
                                            float level, const ViewPoint& view, int depth,
                                            const SilhouetteOptions& options = {.spacing = 0.1f},

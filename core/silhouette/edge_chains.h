@@ -26,11 +26,12 @@ struct EdgeChains {
     std::size_t count() const { return closed.size(); }
 };
 
-// Joins crossed triangles to chains: those of each part on their own and side by side, then the
-// parts. Each edge may be in at most two of the triangles, as those of a manifold are that change
-// sides: then no chain has a branch. Open chains come first, then by their first edge, the least of
-// a closed chain and the lesser end of an open one; so the parts, and the order of triangles in
-// them, make no difference. O(#triangles); about 20 ns each on one core.
+// Joins crossed triangles to chains: those of each part on their own and in parallel, then the
+// parts.
+//   parts  each edge may be in at most two triangles, as on a manifold: then no chain has a branch
+// Open chains come first, ordered by their first edge, the least of a closed chain and the lesser
+// end of an open one; so the parts, and the order of triangles in them, make no difference.
+// O(#triangles); about 20 ns each on one core.
 EdgeChains edge_chains(std::span<const std::vector<CrossedTriangle>> parts);
 
 } // namespace trivar

@@ -8,10 +8,13 @@
 
 namespace trivar {
 
-// Moves a place to where D = level and <V, grad D> = 0, by Newton steps of least norm (two
-// equations, three unknowns), to 1e-4 voxels. Returns whether it came there: not where the two
-// surfaces touch, more than a voxel away or beyond the grid; then the place is of no use. `jet` is
-// the field's at the last step but one.
+// Moves a place to D = level and <V, grad D> = 0, by Newton steps of least norm (two equations,
+// three unknowns).
+//   p          voxels; of no use if it fails
+//   jet        receives the field's jet at the last step but one
+//   tolerance  voxels
+// Returns false if the two surfaces touch, or the place is more than a voxel away or beyond the
+// grid.
 template <class Real>
 bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, glm::vec<3, Real>& p,
             ScalarJet<Real>& jet, Real tolerance = Real(1e-4));

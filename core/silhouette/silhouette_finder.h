@@ -10,16 +10,23 @@
 namespace trivar {
 
 // SilhouetteFinder finds the silhouettes of a level, view by view. The signs of <V, n> at the
-// vertices of a closed manifold have closed curves between them, whatever they are; runs of
-// triangles whose normals leave no change are left out. Keeps its memory from view to view. The
-// same result for any number of threads. 3 ns per triangle that is looked at, 0.25 us per point.
+// vertices of a closed manifold have closed curves between them, whatever they are:
+//
+//      P-------P---o---N      P: <V, n> >= 0, N: < 0
+//      | \     | o     |
+//      |   \   o   \   |      o: the roots on edges with two signs; the curve
+//      |     o |     \ |      runs through them, triangle by triangle
+//      P---o---N-------N
+//
+// Runs of triangles whose normals leave no change are left out. It keeps its memory from view to
+// view. The same result for any number of threads. 3 ns per tested triangle, 0.25 us per point.
 class SilhouetteFinder {
 public:
     // Throws Rejected if the view has no direction.
     Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
                            const ViewPoint& view, const SilhouetteOptions& options = {});
-    // The same where it is known already which triangles the sign of <V, n> changes in: their
-    // numbers, ascending.
+    // Finds the same curves if the triangles in which the sign of <V, n> changes are known.
+    // `triangles`: their numbers, ascending.
     Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
                            const ViewPoint& view, std::span<const std::uint32_t> triangles,
                            const SilhouetteOptions& options = {});

@@ -15,11 +15,11 @@ using CellDisplacements = std::vector<glm::dvec3>;
 // The degree of values for so many cells; 0: they are none for so many.
 int degree_of(std::size_t values, std::size_t cells);
 
-// The displacements of control points whose spline is the polynomials: polar forms at the knots of
-// their functions. Where functions of several cells share a control point, the mean of what they
-// ask for. Exact where the polynomials have the continuity of the spline. The degree of the values
-// is at most that of the basis. About 10 us per cell for degree 3; the same bits for any number of
-// threads.
+// Returns the displacements of control points whose spline is the polynomials: polar forms at the
+// knots of their functions. Functions of several cells that share a control point get the mean.
+// Exact where the polynomials have the continuity of the spline.
+//   values  at the nodes of CellInterpolation, cell by cell; of a degree of at most the basis's
+// About 10 us per cell for degree 3; the same bits for any number of threads.
 std::vector<glm::dvec3> control_displacements(const SimplexBasis<3>& basis,
                                               std::span<const glm::dvec3> values);
 

@@ -25,15 +25,15 @@ struct FieldFit {
 // How many unknowns a fit on such a domain has; see PointSharing::all. O(number of cells).
 std::size_t fit_size(const SimplexDomain<3>& domain);
 
-// The field that is nearest to samples, in the sum of squares; those outside of the domain do not
-// count. An unknown whose functions sum to less than 4 over all samples is held to the mean of
-// these, or of its neighbours where there are none, by half a sample's weight at most. Polynomials
-// of the degree are found again to 1e-9 where there are samples enough.
+// Fits a field to samples by least squares; samples outside of the domain do not count. An unknown
+// whose functions sum to less than 4 over all samples is held to the mean of these, or of its
+// neighbours where there are none, by half a sample's weight at most. Polynomials of the degree are
+// found again to 1e-9 if there are samples enough.
 //
 // Rows of the basis's values are summed to normal equations, cell by cell; these are solved by a
-// sparse factorisation. 7 us per sample for degree 2 and 3 s for 10,000 unknowns. Throws Rejected
-// where there are fewer samples in the domain than unknowns, for more than 30,000 unknowns and
-// samples that are not finite. The same bits for any number of threads.
+// sparse factorisation. Cost: 7 us per sample for degree 2 and 3 s for 10,000 unknowns. Throws
+// Rejected if there are fewer samples in the domain than unknowns, for more than 30,000 unknowns
+// and samples that are not finite. The same bits for any number of threads.
 FieldFit fitted_field(const Ref<SimplexBasis<3>>& basis, std::span<const FieldSample> samples);
 
 } // namespace trivar

@@ -10,7 +10,14 @@ namespace trivar {
 inline constexpr int max_simplex_degree = 3;
 
 // A SimplexDomain is a triangulation (S = 2) or tetrahedralisation (S = 3) of the parameters of a
-// simplex spline, with a cloud of knots at each vertex.
+// simplex spline, with a cloud of knots at each vertex:
+//
+//            2.
+//           1. C              degree 2: knots 0 (the vertex), 1 and 2 at each corner
+//             / \
+//        2   /   \            function (2, 0, 0) of the cell: knots A, A1, A2, B and C
+//      1. . A-----B .1        function (1, 1, 0): knots A, A1, B, B1 and C
+//                   .2
 template <int S> struct SimplexDomain {
     using Point = glm::vec<S, double>;
     using Cell = std::array<int, S + 1>; // vertex numbers, of positive orientation

@@ -26,9 +26,12 @@ struct DisplacedPoints {
 class SimplexRows {
 public:
     SimplexRows() = default; // of no points
-    // Functions of further layers are added to those of the first one, which `layers` must have;
-    // their control points count on. About 4 us per point for degree 2. Same bits for any number of
-    // threads.
+    // Binds points to one or more layers. Functions of further layers are added to those of the
+    // first one; their control points count on.
+    //   layers     at least one
+    //   points     in the domain's space
+    //   gradients  whether displaced() gives Jacobians
+    // About 4 us per point for degree 2. The same bits for any number of threads.
     SimplexRows(std::span<const Ref<SimplexBasis<3>>> layers, std::span<const glm::vec3> points,
                 bool gradients);
 

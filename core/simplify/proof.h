@@ -10,15 +10,15 @@ namespace trivar {
 
 using VertexPlaces = std::vector<std::vector<glm::dvec3>>; // by pose, #V each
 
-// Proves, round after round, how much of a mesh and of what is left of it lies within a distance of
-// the other one. The fans and places outlive it.
+// A Proof shows, round after round, how much of a mesh and of its simplification lies within a
+// distance of the other. The fans and places outlive it.
 class Proof {
 public:
     Proof(const Fans& fans, const VertexPlaces& places, double distance);
 
-    // The nodes of the triangles, of those before and of those that are left, of which it is not
-    // proven: none where both meshes are that near to each other in every pose. Ascending. What has
-    // the same triangles round it as in the round before is not proven again. O(#T log #T).
+    // Returns the nodes of old and new triangles whose distance is not proven, ascending. Empty:
+    // both meshes are within the distance in every pose. Triangles with the same surroundings as in
+    // the round before are not proven again. O(#T log #T).
     std::vector<std::uint32_t> unproven_nodes(const Decimation& left);
 
 private:
@@ -32,7 +32,7 @@ private:
     std::vector<std::array<std::vector<char>, 2>> known_; // by pose, of both ways, #T: proven then
 };
 
-// The least distance, of `least` times powers of 1.25, of which that is proven.
+// Returns the least proven distance among `least` times powers of 1.25.
 double proven_error(const Fans& fans, const Decimation& left, const VertexPlaces& places,
                     double least);
 

@@ -35,19 +35,21 @@ struct SimplifiedMesh {
     double error = 0;
 };
 
-// The same mesh with fewer triangles. Its vertices are some of the old ones with all they have:
+// Returns the mesh with fewer triangles. Its vertices are some of the old ones with all they have:
 // colours, texture coordinates, influences, morph targets. Colours count too: black in place of
 // white as much as a movement by 2 % of the size, and no vertex goes whose place would get another
 // colour by more than a fifth of that.
+//
 // Lines are kept, with fewer points: borders, creases, hard edges, seams of texture coordinates and
-// of colours, edges between materials and groups. What was closed stays closed, and holes stay
-// holes. Polygons that nothing was done to stay polygons. Normals are taken anew where faces
-// changed, unless a hard edge splits them; if all follow from the faces
-// (core/mesh/shading.h), and hard edges are in the way of the goal, they are none.
-// The cost is 2 to 10 microseconds a triangle to a number, about 30 to an error; twice that where
-// normals follow from the faces, to an error always and to a number where it is not reached. The
-// same bits for any number of threads. Throws Rejected for an error that is not a number from 0 up
-// and for poses of another mesh; and what `progress` throws, to cancel.
+// of colours, edges between materials and groups. Closed surfaces stay closed, and holes stay
+// holes. Polygons that did not change stay polygons. Normals are taken anew where faces changed,
+// unless a hard edge splits them; if all follow from the faces (core/mesh/shading.h), and hard
+// edges are in the way of the goal, they are none.
+//
+// Cost: 2 to 10 us a triangle to a number, about 30 to an error; twice that if normals follow from
+// the faces, to an error always and to a number if it is not reached. The same bits for any number
+// of threads. Throws Rejected for an error that is not a number from 0 up and for poses of another
+// mesh; and what `progress` throws, to cancel.
 SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
                           const Progress& progress = {});
 

@@ -20,8 +20,8 @@ struct Caps {
 // Closes both halves of a cut mesh with caps: one constrained Delaunay triangulation of the rim's
 // loops, holes and nested loops included, for both halves. The part below is capped by faces that
 // look up, the part above by the same turned round. Vertices of caps are new ones, at the points of
-// the rim; their first texture coordinates are the parameters, and `above` says of which half they
-// are. O(n log n). [Schein, thesis, 6.3]
+// the rim; their first texture coordinates are the parameters, and `above` says to which half they
+// belong. O(n log n). [Schein, thesis, 6.3]
 Caps cap(CutMesh& cut, const CapOptions& options);
 
 } // namespace trivar

@@ -40,17 +40,21 @@ struct CutMesh {
     }
 };
 
-// Cuts a mesh where `heights` (#V, equal for the vertices of one point, finite) change their sign.
-// Zero counts as above: so there is one rule, and no vertex lies on the cut. Along an edge the
-// function is taken as linear; heights near 0 are moved a little apart (see move_apart()), so that
-// the place stays on the edge, at least 1e-4 of its length from either end. The attributes of
-// vertices are blended. Faces that are cut become triangles.
-// O(#V + #C), and O(k log k) for k faces that are cut. The same bits for any number of threads.
-// `memory` is a result that is not needed any more, of an earlier place of a cut that moves: its
-// memory is used again. `need` says where the halves part: loops beside that are left whole (see
-// needed()); the mesh then consists of triangles. With `on`, vertices that near lie on the cut, and
-// no height is moved: it goes through them, faces on it are not cut, and what only touches it is
-// not parted, so that nothing is made thinner than that. [Schein, thesis, chapter 6]
+// Cuts a mesh where a function of its vertices changes its sign. Along an edge the function is
+// linear; heights near 0 are moved a little apart (see move_apart()), so that the place stays on
+// the edge, at least 1e-4 of its length from either end. Attributes are blended. Cut faces become
+// triangles.
+//   heights  #V, finite, equal for the vertices of one point; 0 counts as above, so that one rule
+//            holds and no vertex lies on the cut
+//   memory   a result that is not needed any more, of an earlier place of a moving cut: its memory
+//            is used again
+//   need     where the halves part: loops beside that stay whole (see needed()), and the mesh then
+//            consists of triangles; null: everywhere
+//   on       vertices that near lie on the cut, and no height is moved: the cut goes through them,
+//            faces on it are not cut, and what only touches it is not parted, so that nothing
+//            becomes thinner than that; null: none do
+// O(#V + #C), and O(k log k) for k cut faces. The same bits for any number of threads. [Schein,
+// thesis, chapter 6]
 CutMesh cut(const Mesh& mesh, std::span<const double> heights, CutMesh memory = {},
             const CutNeed* need = nullptr, const OnCut* on = nullptr);
 

@@ -18,9 +18,13 @@ std::string stroke_trouble(const std::vector<glm::dvec2>& stroke);
 //
 //   phi(v, w) = q f(v / q),
 //
-// the cone from the eye over the curve; f(v) without an eye, 0 without a stroke. f is the cubic
-// through the points whose slopes are those of the parabolas through three of them, and straight
-// beyond its ends; so it is smooth, and its second derivative is known.
+//                         . |      the cone from the eye over the curve: f at w = 0,
+//                 . |       |      twice as large at w = eye; f(v) everywhere without an
+//      eye *      f |    2f |      eye, 0 without a stroke
+//         -eye     0      eye --> w
+//
+// f is the cubic through the points whose slopes are those of the parabolas through three of them,
+// and straight beyond its ends; so it is smooth, and its second derivative is known.
 class CutSheet {
 public:
     // `to_own` takes points of the mesh that is cut to the space of the cut; it may mirror.

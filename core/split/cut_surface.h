@@ -16,9 +16,9 @@ struct SplitRectangle {
     glm::dvec2 lo{0}, hi{0};
 };
 
-// The least-squares fit, with a small penalty on second differences, to the middles of an
-// obstacle's columns; by the penalty it extends smoothly beyond the obstacle's shadow, over the
-// whole rectangle and a little further. About 10 ms.
+// Fits a surface to the middles of an obstacle's columns, by least squares with a small penalty on
+// second differences. By the penalty it extends smoothly beyond the obstacle's shadow, over the
+// whole rectangle `over` and a little further. About 10 ms.
 CutSurface middle_surface(const ObstacleColumns& columns, const SplitRectangle& over);
 
 } // namespace trivar

@@ -9,16 +9,18 @@ namespace trivar {
 struct FineMesh {
     Mesh mesh;
     std::vector<double> heights; // #V x #openings: over each cut surface
-    // Metres: bounds of the distance of its triangles from the true ones, of those that are not cut
-    // and of those that are.
+    // Upper bounds, in metres, of the distance between triangles and the true surface: for uncut
+    // and for cut triangles.
     double off = 0, cut_off = 0;
 };
 
-// Splits the triangles near the openings of a field, at the middles of their edges, until none is
-// off by more than the tolerance (metres; those that are cut by less), or until `most_triangles`
-// are there. Positions are in the world. Faces are triangles then. No cracks: an edge is split for
-// both of its triangles, and only where one of its ends is `free` (by point). The mesh has
-// `points`. O(#V + #C) and the work at the openings.
+// Splits the triangles near the openings of a field, at the middles of their edges, until all are
+// fine enough.
+//   mesh            world; it has `points`. Faces of the result are triangles
+//   free            by point: an edge is split only if one of its ends is free
+//   tolerance       metres; cut triangles keep within less
+//   most_triangles  at which it stops
+// No cracks: an edge is split for both of its triangles. O(#V + #C) and the work at the openings.
 FineMesh fine_enough(Mesh mesh, std::vector<char> free, const SplitField& field,
                      const SplitError& error, double tolerance, std::size_t most_triangles);
 

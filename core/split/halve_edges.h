@@ -9,10 +9,16 @@ namespace trivar {
 // The same surface in triangles; materials and groups of faces go along. O(#C).
 Mesh triangulated(Mesh mesh);
 
-// Splits edges of a mesh of triangles at their middles, for all triangles beside them: a triangle
-// becomes two, three (along the shorter diagonal) or four. `marked` holds edges by points; the mesh
-// has points, of which `points` is the number. Triangles that are split keep their place, others of
-// the same one are added at the end, and so are vertices; marked edge k becomes point points + k.
+// Splits edges of a mesh of triangles at their middles, for all triangles beside them:
+//
+//       /|\             /\               /\
+//      / | \           /__\             /__\      a triangle becomes two, three
+//     /  |  \         / `. \           /\  /\     (along the shorter diagonal)
+//    /___|___\       /____`.\         /__\/__\    or four
+//
+//   points  number of points of the mesh, which has `points`
+//   marked  edges by points; edge k becomes point points + k
+// Split triangles keep their place; the others of each are added at the end, and so are vertices.
 // Returns the faces that are new or smaller. O(#F) in parallel; the same bits for any number of
 // threads.
 std::vector<std::uint32_t> halve_edges(Mesh& mesh, std::size_t points, const EdgeNumbers& marked);

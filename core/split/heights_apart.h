@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// An edge of which one end is above a cut and the other below it: a height not negative, and one
-// that is, at two points of a mesh.
+// A CrossedEdge is an edge that crosses a cut, by two points of a mesh: its heights at both ends,
+// one >= 0 and one < 0.
 struct CrossedEdge {
     std::array<std::uint32_t, 2> points;
     std::array<double, 2> heights;

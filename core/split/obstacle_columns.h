@@ -8,8 +8,15 @@
 
 namespace trivar {
 
-// A SplitFrame is where a split is computed: u is the direction in which the halves part, v the way
-// on which the model passes the obstacle, w = u x v. Metres.
+// A SplitFrame is the space of a split: u is the direction in which the halves part, v the way on
+// which the model passes the obstacle, w = u x v. Metres.
+//
+//      u ^        .-----------.            W_1: the wall of the upper half
+//        |     .-'     ___     `-.
+//      --+------------( o )-------------   phi: the cut surface through the obstacle o
+//        |     `-.     ```     .-'
+//        |        `-----------'            W_0: the wall of the lower half
+//        +-------------------------> v     w points away from you
 struct SplitFrame {
     glm::dvec3 origin{0};
     glm::dmat3 axes{1}; // columns u, v, w: orthonormal and right-handed
@@ -22,7 +29,7 @@ struct SplitFrame {
     bool operator==(const SplitFrame&) const = default;
 };
 
-// ObstacleColumns says from where to where an obstacle reaches along lines parallel to u. Pockets,
+// ObstacleColumns are the ranges of u that an obstacle occupies along lines parallel to u. Pockets,
 // which a line leaves and enters again, count as filled.
 class ObstacleColumns {
 public:

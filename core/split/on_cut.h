@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// Says which vertices lie on a cut: those no higher over it, nor lower, than that. A cut goes
+// OnCut says which vertices lie on a cut: those at most `within` above or below it. A cut goes
 // through them, and a face all of whose corners lie on it belongs to one side.
 struct OnCut {
     double within = 0;

@@ -6,8 +6,13 @@
 
 namespace trivar {
 
-// An OpeningWall is how far one half is moved away from the cut surface: W(v, w), a bicubic spline
-// over a rectangle, zero at its border and beyond it.
+// An OpeningWall is the distance by which one half is moved away from the cut surface: W(v, w), a
+// bicubic spline over a rectangle, zero at its border and beyond it:
+//
+//    W ^        .-------------.         at least `clearance` over the obstacle
+//      |     .-'               `-.
+//    0 +----'-----|#########|-----`---> v
+//          lo     |<-shadow>|     hi    margin * shadow more at both ends of the shadow
 struct OpeningWall {
     Surface<double> height; // metres, nowhere negative
     double most = 0;        // greatest control value: W is nowhere larger
@@ -26,12 +31,14 @@ constexpr double round_margin = 0.12, smooth_margin = 0.3;
 // the shadow's length more on both sides.
 SplitRectangle opening_rectangle(const ObstacleColumns& columns, double clearance, double margin);
 
-// The walls below (0) and above (1) a cut surface over that rectangle. Each is interpolated at the
-// Greville points and then lifted until it is at least `clearance` beyond the obstacle at a grid of
-// columns and at the obstacle's vertices, and until it is certain that no triangle of the obstacle
-// is nearer than half of it (see WallCertificate). At the ends along v one row of control points is
-// 0, or three where these are smooth. [Schein, thesis, 6.3, but fitted and lifted
-// instead of control points on the profile.] About 30 ms.
+// Makes the walls below (0) and above (1) a cut surface.
+//   over       the rectangle of (v, w)
+//   clearance  metres
+//   ends       at the ends along v one row of control points is 0; three if these are smooth
+// Each is interpolated at the Greville points and then lifted until it is at least `clearance`
+// beyond the obstacle at a grid of columns and at the obstacle's vertices, and until it is certain
+// that no triangle of the obstacle is nearer than half of it (see WallCertificate). About 30 ms.
+// [Schein, thesis, 6.3, but fitted and lifted instead of control points on the profile.]
 std::array<OpeningWall, 2> opening_walls(const ObstacleColumns& columns, const CutSurface& surface,
                                          const SplitRectangle& over, double clearance,
                                          SplitEnds ends);

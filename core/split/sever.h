@@ -31,10 +31,10 @@ struct Unsevered {
 };
 
 // Cuts a mesh along a surface and closes both halves. A curved surface is met by triangles that are
-// fine enough there. What is no further from the surface than a millionth of the mesh's size, or
-// than its numbers can tell, lies on it: a face there belongs to one side, and no half is thinner.
+// fine enough there. Points no further from the surface than a millionth of the mesh's size, or
+// than their numbers can tell, lie on it: a face there belongs to one side, and no half is thinner.
 // Vertices that are not on the cut keep their bits and their order. Morph targets go along; those
-// of caps come from their rims. None: all of the mesh is on one side, which `unsevered` tells.
+// of caps come from their rims. Nothing: the whole mesh is on one side, which `unsevered` tells.
 std::optional<Severed> sever(const Mesh& mesh, const CutSheet& sheet, const SeverOptions& options,
                              Unsevered& unsevered);
 

@@ -32,9 +32,9 @@ struct SplitMesh {
 // Parts a mesh in the world: makes it fine enough near the openings, cuts it along each cut
 // surface, closes both halves with caps, and moves its vertices by the field. A closed mesh becomes
 // closed parts; none of its vertices lies in an obstacle. Stitched, its skin is drawn in beside the
-// openings (see Seam) and stays one beyond them (see sew()). None: the field moves nothing of the
-// mesh. Vertices that the field does not move keep their bits. Faces that are fine enough and not
-// cut are only moved: they keep their order and stand first, but for some beside others. O(#V + #C)
+// openings (see Seam) and stays one beyond them (see sew()). Vertices that the field does not move
+// keep their bits. Faces that are fine enough and not cut are only moved: they keep their order and
+// stand first, but for some beside others. Nothing: the field moves no part of the mesh. O(#V + #C)
 // to find the others, and the work of these.
 std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
                                const SplitOptions& options);

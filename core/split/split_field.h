@@ -56,10 +56,19 @@ double needed_reach(const Opening& opening, std::size_t side, SplitKernel kernel
 //
 //   X(u, v, w) = u + sum_i s_i W_i(v, w) K(|u - phi_i(v, w)| / R_i),
 //
-// s_i = -1 below and +1 above cut surface i; v and w stay. A line along u is mapped into itself,
-// and X grows along it, so nothing folds and parts on both sides never overlap; a point above the
-// surface comes to lie at or above phi + W. Beyond the reaches and the rectangles of the walls
-// nothing is moved. [Schein, thesis, chapter 6, with sheared cut surfaces in place of planes]
+// s_i = -1 below and +1 above cut surface i; v and w stay.
+//
+//    X - u ^
+//      W_1 +           |\.
+//          |           |  `-.            K fades from 1 at the surface to 0 at the reach
+//        0 +----.------+-----`------->   u - phi
+//          |  -R_0 `-. |    R_1
+//     -W_0 +         `\|
+//
+// A line along u is mapped into itself, and X grows along it, so nothing folds and parts on both
+// sides never overlap; a point above the surface comes to lie at or above phi + W. Beyond the
+// reaches and the rectangles of the walls nothing is moved. [Schein, thesis, chapter 6, with
+// sheared cut surfaces in place of planes]
 struct SplitField {
     SplitFrame frame;
     std::vector<Opening> openings; // ascending along u
@@ -75,9 +84,9 @@ struct SplitField {
     Box reach() const; // in uvw: nothing beyond it is moved
 };
 
-// The field of several obstacles. Obstacles whose cut surfaces would meet are parted by as one; the
-// names of these are joined. Reaches are widened, and a kernel replaced by the hat, where that
-// takes it; throws Rejected, with the names, where there is too little room between two.
+// Makes the field of several obstacles. Obstacles whose cut surfaces would meet are parted by as
+// one; their names are joined. Reaches are widened, and a kernel replaced by the hat, where that is
+// needed. Throws Rejected, with the names, if there is too little room between two.
 SplitField split_field(const std::vector<SplitObstacle>& obstacles, const SplitFrame& frame);
 
 } // namespace trivar

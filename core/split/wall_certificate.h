@@ -12,10 +12,12 @@ struct WallCertificate {
     std::vector<glm::dvec3> too_near;
 };
 
-// Bounds the distance of a wall from the flat triangles of the obstacle, up to `wanted`: it is what
-// it is at the corners less how far wall and cut surface bend between them, by the Bezier nets of
-// both; triangles for which that does not suffice are halved, up to some thousand times. About 0.2
-// microseconds a triangle, in parallel.
+// Bounds the distance of a wall from the flat triangles of the obstacle: it is what it is at the
+// corners less how far wall and cut surface bend between them, by the Bezier nets of both;
+// triangles for which that does not suffice are halved, up to some thousand times.
+//   side    0 below, 1 above the cut surface
+//   wanted  metres, at which the search ends
+// About 0.2 us a triangle, in parallel.
 WallCertificate certificate(const ObstacleColumns& obstacle, const CutSurface& surface,
                             const Surface<double>& wall, std::size_t side, double wanted);
 

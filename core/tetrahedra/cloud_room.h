@@ -7,15 +7,17 @@
 
 namespace trivar {
 
-// The least share of its cell's volume that the simplices of knots keep at the cells round a
-// vertex: those that take one knot of the cloud of each corner, with numbers that sum to the degree
-// at most. Where one turns over, clouds cross: the spline has no basis then. 1: all clouds are
-// stacked. O(number of cells round the vertex), once these are known.
+// Returns the smallest ratio of knot simplex volume to cell volume around a vertex. A knot simplex
+// takes one knot of the cloud of each corner, with numbers that sum to the degree at most. Below 0
+// clouds cross: the spline has no basis then. 1: all clouds are stacked.
+//   cells_round  the cells round the vertex; O(their number)
 double cloud_room(const SimplexDomain<3>& domain, std::span<const int> cells_round);
 
-// The greatest share, 0..1, of the movement of one knot (1 .. degree) of a vertex of which no
-// lesser one leaves any of these simplices less than `least_room` of its cell, or less than it has
-// where that is less. Exact, for a simplex's volume is linear in one of its corners.
+// Returns the greatest share, 0..1, of the movement of one knot such that no lesser share leaves a
+// knot simplex less than `least_room` of its cell, or less than it has where that is less.
+//   knot  1 .. degree, of the vertex
+//   by    the movement, space of the domain
+// Exact, for a simplex's volume is linear in one of its corners.
 inline constexpr double least_room = 0.05;
 double allowed_share(const SimplexDomain<3>& domain, std::span<const int> cells_round, int vertex,
                      int knot, const glm::dvec3& by);

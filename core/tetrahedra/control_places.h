@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A ControlPlace is where the control points of some functions rest: those that take the same knots
-// and whose cells meet there, but for faces that are cut. What a hand takes hold of is all of them.
+// A ControlPlace groups the control points that a user moves as one: same rest position and knots,
+// cells connected across uncut faces.
 struct ControlPlace {
     glm::dvec3 rest{0};
     // Unit, from there into one of the cells; 0 where no cut parts it from another place.
@@ -19,9 +19,10 @@ struct ControlPlace {
 // All of a layer, in order of the vertices that they belong to. O(n log n) for n functions.
 std::vector<ControlPlace> control_places(const SimplexBasis<3>& layer);
 
-// The pull that moves just the control points at those places (numbers, at least one): its balls
-// hold no others, or by their radius as many as that says. By nothing as yet. O(number of places
-// times number of chosen ones).
+// Returns a pull that moves just the control points at some places, by nothing as yet.
+//   chosen  numbers of places, at least one
+//   radius  of its balls; 0: they hold no other places
+// O(number of places times number of chosen ones).
 TetrahedraPull pull_of(const std::vector<ControlPlace>& places, const std::vector<int>& chosen,
                        double radius = 0);
 

@@ -25,14 +25,14 @@ struct ConvertedLattice {
     double spread = 0;                   // of its clouds
 };
 
-// A lattice as a simplex spline: each span (or piece of it) a box of 6 tetrahedra round its
-// diagonal, the breaks of its knots kept; where a knot makes it less smooth than the
+// Converts a lattice to a simplex spline: each span (or piece of it) becomes a box of 6 tetrahedra
+// round its diagonal, and the breaks of its knots stay. Where a knot makes it less smooth than the
 // spline, faces are creased, which is met nearly; where its slopes jump, they are seams, and where
-// it is torn, cuts, which both are met exactly: a lattice of order 2 by degree 3. Control points
+// it is torn, cuts, which are both met exactly: a lattice of order 2 by degree 3. Control points
 // are polar forms, at the knots of their functions, of the polynomial through the lattice's
 // displacements in their cell [1]: displacements that are polynomials of at most the degree are met
 // to rounding, others to the order degree + 1 in the size of the spans; a lattice at rest is met
-// exactly. A closed axis counts as one period. Throws Rejected where the lattice is flat at rest or
+// exactly. A closed axis counts as one period. Throws Rejected if the lattice is flat at rest or
 // would need more than 10^6 cells. About 1 ms per cell and core for degree 3, most of it to look.
 //   [1] Serghini, Tijini, New approach to study splines by blossoming method and application to
 //   the construction of a bivariate C1 quartic quasi-interpolant, 2015

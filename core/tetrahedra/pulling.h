@@ -6,10 +6,11 @@
 
 namespace trivar {
 
-// The change of the displacements of all layers by a pull, before a guard holds it. A control point
-// takes the share of the movement that decay() gives for the distance of its rest from the nearest
-// middle of a ball that reaches it. Those of a refinement also fade to 0 at one edge before its
-// rim, from 0.3 of that distance on. `refinement` is the one of the pull's layer; null: the domain.
+// Returns the change of the displacements of all layers by a pull, before a guard holds it. A
+// control point takes the share of the movement that decay() gives for the distance of its rest
+// from the nearest middle of a ball that reaches it. Those of a refinement also fade to 0 at one
+// edge before its rim, from 0.3 of that distance on.
+//   refinement  that of the pull's layer; null: the domain
 // O(number of control points times number of places and balls).
 std::vector<glm::dvec3> change_by(const TetrahedraPull& pull, const SimplexVolume& volume,
                                   const TetrahedraRefinement* refinement = nullptr);
@@ -24,9 +25,9 @@ double share_inside(const TetrahedraRefinement& refinement, const glm::dvec3& re
 // The middles of a pull's balls.
 std::vector<glm::dvec3> middles(const TetrahedraPull& pull);
 
-// The control points of a layer that a ball reaches: those of the cells that touch it and are
-// connected within it, but for faces that are cut, with the cell that holds its middle. All
-// points where nothing is cut. By point, O(number of cells).
+// Returns, by point, which control points of a layer a ball reaches: those of the cells that touch
+// it and are connected within it, across uncut faces, with the cell that holds its middle; all
+// points if nothing is cut. O(number of cells).
 std::vector<bool> reached(const SimplexBasis<3>& layer, const glm::dvec3& middle, double radius);
 
 } // namespace trivar

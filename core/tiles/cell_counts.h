@@ -19,8 +19,12 @@ std::vector<int> row_turns(const ChartNet& net);
 
 // Counts the cells along u and v of each chart, the same on both sides of every edge: opposite
 // edges of charts, and the two sides of an edge, form chords with one number each. That is the mean
-// length of the middle lines along it by the size of a cell, along rows or across them; `even`
-// rounds to even numbers. Throws Rejected for more than `most` cells. O(#charts log #charts).
+// length of the middle lines along it by the size of a cell.
+//   turns  row_turns() of the net
+//   size   of a cell, along rows and across them, metres
+//   even   rounds to even numbers
+//   most   greatest number of cells; throws Rejected for more
+// O(#charts log #charts).
 std::vector<glm::ivec2> cell_counts(const ChartSurface& surface, std::span<const int> turns,
                                     const glm::dvec2& size, bool even, std::size_t most);
 

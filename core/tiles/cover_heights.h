@@ -18,9 +18,11 @@ struct GuardedHeights {
     // 0 means that the cell folds in itself.
     std::vector<double> of_limit = {};
 };
-// Lowers heights at corners until no cell folds below `top`, in lengths of a tile: a corner as far
-// as the cells round it need, so that tiles that meet stay equally high there. Cells that fold in
-// themselves are told and lower nothing. In parallel; about 10 microseconds per cell.
+// Lowers heights at corners until no cell folds: a corner as far as the cells round it need, so
+// that tiles that meet stay equally high there. Cells that fold in themselves are marked and lower
+// nothing.
+//   top  height below which nothing may fold, in lengths of a tile
+// In parallel; about 10 us per cell.
 GuardedHeights guarded_heights(const Covering& covering, const CoveringPose& pose, double top);
 
 } // namespace trivar

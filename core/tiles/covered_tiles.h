@@ -34,11 +34,13 @@ struct CoverCell {
     bool operator==(const CoverCell&) const = default;
 };
 
-// Makes one mesh of tiles of a covering, which are given by their numbers: copies of a mesh, each
-// bent over its cells. Normals are exact, by cofactors. A vertex on a side of its tile has the same
-// bits as that of the tile beyond it, where both are as far along the side and as high. In double
-// precision and in parallel; the same bits for any number of threads. About 0.2 microseconds per
-// vertex.
+// Makes one mesh of tiles of a covering: copies of a mesh, each bent over its cells.
+//   to_model  from the mesh to the model of `cell`
+//   pose      the covering at the frame, world
+//   tiles     numbers of tiles of the covering
+// Normals are exact, by cofactors. A vertex on a side of its tile has the same bits as that of the
+// tile beyond it, if both are as far along the side and as high. In double precision and in
+// parallel; the same bits for any number of threads. About 0.2 us per vertex.
 Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                    const Covering& covering, const CoveringPose& pose,
                    std::span<const std::uint32_t> tiles);
@@ -54,10 +56,10 @@ struct HeightsOverUvs {
     // The surface itself over the charts, in the world; of any thread.
     std::function<SurfacePoint(const ChartPlace&)> surface;
 };
-// The same for a sheet of heights whose points stand as high as the picture is bright where they
-// lie on what is covered, and which has the texture coordinates of that: conventional displacement,
-// P + h(u, v) N with P and N of the surface itself. Where coordinates have a seam the heights have
-// one, too. Even heights have the normals N, and others lean from that. Without tangents.
+// Makes the tiles of a sheet of heights: its points stand as high as the picture is bright where
+// they lie on the base. Conventional displacement, P + h(u, v) N with P and N of the surface
+// itself. Where coordinates have a seam the heights have one, too. Even heights have the normals N,
+// and others lean from that. Without tangents.
 Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                      const Covering& covering, const CoveringPose& pose,
                      std::span<const std::uint32_t> tiles, const HeightsOverUvs& heights);

@@ -10,6 +10,12 @@ namespace trivar {
 // A Covering cuts every chart of a surface into cells, and lays tiles over them. Each cell is one
 // patch, and all that two cells share follows from nodes that they share: where a tile's outline
 // lies on a side of a cell, the tile beyond it has its outline there to the last bit.
+//
+//      3------- edge 2 -------2      a chart with 3 x 2 cells (i along u, j along v) and
+//      |  0, 1 |  1, 1 |  2, 1 |      turns 0: rows run along u. Bricks: every other row is
+//      |-------+-------+-------|      shifted by half a cell; a tile then spans two cells
+//      |  0, 0 |  1, 0 |  2, 0 |
+//      0------- edge 0 -------1
 class Covering {
 public:
     // `tile_size` holds the length of a tile along its row and its width across. Throws Rejected

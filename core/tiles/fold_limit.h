@@ -8,11 +8,12 @@
 
 namespace trivar {
 
-// The height up to which a tile on the patch surely does not fold: the determinant of the
+// Returns the height up to which a tile on the patch surely does not fold: the determinant of the
 // derivatives of T is positive over the whole unit square for every z from 0 to that height. Zero:
 // the patch turns over in itself; infinity: it never folds. A side that is a single point, to the
-// last bit, may be one: the determinant is positive up to it. The piece of the patch that has the
-// lowest limit is quartered up to `most_quartered` times. About 3 microseconds.
+// last bit, may be one: the determinant is positive up to it.
+//   most_quartered  how often the piece of the patch with the lowest limit is quartered at most
+// About 3 us.
 double fold_limit(const TilePatch& patch, int most_quartered = 8);
 
 // The same for many patches: the same bits, about a microsecond each.

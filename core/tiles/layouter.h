@@ -8,10 +8,12 @@
 
 namespace trivar {
 
-// Works the strokes off in their order. Pure: a tile's seed comes from its stroke and its number in
-// it, so that editing one stroke leaves the tiles of others, except where they avoid each other.
-// About 5 microseconds per try. `curvature`: of the base, asked for where tiles head along it;
-// null: it is estimated then. Throws Cancelled.
+// Lays the tiles of strokes, in their order. Pure: a tile's seed comes from its stroke and its
+// number in it, so that editing one stroke leaves the tiles of others, except where they avoid each
+// other.
+//   progress   its throw ends the work
+//   curvature  of the base, asked for where tiles head along it; null: it is estimated then
+// About 5 us per try. Throws Cancelled.
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
                      const Progress& progress = {}, const Lazy<TileCurvature>* curvature = nullptr);
 

@@ -18,9 +18,9 @@ struct LimitChart {
     double cut = 0;
 };
 
-// Lays out the nodes of a tile. `turn_deg` and `scale` come from the layer's look. 25 to 55
-// microseconds for a tile that is small against the features of the surface, ten times as much for
-// one of their size.
+// Lays out the nodes of a tile's patch. `turn_deg` and `scale` come from the layer's look. 25 to 55
+// us for a tile that is small against the features of the surface, ten times as much for one of
+// their size.
 LimitChart limit_chart_of(const LimitBase& base, const Tile& tile, double turn_deg, double scale);
 
 } // namespace trivar

@@ -14,10 +14,11 @@ struct SurfaceRay {
     double left = 0; // length that a border cut off
 };
 
-// The straightest way from a place along a vector of the plane of its normal, whose length is the
-// way's: straight in each triangle, and over each edge as if both triangles were unfolded (Polthier
-// and Schmies, "Straightest geodesics on polyhedral surfaces", 1998). It stops at borders. O(#edges
-// crossed), at most 100,000 of them.
+// Follows the straightest way from a place: straight in each triangle, and over each edge as if
+// both triangles were unfolded (Polthier and Schmies, "Straightest geodesics on polyhedral
+// surfaces", 1998). It stops at borders.
+//   way  in the plane of the normal at `start`; its length is the way's
+// O(#edges crossed), at most 100,000 of them.
 SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const glm::dvec3& way);
 
 } // namespace trivar

@@ -43,10 +43,13 @@ struct StrandLayout {
 };
 
 // Adds the strand of a stroke. Its path is a curve through the samples, smoothed over a third of
-// `stroke.size` and laid back onto the surface; it is divided into cells of equal length, near
-// that size. Ends within three quarters of a size of the open end of another strand take over its
+// `stroke.size` and laid back onto the surface; it is divided into cells of equal length, near that
+// size. Ends within three quarters of a size of the open end of another strand take over its
 // station and go on from it; a path whose ends are as near to each other closes, with an even
-// number of cells. About 2 microseconds for each twelfth of a cell.
+// number of cells.
+//   number  of the stroke
+//   points  its samples on the surface, space of the model
+// About 2 us for each twelfth of a cell.
 void add_strand(StrandLayout& layout, const TileBase& base, const TileStroke& stroke, int number,
                 std::vector<StrandPoint> points);
 

@@ -10,8 +10,14 @@
 
 namespace trivar {
 
-// A StationChart is where the four nodes across a strand are at one of its stations: on straight
-// ways to both sides. Cells that meet at a station have its nodes in common.
+// A StationChart places the four nodes across a strand at one of its stations, on straight ways to
+// both sides. Cells that meet at a station share its nodes:
+//
+//      y = 1    o----o-----------o----o      one cell: 4 x 4 nodes at 0, 1/4, 3/4 and 1
+//        3/4    o    o           o    o      along x, the strand, and across it
+//        1/4    o    o           o    o
+//          0    o----o-----------o----o      its end stations are those of the cells
+//            station 0   1           2    3  before and behind
 struct StationChart {
     std::array<SurfacePlace, 4> flat;   // at patch_nodes, on the triangles of the base
     std::array<glm::dvec3, 4> beyond{}; // what a border cut off, in the space of the model
@@ -27,10 +33,11 @@ StationChart station_chart(const TileBase& base, const LimitBase* limit,
 // StrandNodes are the nodes of a station where the base is now.
 using StrandNodes = std::array<SurfacePoint, 4>;
 
-// The patch of a cell, in which z is in units of `heights`, metres in the world of each station.
-// Two cells that meet have the same points at their common end, to the last bit, and go on in the
-// same direction: it is that from the node before the end to the node behind it. `mirrored`: the
-// base is seen in a mirror, and the sides of the strand change places.
+// Makes the patch of a cell. Two cells that meet have the same points at their common end, to the
+// last bit, and go on in the same direction: from the node before the end to the node behind it.
+//   nodes     #stations, where the base is now
+//   heights   #stations: metres in the world of one unit of z
+//   mirrored  the base is seen in a mirror, and the sides of the strand change places
 TilePatch strand_patch(const StrandLayout& layout, std::size_t cell,
                        std::span<const StrandNodes> nodes, std::span<const double> heights,
                        bool mirrored);

@@ -24,9 +24,10 @@ struct StrandPath {
     StrandPoint at(double length) const;
 };
 
-// Lays a smooth curve through points onto a base. `step` is about the distance of its points and
-// `smoothing` the standard deviation of the bell curve that smooths them, metres. Ends stay where
-// they are. Empty where the points are no path, or hardly on the base.
+// Lays a smooth curve through points onto a base. Ends stay where they are. Empty if the points are
+// no path, or hardly on the base.
+//   step       about the distance of its points, metres
+//   smoothing  standard deviation of the bell curve that smooths them, metres
 StrandPath strand_path(const TileBase& base, const std::vector<StrandPoint>& points, bool closed,
                        double step, double smoothing);
 

@@ -15,12 +15,14 @@ struct SlidStrands {
     std::vector<std::array<std::uint32_t, 2>> lies_on; // #cells: of the strands as they were laid
 };
 
-// Lets the tiles of strands run along them by a number of cells, where their base is now. `nodes`
-// and `heights` are those of the layout's stations. What a tile is (seed, colour, morph, its
-// number) goes along; width and height stay where they are. Stations that come to lie inside of a
+// Lets the tiles of strands run along them, where their base is now. Seed, colour, morph and number
+// of a tile go along; width and height stay where they are. Stations that come to lie inside of a
 // cell lie on its patch, so strands stay on their way and welded. Strands that close go round; the
-// others stay as long as they are: at an end the tile that leaves fills what is left of its cell,
-// as much as is there, and comes in again at the other end. About 5 microseconds per cell.
+// others keep their length: at an end the tile that leaves fills the rest of its cell, and comes in
+// again at the other end.
+//   nodes, heights  #stations of the layout
+//   cells           how far, in cells
+// About 5 us per cell.
 SlidStrands slid_strands(const StrandLayout& layout, std::span<const StrandNodes> nodes,
                          std::span<const double> heights, double cells);
 

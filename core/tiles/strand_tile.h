@@ -8,9 +8,8 @@
 
 namespace trivar {
 
-// A StrandTile is a tile in the unit cell of a strand, made ready to meet its neighbours: a point
-// near one end that has its like at the other end lies exactly on its end, and both are exactly as
-// far across and as high.
+// A StrandTile is a tile in the unit cell of a strand, made ready to meet its neighbours: matching
+// points of both ends are snapped to the end planes and to equal offsets.
 struct StrandTile {
     Mesh mesh;
     int unmatched = 0; // number of points of open edges at an end without their like at the other

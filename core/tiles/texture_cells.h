@@ -26,10 +26,14 @@ struct TextureSpots {
     bool too_many = false;    // there are more than `most`, and these are the first
 };
 
-// Every point of a mesh at which its first texture coordinates are those of a cell's centre: one
-// per cell, or several where parts of the surface share a piece of the texture. What is a centre of
-// two triangles, on their common edge, counts once. Triangles without area have none. No value: the
-// mesh has no texture coordinates. O(#triangles + #cells that they cover + #rows of each).
+// Finds every point of a mesh at which its first texture coordinates are those of a cell's centre:
+// one per cell, or several where parts of the surface share a piece of the texture. A centre on the
+// common edge of two triangles counts once. Triangles without area have none. No value: the mesh
+// has no texture coordinates.
+//   to_model       the mesh to the space of the spots
+//   columns, rows  of cells in the texture square
+//   most           greatest number of spots
+// O(#triangles + #cells that they cover + #rows of each).
 std::optional<TextureSpots> texture_spots(const Mesh& mesh, const glm::dmat4& to_model, int columns,
                                           int rows, std::size_t most);
 

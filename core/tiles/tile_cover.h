@@ -3,7 +3,10 @@
 
 namespace trivar {
 
-// How tiles cover a whole surface.
+// The pattern in which tiles cover a whole surface.
+//
+//    grid  [   ][   ][   ]     brick  [   ][   ][   ]     hexagon: bricks that reach a quarter
+//          [   ][   ][   ]              [   ][   ][   ]   of their length into the next rows
 enum class TilePattern {
     none,    // they do not
     grid,    // rows of tiles, each tile beside that of the next row

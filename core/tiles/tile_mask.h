@@ -30,7 +30,13 @@ enum class MaskLies {
 enum class MaskEasing { even, smooth, slow_start, slow_end };
 
 // A TileMask is a factor of the tiles of a layer that depends on where they are on the base at
-// rest; lengths are metres on its model. Masks that drive the same multiply.
+// rest; lengths are metres on its model. Masks that drive the same multiply. The value of a
+// gradient round a point or a curve, and the factor:
+//
+//    1 |------.                     factor = low + (high - low) * value
+//      |       `.
+//    0 +---------`-------- distance
+//          start  stop
 struct TileMask {
     MaskDrives drives = MaskDrives::density;
     MaskFrom from = MaskFrom::line;

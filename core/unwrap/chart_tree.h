@@ -13,9 +13,17 @@ struct ChartRules {
     double spread = 1.05; // radians
 };
 
-// A ChartTree cuts a surface into charts and says for each of them what it was joined from, down to
-// single faces. Every node is a disk: it is joined from two disks whose common part is one piece of
-// their rims. Joined first are the two that stay the flattest and roundest together [1].
+// A ChartTree divides a surface into charts and keeps for each of them the parts from which it was
+// joined, down to single faces. Every node is a disk: it is joined from two disks whose common part
+// is one piece of their rims. The two that stay the flattest and roundest together are joined first
+// [1]:
+//
+//        chart
+//       /     \
+//     left   right        both are disks: a chart that is stretched too much is
+//     /  \   /   \        divided into these two
+//    f1  f2 f3   ...
+//
 // O(#C log #C) where charts have short rims. The same charts on every machine.
 //   [1] Garland, Willmott, Heckbert, "Hierarchical face clustering on polygonal surfaces", 2001
 class ChartTree {

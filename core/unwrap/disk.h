@@ -17,9 +17,9 @@ struct Disk {
 // The points of the rim in their order, counter-clockwise. O(#triangles log #triangles).
 std::vector<std::uint32_t> rim_of(const Disk& disk);
 
-// The flat disk whose angles differ the least from those of the triangles: the least squares
-// conformal map [1], up to a turn and a scale. Two points of the rim are held, and the rest is one
-// solution of a sparse, symmetric system of 2 #points equations. A disk that can be unrolled
+// Returns the flat disk whose angles differ the least from those of the triangles: the least
+// squares conformal map [1], up to a turn and a scale. Two points of the rim are held, and the rest
+// is one solution of a sparse, symmetric system of 2 #points equations. A disk that can be unrolled
 // without stretch is. Degenerate triangles count as if all edges were longer by a hair [2].
 //   [1] Levy, Petitjean, Ray, Maillot, "Least squares conformal maps", 2002; in the form of Mullen,
 //       Tong, Alliez, Desbrun, "Spectral conformal parameterization", 2008: half the Dirichlet

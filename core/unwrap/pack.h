@@ -26,11 +26,13 @@ struct Packing {
 
 // Packs the areas inside of closed lines into a square, about the smallest that the way of packing
 // finds: the highest first, each where its top is lowest when it falls, in steps of a column, on
-// the skyline of those before; lying or standing, and either way up [1]. `margin`, a share of the
-// square's side, is kept free round each; where it alone would take a quarter of the square it is
-// made smaller. O(#outlines * #columns * their width in columns) for each size of the square.
+// the skyline of those before; lying or standing, and either way up [1].
+//   outlines  closed lines
+//   margin    share of the square's side that is kept free round each; made smaller if it alone
+//             would take a quarter of the square
+//   progress  called for every outline that is tried; its throw cancels
+// O(#outlines * #columns * their width in columns) for each size of the square.
 //   [1] Levy, Petitjean, Ray, Maillot, "Least squares conformal maps", 2002, section 4
-// Throws what `progress` throws, which is called for every outline that is tried.
 Packing packed(std::span<const std::vector<glm::dvec2>> outlines, double margin,
                const Progress& progress = {});
 

@@ -41,13 +41,14 @@ struct Unwrapped {
     UnwrapFacts facts;
 };
 
-// Texture coordinates for meshes that share one square: cut into disks (chart_tree.h), each laid
-// flat (disk.h) as large as it is, and packed (pack.h). A chart that folds, whose rim meets
-// itself or that is stretched too much is cut in two where it was joined from two, and so on: no
-// triangle of area is turned over, and no two overlap. About 10 microseconds per triangle. The same
-// bits for any number of threads. Throws Rejected where there are no faces and for positions that
-// are no numbers; and what `progress` throws, to cancel: it is called every 20 milliseconds on the
-// thread of the caller (watched.h).
+// Makes texture coordinates for meshes that share one square: cut into disks (chart_tree.h), each
+// laid flat (disk.h) as large as it is, and packed (pack.h). A chart that folds, whose rim meets
+// itself or that is stretched too much is divided into the two from which it was joined, and so on:
+// no triangle of area is turned over, and no two overlap.
+//   meshes    with finite positions; at least one face in all
+//   progress  called every 20 ms on the thread of the caller (watched.h); its throw cancels
+// Cost: about 10 us per triangle. The same bits for any number of threads. Throws Rejected where
+// there are no faces and for positions that are no numbers.
 Unwrapped unwrapped(std::span<const UnwrapInput> meshes, const UnwrapOptions& options,
                     const Progress& progress = {});
 
