@@ -44,7 +44,7 @@ struct SceneItem {
     // where a deformation folds it).
     bool is_body() const;
     bool shows_values() const { return values || values_by_copy; }
-    // How many times it is drawn; of tiles, how many of them are seen.
+    // Returns how many times it is drawn; of tiles, how many of them are seen.
     int drawn_count() const;
 };
 

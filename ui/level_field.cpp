@@ -64,7 +64,7 @@ void paint_snaps(const Theme& theme, const LevelPlot& plot, const LevelStyle& st
     }
 }
 
-// How bright a colour is, 0 to 1.
+// Returns the brightness of a colour, 0 to 1.
 float brightness(Color color)
 {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);

@@ -163,7 +163,7 @@ std::string typed_text(double value)
                        {.digits = 0, .commas = false});
 }
 
-// Why this value may not be; empty: it may.
+// Returns why this value is not allowed; empty: it is.
 std::string limit_words(double value, const NumberStyle& style)
 {
     if (value >= style.lo && value <= style.hi) return {};
@@ -179,7 +179,7 @@ Memory::Dropped dropped(std::optional<double> typed, const NumberStyle& style)
     return !typed ? Memory::no_number : *typed < style.lo ? Memory::too_small : Memory::too_large;
 }
 
-// Why what was typed was not taken, and what is there instead.
+// Returns why the typed text was not taken, and what is there instead.
 std::string dropped_words(Memory::Dropped what, double value, const NumberStyle& style)
 {
     const std::string why = what == Memory::no_number   ? "This is not a number."

@@ -15,7 +15,7 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFF; // no number
 
     KeyNumbers() = default;
-    // With room for so many keys.
+    // Reserves room for so many keys.
     explicit KeyNumbers(std::size_t about) : slots_(std::bit_ceil(2 * about + 16)) {}
 
     std::uint32_t find(std::uint64_t key) const

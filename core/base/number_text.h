@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// How a number is written.
+// A NumberForm says how a number is written.
 struct NumberForm {
     // Significant ones; all those before the point are written as well. 0: as many as tell the
     // value from all others.

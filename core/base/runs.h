@@ -22,7 +22,7 @@ public:
     Runs() = default;
     explicit Runs(std::vector<T> all) { add(make_ref(std::move(all))); }
     explicit Runs(const Run& all) { add(all); }
-    // In runs of the usual length.
+    // Cuts a list into runs of the usual length.
     static Runs cut(const std::vector<T>& all)
     {
         Runs out;

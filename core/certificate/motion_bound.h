@@ -51,8 +51,9 @@ private:
     std::map<Ref<Lattice>, std::unique_ptr<VolumeBends>> bends_;
 };
 
-// Why the motion of an object in a volume is known at single moments only; empty: it is known at
-// all times. Travel and clips are known at all times; keys and a stroke on moving objects are not.
+// Returns why the motion of an object in a volume is known at single moments only; empty: it is
+// known at all times. Travel and clips are known at all times; keys and a stroke on moving objects
+// are not.
 std::string why_unproven(const Document& document, Id object);
 
 } // namespace trivar

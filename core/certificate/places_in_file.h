@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// Both give the vertices of a part in the world, in metres: the first as the file shows them at a
-// time by the rules of glTF, the second as the scene shows them outside of volumes.
+// The first function returns the vertices of a part, world, metres, as the file shows them at a
+// time by the rules of glTF. The second one returns them as the scene shows them outside of
+// volumes.
 std::vector<glm::dvec3> places_in_file(const Model& model, int node, const Stance& stance,
                                        const Channel* weights, double time_s);
 std::vector<glm::dvec3> places_in_scene(const Part& part);

@@ -29,7 +29,7 @@ struct RigidTile {
     std::vector<NodeTransform> parts; // by mesh, as an instance; empty: it mirrors
     std::vector<glm::dmat4> matrices; // by mesh, this way; empty where it stays bent
 };
-// How a file stores the parts of a transform, as double precision again.
+// Rounds the parts of a transform as a file stores them, in double precision again.
 using StoredParts = NodeTransform (*)(const NodeTransform&);
 NodeTransform in_single_precision(const NodeTransform& parts);
 

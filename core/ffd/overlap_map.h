@@ -16,7 +16,7 @@ struct ParameterBox {
 // the seam. The second turn of a twisted axis has the other two mirrored.
 class UnrolledMap {
 public:
-    // Nothing where the map jumps: inside, or at a seam because `rest` does not close.
+    // Makes the map; nothing if it jumps: inside, or at a seam because `rest` does not close.
     static std::optional<UnrolledMap> of(const Lattice& lattice);
 
     const ParameterBox& domain() const { return domain_; } // the first turn

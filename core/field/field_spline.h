@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// How samples become the coefficients of a spline. An interpolating spline goes through them; a
-// smoothing one takes them as coefficients, as the thesis does (chapter 7).
+// The way from samples to the coefficients of a spline. An interpolating spline goes through them;
+// a smoothing one takes them as coefficients, as the thesis does (chapter 7).
 enum class FieldSpline : std::uint8_t { interpolating, smoothing };
 
 // The pieces of a spline along every axis: linear is of order 2, quadratic of 3, cubic of 4.

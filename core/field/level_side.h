@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// On which side of its level a body is.
+// The side of its level on which a body is.
 enum class LevelSide : std::uint8_t { above, below };
 
 } // namespace trivar

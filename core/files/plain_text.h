@@ -24,8 +24,8 @@ public:
 
     std::string_view view() const { return view_; }
 
-    // In a Wavefront OBJ a backslash at the end of a line carries it on. Blanks take its place and
-    // that of the line's end.
+    // Joins lines as in a Wavefront OBJ, where a backslash at the end of a line continues it.
+    // Blanks take the place of the backslash and of the line's end.
     void join_lines();
 
     // Returns the line number, from 1, of a place in view(), as a text editor counts.

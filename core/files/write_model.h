@@ -20,8 +20,8 @@ namespace trivar {
 void write_model(const Model& model, const std::string& path, const SourceFiles& sources = {},
                  GlbOptions glb = {});
 
-// That a file that is named so has not the curves of the model, or not the detail that it has far
-// from the origin; empty: it has all.
+// Returns a sentence if a file of that name cannot hold the curves of the model, or the detail that
+// it has far from the origin; empty: it holds all.
 std::string what_is_lost(const Model& model, const std::string& path);
 
 // Throws Rejected where the name ends as none of these.

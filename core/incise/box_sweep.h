@@ -16,7 +16,7 @@ namespace trivar {
 // size and those over one place are few.
 class BoxSweep {
 public:
-    // With marks, pairs without a marked one are left out. The boxes are finite.
+    // Takes finite boxes. With marks, pairs without a marked one are left out.
     BoxSweep(std::span<const Box> boxes, std::span<const char> marked);
 
     // A box in a strip. The work is that of the entries, which may be done in any order.

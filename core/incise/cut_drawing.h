@@ -53,7 +53,7 @@ public:
     // The triangles that have a point or a segment of the drawing inside or on a side, ascending.
     std::vector<std::uint32_t> touched() const;
     const OnTriangle* on_triangle(std::uint32_t t) const;
-    // In the order in which they came; null: none.
+    // Returns the points on an edge in the order in which they came; null: none.
     const std::vector<OnEdge>* on_edge(std::uint32_t edge) const;
 
 private:

@@ -22,8 +22,8 @@ struct CutLayout {
     std::vector<ThroughCut> throughs;
 };
 
-// Why incisions have a floor that were to go through the body, by incision; empty: they go through,
-// or were not to.
+// Shortfalls say, by incision, why one that was to go through the body has a floor; empty: it goes
+// through, or was not to.
 using Shortfalls = std::vector<std::string>;
 
 // Lays all incisions that can be drawn; the outcome of others says why not. Those with a shortfall

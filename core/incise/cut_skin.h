@@ -76,7 +76,7 @@ public:
     // skin, at most `reach` away.
     std::vector<std::optional<SkinPlace>> locate(std::span<const SurfacePoint> points,
                                                  double reach) const;
-    // How thick the body is below points, along unit directions into it; infinite where it is open.
+    // Returns the thickness of the body along unit directions into it; infinite where it is open.
     std::vector<double> thickness(std::span<const Ray> rays) const;
     // An Opposite is the place where a ray into the body leaves it again.
     struct Opposite {

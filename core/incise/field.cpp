@@ -11,12 +11,14 @@
 namespace trivar {
 namespace {
 
-// How far below a cut the skin gives way: shares of its reach, and of the body's thickness.
+// The depth below a cut to which the skin gives way: shares of its reach, and of the body's
+// thickness.
 constexpr double reach_of_room = 0.5, thickness_of_room = 0.7;
 constexpr double room_smoothed_over = 0.25; // of the reach
 constexpr double wrong_side = -0.2;         // cosine: a front that came round the end of a cut
 
-// How a piece runs through a node: which sectors lie left (1) and right (-1) of it; 0: it ends.
+// A Passage is the way of a piece through a node: which sectors lie left (1) and right (-1) of it;
+// 0: it ends.
 struct Passage {
     std::uint32_t node;
     double s;
@@ -83,7 +85,7 @@ struct Neighbours {
     }
 };
 
-// How much of the field there is at a depth, as a share of the floor's.
+// Returns the share of the field at a depth, given as a share of the floor's.
 double share_at_depth(const Incision& incision, double depth)
 {
     const double at_floor = incision.floor == Incision::Floor::u ? incision.floor_width : 0;
@@ -91,7 +93,7 @@ double share_at_depth(const Incision& incision, double depth)
     return std::max(0.0, at_floor * (2 - depth));
 }
 
-// How much of a bevel there is at a share of its depth.
+// Returns the share of a bevel at a share of its depth.
 double share_of_bevel(const Incision& incision, double depth)
 {
     const double round = 1 - std::sqrt(std::max(0.0, 1 - (1 - depth) * (1 - depth)));

@@ -53,8 +53,9 @@ private:
     bool pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const;
     static constexpr std::uint32_t any = ~0u;
     std::vector<char> moved_by(std::uint32_t incision) const; // by vertex
-    // With each vertex moved by one of these shares of that, the greatest first: those that do not
-    // when all incisions are shut. Ascending; with a corner that is `moving`.
+    // Finds the pairs that pierce each other when each vertex is moved by one of these shares of
+    // its move, the greatest first, and not when all incisions are shut. Ascending; with a corner
+    // that is `moving`.
     std::vector<PiercingPair> piercings(const std::vector<glm::dvec3>& quite,
                                         std::span<const double> shares,
                                         std::span<const char> moving) const;

@@ -51,7 +51,7 @@ struct IncisedMesh {
         wall_tops; // of each vertex of a wall: where its column begins on the skin
 };
 
-// How far incisions are open that hold one at some openings: 0, all are shut, to 1.
+// Returns how far the incisions that hold one are open: 0, all are shut, to 1.
 double held_open(const IncisedMesh& incised, std::uint32_t incision,
                  std::span<const IncisionOpening> openings);
 

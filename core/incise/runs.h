@@ -63,7 +63,7 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
 // greater than it was, and a narrow place gives way to a valley.
 void smooth_room(const CutRun& run, double way, std::vector<double>& room);
 double depth_at(const CutRun& run, double s);
-// How far the rim is set back there, and down to which depth.
+// Returns how far the rim is set back there, and down to which depth.
 double bevel_at(const CutRun& run, const Incision& incision, double s);
 // The same for the rim on the far side of a body that is so thick there.
 double far_bevel(const Incision& incision, double thickness);

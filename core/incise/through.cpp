@@ -25,7 +25,7 @@ bool sees(const CutSkin& skin, std::uint32_t triangle, const glm::dvec3& directi
     return glm::dot(n, direction) > seen_from_outside * glm::length(n) * glm::length(direction);
 }
 
-// How often a run comes to each point; a loop comes once to the point where it closes.
+// Counts how often a run comes to each point; a loop comes once to the point where it closes.
 void count_visits(const CutRun& run, KeyNumbers& number, std::vector<int>& visits)
 {
     for (std::size_t i = run.closed() ? 1 : 0; i <= run.last; ++i) {
@@ -60,8 +60,9 @@ std::vector<CommonPoint> common_points(const CutRun& a, const CutRun& b)
     return out;
 }
 
-// How two runs cross at a common point, as seen along a direction: whether after the way on along
-// a comes that along b, counter-clockwise. None: they do not cross cleanly there.
+// Returns the sense in which two runs cross at a common point, seen along a direction: whether
+// after the way on along a comes that along b, counter-clockwise. None: they do not cross cleanly
+// there.
 std::optional<bool> crossing_sense(const CutDrawing& drawing, const glm::dvec3& up, const CutRun& a,
                                    const CutRun& b, const CommonPoint& at)
 {

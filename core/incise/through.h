@@ -37,8 +37,8 @@ std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<Skin
                                      const CutRun& far,
                                      const std::vector<ThroughCut::Step>& crossings);
 
-// Why a run cannot go through, as it crosses itself or meets an earlier one that does but for a
-// clean crossing; empty: it can.
+// Returns why a run cannot go through, since it crosses itself or meets an earlier one that does,
+// other than in a clean crossing; empty: it can.
 std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
                       const CutDrawing& drawing, const Inward& inward);
 // Finds where a cut crosses others. Why it cannot: on the far side they meet in another way, or
@@ -46,7 +46,7 @@ std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
 std::string find_crossings(ThroughCut& cut, const std::vector<ThroughCut>& all,
                            const std::vector<CutRun>& runs, const CutDrawing& drawing,
                            const CutColumns& columns);
-// Why walls cannot join the two runs of a cut; empty: they can.
+// Returns why walls cannot join the two runs of a cut; empty: they can.
 std::string unjoinable(const std::vector<CutRun>& runs, const ThroughCut& cut);
 
 } // namespace trivar

@@ -116,8 +116,7 @@ public:
     double tangent() const { return tangent_; }
     const glm::dvec3& left(std::size_t i) const { return left_[i]; }
     const glm::dvec3& operator[](std::size_t i) const { return all_[i]; }
-    // Where another cut is met the offset is that of both, and less so with the distance from
-    // there.
+    // Adds another cut's offset at a crossing; it fades with the distance from there.
     void meet(std::size_t at, const glm::dvec3& offset)
     {
         const glm::dvec3 more = offset - own_[at];

@@ -42,7 +42,7 @@ float surface_share(float before, float value, float held, float thickness)
 
 int reach_at(vec3 p) { return empty_reach(ivec3(max(p, vec3(0.0f)) / BRICK)); }
 
-// How much farther a ray at p stays in the empty cube of the brick there.
+// Returns how much farther a ray at p stays in the empty cube of the brick there.
 float empty_way(vec3 p, vec3 along, int reach)
 {
     vec3 brick = floor(p / BRICK);

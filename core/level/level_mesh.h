@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// How near the vertices of a level are to it: `exact` is 5e-5 voxels at 256 samples an axis, what
-// single precision gives; `quick` is one Newton step, for a level that is being dragged.
+// The distance of the vertices of a level from it: `exact` is 5e-5 voxels at 256 samples an axis,
+// the limit of single precision; `quick` is one Newton step, for a level that is being dragged.
 enum class LevelAccuracy : std::uint8_t { quick, exact };
 
 // A LevelMesh is the surface D = level of a field as triangles, for all views: one vertex on each

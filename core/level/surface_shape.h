@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// How a surface lies at a place.
+// A LocalShape is the shape of a surface at a place.
 struct LocalShape {
     glm::vec3 normal{0}; // outward, unit; 0 where there is none
     SurfaceBend bend;

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// How volume data become a function.
+// VoxelFieldOptions say how volume data become a function.
 struct VoxelFieldOptions {
     FieldSpline spline = FieldSpline::interpolating;
     FieldOrder order = FieldOrder::cubic;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int most_edges_crossed = 256;
 
-// How far out of the chart a place lies, beyond an edge.
+// Returns how far out of the chart a place lies, beyond an edge.
 double beyond_edge(int edge, const glm::dvec2& uv)
 {
     switch (edge) {

@@ -189,7 +189,7 @@ private:
         }
     }
 
-    // How much too long a step was that ended at p beyond an edge.
+    // Returns by how much a step was too long that ended at p beyond an edge.
     static double too_far_beyond(const FootPoint& foot, const glm::dvec3& p, const glm::dvec3& t)
     {
         const glm::dvec2 a = along_edge(foot.edge), o = out_of_edge(foot.edge);

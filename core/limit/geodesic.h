@@ -9,8 +9,8 @@ namespace trivar {
 struct GeodesicRay {
     ChartPlace at;
     glm::dvec3 direction{1, 0, 0}; // unit tangent of the way there
-    // How far neighbouring ways from the same start have spread: j'' = -K j, j = 0 and j' = 1 at
-    // the start. The ways meet again where it returns to 0.
+    // The spread of neighbouring ways from the same start: j'' = -K j, j = 0 and j' = 1 at the
+    // start. The ways meet again where it returns to 0.
     double spread = 0, spread_rate = 1;
     double left = 0; // length that a border cut off
     int creases = 0; // number of creases that it went over

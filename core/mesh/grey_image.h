@@ -16,7 +16,7 @@ struct GreyImage {
     std::size_t no_numbers = 0; // of pixels that were none in the file, and count as 0
 };
 
-// How a picture goes on beyond its borders.
+// The continuation of a picture beyond its borders.
 enum class ImageEdge {
     repeat, // it begins again
     stay    // as its border

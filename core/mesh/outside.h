@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// How much is seen of the two sides of a part of a mesh, in pixels of pictures of one scale.
+// SeenSides counts the visible pixels of the two sides of a part of a mesh, in pictures of one
+// scale.
 struct SeenSides {
     std::uint64_t front = 0, back = 0;
 };

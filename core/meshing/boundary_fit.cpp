@@ -29,8 +29,8 @@ double signed_volume(const SimplexMesh<3>& mesh, int cell)
     return orientation(at);
 }
 
-// How far the boundary is from a place inside or outside along a direction that leads outside; 0
-// where it is nowhere near.
+// Returns the distance to the boundary from a place inside or outside, along a direction that leads
+// outside; 0 if it is nowhere near.
 double boundary_along(const glm::dvec3& from, const glm::dvec3& out, double most,
                       const Inside& inside)
 {

@@ -16,7 +16,7 @@ std::size_t triangle_count(const Mesh& mesh)
     return mesh.corners.size() - 2 * mesh.face_count();
 }
 
-// How far vertices of the mesh, evenly taken, are from another mesh at most.
+// Returns the greatest distance of vertices of the mesh, evenly taken, from another mesh.
 double distance_at_samples(const Mesh& mesh, const Mesh& other)
 {
     constexpr std::size_t most_samples = 400;

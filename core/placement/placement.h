@@ -32,7 +32,7 @@ struct PlacementReport {
 // The largest number of control points of a volume; each takes 24 bytes.
 inline constexpr double most_control_points = 1e6;
 
-// How a node of the strip came to rest.
+// The way in which a node of the strip came to rest.
 enum class Contact : char { touches, bridges, missed };
 struct StripNode {
     glm::dvec3 p_world{0}; // of the contact surface

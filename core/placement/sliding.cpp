@@ -191,7 +191,7 @@ glm::dmat4 slid(const Ground& from, const Ground& to)
     const glm::dmat3 least = least_turn(from.normal, to.normal);
     const glm::dvec3 z(0, 0, 1);
     const glm::dvec3 up_then = in_plane(z, from.normal), up_now = in_plane(z, to.normal);
-    // How steep both are, from level to upright: between 20 and 45 degrees the one becomes the
+    // Measures of steepness, from level to upright: between 20 and 45 degrees the one becomes the
     // other.
     constexpr double level = 0.34, steep = 0.71;
     const double least_steep = std::min(glm::length(up_then), glm::length(up_now));

@@ -53,7 +53,7 @@ public:
     // The surface at (steps.x + 1) x (steps.y + 1) evenly spread parameters.
     std::vector<glm::dvec3> grid(glm::ivec2 steps) const;
 
-    // Which of those parameters the marked control points influence.
+    // Returns which of those parameters the marked control points influence.
     std::vector<char> touched(glm::ivec2 steps, const std::vector<char>& points) const;
 
     // Calls visit(index of the control point, weight) for every control point that influences the

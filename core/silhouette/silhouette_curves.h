@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// Which corners of a triangle have a product of at least 0, one bit each.
+// Returns the corners of a triangle that have a product of at least 0, one bit each.
 inline unsigned signs_of(const std::uint32_t* corners, const float* product)
 {
     return unsigned{product[corners[0]] >= 0} | unsigned{product[corners[1]] >= 0} << 1 |

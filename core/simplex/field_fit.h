@@ -22,7 +22,8 @@ struct FieldFit {
     double rms = 0;               // of the differences at these
 };
 
-// How many unknowns a fit on such a domain has; see PointSharing::all. O(number of cells).
+// Returns the number of unknowns of a fit on such a domain; see PointSharing::all. O(number of
+// cells).
 std::size_t fit_size(const SimplexDomain<3>& domain);
 
 // Fits a field to samples by least squares; samples outside of the domain do not count. An unknown

@@ -280,7 +280,7 @@ void SimplexBasis<S>::values_at(const Point& x, bool gradients,
     out.clear();
     const Point direction = inner_direction(x);
     if (!add_all({x, direction, gradients}, out)) return;
-    // Where gradients jump, all functions take those of one side.
+    // At a jump all functions use the gradient of the same side.
     const auto& cell = cells_[static_cast<std::size_t>(grid_.boxes_at(x)[0])];
     const double step = 1e-8 / glm::length(cell.gradient[1]);
     std::vector<BasisValue<S>> aside;

@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// How the holes that a cut leaves are closed.
+// CapOptions say how the holes that a cut leaves are closed.
 struct CapOptions {
     // Two parameters in metres, (v, w), of each place on the cut surface. With the direction in
     // which the function of the cut grows they are right-handed.

@@ -21,8 +21,8 @@ struct PlainCut {
     // cuts. The curve is swept along normal x along, away from the eye.
     std::vector<glm::dvec2> stroke = {};
     glm::dvec3 along{1, 0, 0};
-    // How far before the plane's point the eye was: lines through it sweep the curve. 0: parallel
-    // lines do.
+    // The distance of the eye before the plane's point: lines through it sweep the curve. 0:
+    // parallel lines do.
     double eye = 0;
     CutKeep keep = CutKeep::both;
     double gap = 0; // metres in the world between the halves; each moves by half of it
@@ -36,8 +36,8 @@ struct PlainCut {
     bool operator==(const PlainCut&) const = default;
 };
 
-// How far a piece is off its place: by each offset where it is above that cut, and by as much the
-// other way where it is below. Bit i of `sides`: above cut i; of `made`: there is such a cut.
+// Returns how far a piece is off its place: by each offset if it is above that cut, and by as much
+// the other way if it is below. Bit i of `sides`: above cut i; of `made`: there is such a cut.
 inline glm::dvec3 off_by_sides(const std::vector<glm::dvec3>& offsets, unsigned sides,
                                unsigned made = ~0u)
 {

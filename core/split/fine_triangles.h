@@ -15,8 +15,9 @@ struct FlatTriangles {
     std::vector<std::array<std::uint32_t, 3>> corners;
 };
 
-// How coarse a triangle is, as a share of what is allowed: above 1 it is too coarse. And how coarse
-// it is along each of its edges (corner i to the next). Larger for what contains more.
+// TriangleCoarseness is the coarseness of a triangle as a share of what is allowed, above 1 too
+// coarse: of the whole, and along each of its edges (corner i to the next). A triangle that
+// contains another has at least its coarseness.
 struct TriangleCoarseness {
     std::array<double, 3> edges;
     double whole;

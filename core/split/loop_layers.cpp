@@ -134,7 +134,7 @@ struct Bundle {
     int net() const { return static_cast<int>(there.size()) - static_cast<int>(back.size()); }
 };
 
-// How often the loops run round what is left of the middle of a bundle.
+// Returns how often the loops run round the place left of the middle of a bundle.
 int winding_left_of(const Bundle& bundle, const std::vector<Bundle>& all,
                     const std::vector<glm::ivec2>& points)
 {

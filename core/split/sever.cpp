@@ -33,8 +33,8 @@ void measure(std::vector<double>& heights, const Mesh& mesh, const CutSheet& she
                     });
 }
 
-// How near to the surface a vertex lies on it, in units of the cut's space: nearer than that none
-// can be told from one on it, as after a turn that was rounded.
+// Returns the distance from the surface, in units of the cut's space, at which a vertex counts as
+// lying on it: nearer ones cannot be told from one on it, as after a turn that was rounded.
 double on_surface(const Mesh& mesh, const CutSheet& sheet)
 {
     const Box box = bounding_box(mesh);

@@ -26,7 +26,7 @@ void leave_out(Mesh& mesh, std::size_t first, const std::vector<char>& left_out)
     if (!mesh.face_group.empty()) mesh.face_group.resize(to);
 }
 
-// How the two copies of a vertex of a cap are to each other.
+// The relation of the two copies of a vertex of a cap.
 enum class Half : char { apart, joined, hidden };
 
 using CapTriangle = std::array<std::size_t, 3>;

@@ -13,8 +13,8 @@ namespace trivar {
 // are caps beside the obstacle only. O(size of the cut).
 void sew(CutMesh& cut, const Caps& caps, const SplitField& field, std::size_t opening);
 
-// How long the edges of a triangle of a cap are that reaches beyond an opening, as shares of what
-// is allowed there, for what lies beyond to be left out; 0: it does not reach beyond.
+// Returns the edges of a triangle of a cap that reaches beyond an opening, as shares of the length
+// that is allowed there if the part beyond is to be left out; 0: it does not reach beyond.
 std::array<double, 3> reach_beyond(const std::array<glm::dvec2, 3>& vw, const Opening& opening);
 
 // Moves a vertex that is drawn in by seams and parted by the field: its position, normal and

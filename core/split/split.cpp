@@ -345,7 +345,7 @@ SplitMesh split_all(FineMesh fine, const Parting& parting)
         if (options.closing != SplitClosing::open) {
             CapOptions closing = cap_options(field, i, cut_mesh, error,
                                              std::max(tolerance - moved, tolerance / 2), options);
-            // Nothing looks any more at where the vertices of the last cut were
+            // The former positions of the vertices of the last cut are not read any more
             if (i + 1 == openings && options.closing == SplitClosing::capped)
                 closing.meanwhile = [&] {
                     move(cut_mesh.mesh, out.rest_positions, field, seams, all);

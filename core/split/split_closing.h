@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// How the halves of what is parted are closed. The first two are what a switch was once.
+// The way in which the halves of a split are closed. The first two are the values of a former
+// switch.
 enum class SplitClosing : std::uint8_t {
     open,     // not at all
     capped,   // by caps: solid halves

@@ -50,7 +50,7 @@ public:
     // The same for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
     // its own walls a cap may run through other openings. O(1) for one opening.
     EdgeErrors cap(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
-    // How far such a triangle is from the cut surface itself, before anything is moved.
+    // Bounds the distance of such a triangle from the cut surface itself, before anything is moved.
     EdgeErrors surface(std::size_t opening, const std::array<glm::dvec2, 3>& vw) const;
     // The greatest of these for all triangles in a box of uvw and all openings. O(#openings).
     double surfaces_within(const Box& uvw) const;

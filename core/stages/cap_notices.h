@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// How the cuts through the parts of an object were closed, as Caps counts it.
+// CapCounts tells how the cuts through the parts of an object were closed, as Caps counts it.
 struct CapCounts {
     std::size_t fans = 0, open = 0, gaps = 0;
 };

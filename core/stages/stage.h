@@ -90,8 +90,8 @@ struct UnwrappingEffects {
 struct CuttingEffects {
     std::size_t pieces = 0; // into which it is cut; 0: nothing cuts it
     double cut_off = 0;     // metres: bound of the distance of its cuts from curved cut surfaces
-    // How far, in its own space, the part above each of its own cuts stands off its place; the part
-    // below stands off as far the other way.
+    // The distance by which the part above each of its own cuts stands off its place, in its own
+    // space; the part below stands off as far the other way.
     std::vector<glm::dvec3> cuts_open = {};
 };
 struct SplittingEffects {
@@ -122,7 +122,7 @@ struct Stage : SimplifyingEffects,
     std::vector<std::string> notices; // for example: a missing file, a stroke that no longer hits
     // The notices that say why something is missing, as in Shape.
     std::vector<std::string> lacks;
-    // How it lies on its stroke, where it does: beside `placement`, which is the box of a lattice.
+    // The placement on its stroke, if it lies on one; `placement` of a lattice is that of its box.
     const Ref<Placement>& stroke_placement() const
     {
         return lattice_stroke ? lattice_stroke->placement : placement;

@@ -15,7 +15,7 @@ struct TilePieces {
     Ref<Mesh> crossed; // all tiles that a cut may go through, as one mesh; null: none
 };
 
-// On which sides of cuts all of a box is; none: a cut may go through it.
+// Returns the sides of cuts on which all of a box is; none: a cut may go through it.
 using SidesOfBox = std::function<std::optional<unsigned>(const Box&)>;
 
 // Sorts the tiles by their hulls. `kept` says whether what is on some sides is kept. `alone`: the

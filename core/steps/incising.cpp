@@ -262,7 +262,8 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
         ways.emplace_back(hung.to_model);
         skins.push_back(skin_of(hung.rest, input));
     }
-    // How far points are from a mesh, metres on the model; infinite: they do not lie on it.
+    // Returns the distances of points from a mesh, metres on the model; infinite: they do not lie
+    // on it.
     const auto distances = [&](std::size_t m, std::span<const SurfacePoint> points) {
         std::vector<SurfacePoint> there;
         for (const SurfacePoint& each : points) there.push_back(ways[m](each));
@@ -278,8 +279,8 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
         }
         return out;
     };
-    // Which mesh each point of a stroke lies on: that of the point before where it does, else the
-    // nearest, else still that; `meshes`: none.
+    // Returns the mesh on which each point of a stroke lies: that of the point before if it does,
+    // else the nearest, else still that; `meshes`: none.
     const auto meshes_under = [&](const std::vector<SurfacePoint>& stroke) {
         std::vector<std::size_t> out(stroke.size(), 0);
         std::vector<std::vector<double>> away(meshes); // of all points, by mesh that was found

@@ -17,7 +17,7 @@ struct Conversion {
 
 struct ConvertedLattice {
     SimplexVolume volume; // of one layer, over the world as it was at rest
-    // How far the volume takes a point from where the lattice takes it, by looking at 35 places in
+    // The distance between the volume's and the lattice's images of points, sampled at 35 places in
     // each cell: the most and the root of the mean square, in world units.
     double most = 0, mean = 0;
     CellDisplacements values = {};       // by which the volume's are made

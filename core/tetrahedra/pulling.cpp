@@ -22,8 +22,8 @@ glm::dquat turn(const glm::dvec3& rotation_deg, double share)
     return glm::slerp(glm::dquat(1, 0, 0, 0), whole, share);
 }
 
-// How far a point is on the outside of the faces of a cell: below 0 in the cell, and at most its
-// distance elsewhere.
+// Returns how far a point is on the outside of the faces of a cell: below 0 in the cell, and at
+// most its distance elsewhere.
 double beyond(const std::array<glm::dvec3, 4>& c, const glm::dvec3& p)
 {
     double out = -1e300;

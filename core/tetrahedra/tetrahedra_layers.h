@@ -10,7 +10,7 @@ namespace trivar {
 
 // The greatest number of cells of a layer.
 inline constexpr std::size_t most_cells = 200000;
-// And of the domain and all refinements together.
+// The greatest number of cells of the domain and all refinements together.
 inline constexpr std::size_t most_cells_in_all = 2 * most_cells;
 
 // The vertices and cells of the domain, without knots.
@@ -23,8 +23,8 @@ SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement);
 // The domain with its creases and clouds. Throws Rejected for what check() refuses.
 SimplexDomain<3> domain_of(const TetrahedraShape& shape);
 
-// That domain, and one layer per refinement, whose functions fade smoothly at its
-// border. Throws Rejected for what check() refuses, and for degrees and sizes out of range.
+// Returns that domain, and one layer per refinement, whose functions fade smoothly at its border.
+// Throws Rejected for what check() refuses, and for degrees and sizes out of range.
 std::vector<Ref<SimplexBasis<3>>> layers_of(const TetrahedraShape& shape);
 
 // The size of the box about the origin that holds the domain: that of its warps.

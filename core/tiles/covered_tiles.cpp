@@ -140,7 +140,7 @@ public:
     {
         return factor_ * shape_of(spot.cell).height(spot.uv);
     }
-    // How far a place goes in its cell along the tile's own x and y.
+    // Returns the way that a place goes in its cell along the tile's own x and y.
     std::pair<glm::dvec2, glm::dvec2> own_directions(const Covering::Spot& spot) const
     {
         const double along = (turned_over_ ? -1 : 1) * spot.along,

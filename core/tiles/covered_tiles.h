@@ -71,8 +71,8 @@ glm::dmat4 to_unit_cell(const CoverCell& cell);
 // card can repeat.
 struct PatchedTile {
     PlacedTile tile;
-    // How far it is from the tile of covered_tiles() at nine points, as a share of the tile's
-    // length. 0 but for rounding where the tile lies on one cell and its corners are as high.
+    // The distance from the tile of covered_tiles() at nine points, as a share of the tile's
+    // length. 0 up to rounding if the tile lies on one cell and its corners are as high.
     double off = 0;
     std::vector<std::uint32_t> cells = {}; // on which it lies
 };

@@ -135,7 +135,8 @@ Covering::Beside Covering::beside(std::uint32_t id, int side) const
         return {cell_at(c.chart, next.x, next.y), (side + 2) % 4};
     const ChartNet::Side& other = net_.across(c.chart, side);
     if (other.chart == ChartNet::none) return {};
-    // How many cells lie before it along the edge, which the other chart counts from its other end.
+    // The number of cells before it along the edge, which the other chart counts from its other
+    // end.
     const std::array<int, 4> before{c.i, c.j, n.x - 1 - c.i, n.y - 1 - c.j};
     const int along = side % 2 == 0 ? n.x : n.y;
     const int k = along - 1 - before[static_cast<std::size_t>(side)];
@@ -239,7 +240,7 @@ Covering::Spot Covering::spot(const Laid& tile, const glm::dvec2& at) const
         if (side < 0) break;
         const Beside next = beside(out.cell, side);
         if (next.cell == ChartNet::none) break;
-        // How far along the side, as the next cell counts it, and how far beyond it.
+        // The place along the side, as the next cell counts it, and beyond it.
         const std::array<double, 4> along{q.x, q.y, 1 - q.x, 1 - q.y},
             beyond{-q.y, q.x - 1, q.y - 1, -q.x};
         const double t = 1 - along[static_cast<std::size_t>(side)],

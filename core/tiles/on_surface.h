@@ -24,7 +24,7 @@ inline bool same_side(const glm::dvec3& n, const glm::dvec3& m)
     return glm::dot(n, m) > -0.2;
 }
 
-// How much a brush does at a distance from its middle: 1 there, 0 and flat at its rim.
+// Returns the share of a brush at a distance from its middle: 1 there, 0 and flat at its rim.
 inline double brush_share(double distance, double radius)
 {
     const double r = std::min(1.0, distance / radius), s = 1 - r * r;

@@ -31,7 +31,7 @@ public:
     // `usual`: tiles that are about as large as those to come; for the grid in which they are
     // found.
     explicit OverlapCount(std::span<const TileOutline> usual);
-    // In parallel; about a microsecond per tile that is added.
+    // Adds tiles. In parallel; about a microsecond per tile.
     void add(std::span<const TileOutline> tiles);
     void keep(std::size_t count); // forgets the tiles behind the first ones
     std::size_t size() const { return tiles_.size(); }

@@ -234,7 +234,7 @@ void change_strands(StrandLayout& layout, const TileBase& base, const TileStroke
                     const std::vector<StrandPoint>& points)
 {
     if (layout.cells.empty()) return;
-    // How much the brush does at a station: 1 in its middle, 0 and flat at its rim.
+    // Returns the share of the brush at a station: 1 in its middle, 0 and flat at its rim.
     const auto much_at = [&](const StrandStation& station) {
         const SurfacePoint at{base.position(station.at), base.normal(station.at)};
         double most = 0;

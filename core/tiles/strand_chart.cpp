@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-// How far the first and the last node of a cell are from those next to them, in cells.
+// The distance of the first and the last node of a cell from those next to them, in cells.
 constexpr double node_gap = 0.25;
 
 using Row = std::array<glm::dvec3, 4>;

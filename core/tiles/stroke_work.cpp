@@ -155,7 +155,7 @@ const std::vector<std::optional<SurfacePlace>>& StrokeWork::located(const TileSt
     return located_.places;
 }
 
-// How far from their samples strokes find the surface.
+// Returns the distance from their samples within which strokes find the surface.
 double StrokeWork::reach_of(const TileStroke& stroke) const
 {
     return std::max(stroke.size, 1e-3 * base_.diagonal());

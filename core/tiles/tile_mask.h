@@ -17,7 +17,7 @@ enum class MaskFrom {
     curve  // the same round the curves of an object
 };
 
-// How an image lies on the base at rest.
+// The way in which an image lies on the base at rest.
 enum class MaskLies {
     uv,             // by its texture coordinates
     along_x,        // seen along an axis, stretched over the base's box
@@ -26,7 +26,7 @@ enum class MaskLies {
     from_six_sides, // along the axis to which the normal is nearest
 };
 
-// How a gradient goes from 0 to 1.
+// The shape of a gradient from 0 to 1.
 enum class MaskEasing { even, smooth, slow_start, slow_end };
 
 // A TileMask is a factor of the tiles of a layer that depends on where they are on the base at

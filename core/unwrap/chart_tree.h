@@ -9,7 +9,7 @@ namespace trivar {
 struct ChartRules {
     // Edges over which faces turn by more than that are where charts end.
     double seam_angle = 1.05; // radians
-    // How far the normals of one chart may spread: as over a round cap whose rim leans so far.
+    // The greatest spread of the normals of one chart: as over a round cap whose rim leans so far.
     double spread = 1.05; // radians
 };
 

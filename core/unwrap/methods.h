@@ -3,7 +3,7 @@
 
 namespace trivar {
 
-// How charts are laid flat.
+// The method by which charts are laid flat.
 enum class UnwrapMethod {
     conformal, // keeps angles
     rigid,     // keeps lengths as well as it can, and angles less

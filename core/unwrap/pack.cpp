@@ -35,7 +35,7 @@ std::vector<glm::dvec2> hull_of(std::span<const glm::dvec2> points)
     return hull;
 }
 
-// How far an outline reaches in each column of a width, from its leftmost point on.
+// A ColumnRange is the extent of an outline in one column of a width, from its leftmost point on.
 struct ColumnRange {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     void add(double y)

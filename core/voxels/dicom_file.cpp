@@ -19,7 +19,7 @@
 namespace trivar {
 namespace {
 
-// How the bits of a sample lie in its 8, 16 or 32.
+// StoredBits tells how the bits of a sample lie in its 8, 16 or 32.
 struct StoredBits {
     unsigned allocated = 16, stored = 16, high = 15;
     bool is_signed = false;

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// How the bytes of a file are packed; deflate is the stream that gzip and zlib hold, without a head
+// The packing of the bytes of a file; deflate is the stream that gzip and zlib hold, without a head
 // and a checksum.
 enum class Packing { none, gzip, zlib, bzip2, deflate };
 

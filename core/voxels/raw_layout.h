@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// How samples lie in a file that does not say it itself.
+// A RawLayout tells how samples lie in a file that does not say it itself.
 struct RawLayout {
     SampleBlock block;
     ByteOrder order = ByteOrder::little;

@@ -9,7 +9,8 @@ namespace trivar {
 // [Otsu 1979]. Of whole numbers it is half a step above one, so that no sample is at the level.
 double usual_level(const VolumeSummary& summary, const VoxelGrid& grid);
 
-// That value, and the one that parts what is above it likewise: of a CT of a head skin and bone.
+// Returns that value, and the one that divides the part above it likewise: of a CT of a head skin
+// and bone.
 std::array<double, 2> usual_levels(const VolumeSummary& summary, const VoxelGrid& grid);
 
 } // namespace trivar

@@ -17,14 +17,14 @@ namespace trivar {
 // fits, or only its head is read.
 enum class TooLarge { refuse, coarsen, head };
 
-// How a volume is read, beside what its files say.
+// ReadVolumeOptions tell how a volume is read, beside what its files say.
 struct ReadVolumeOptions {
     std::uintmax_t max_bytes = std::uintmax_t{1} << 44; // of all files of the volume together
     // The memory that samples may take, counting also `bytes_beside` per sample that the caller
     // takes beside them; the limit holds for a file that has to be read as a whole, too.
     std::uintmax_t memory_bytes = std::uintmax_t{16} << 30;
     std::uintmax_t bytes_beside = 0;
-    // How a file without a head is laid out; empty: as its name says, if that fits its bytes.
+    // The layout of a file without a head; empty: as its name says, if that fits its bytes.
     std::optional<RawLayout> raw;
     // Distances between samples of files that say none, in their unit: raw files and pictures.
     glm::dvec3 spacing{1};

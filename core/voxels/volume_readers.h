@@ -29,9 +29,9 @@ inline double metres_per_unit(const ReadVolumeOptions& options, double of_file)
     return of_file > 0 ? of_file : millimetre;
 }
 
-// How a file of `things` volumes, such as times, holds them: so many of a volume's samples in turn.
-// Says which one is taken. Throws Rejected where there is none of the number that is asked for, or
-// the bytes of all cannot be counted.
+// Returns how a file of `things` volumes, such as times, holds them: so many of a volume's samples
+// in turn. Says which one is taken. Throws Rejected if there is none of the number that is asked
+// for, or the bytes of all cannot be counted.
 ByteTurns turns_of(VolumeSource& source, const SampleBlock& block, std::uint64_t things,
                    std::uint64_t samples_in_turn);
 inline std::uint64_t bytes_of(const ByteTurns& all)

@@ -28,7 +28,7 @@ CommandForm with_option(CommandForm form, const Document& document)
     return form;
 }
 
-// Why what is filled in is no value of its field; empty: it is one.
+// Returns why the typed text is no value of its field; empty: it is one.
 std::string unreadable(const CommandForm& form, const Document& document)
 {
     try {
@@ -39,7 +39,7 @@ std::string unreadable(const CommandForm& form, const Document& document)
     return {};
 }
 
-// Why what is filled in cannot be done; empty: it can.
+// Returns why the filled-in command cannot be done; empty: it can.
 std::string refusal(const CommandForm& form, const Document& document)
 {
     try {

@@ -12,8 +12,8 @@ inline constexpr const char *insert_key_action = "Insert key", *remove_key_actio
 
 // Adds the actions of the menu Animate that work on keys.
 void add_key_actions(std::vector<Action>& actions);
-// With the mouse over the open timeline what chooses, deletes, copies, moves, scales and frames
-// does so with keys, by whichever keys it has.
+// Makes the actions that choose, delete, copy, move, scale and frame work on keys, by whichever
+// keyboard keys they have, while the mouse is over the open timeline.
 void let_keys_take(std::vector<Action>& actions);
 
 // Returns the numbers of a kept view that can be animated: its position, its target and its angle.

@@ -16,8 +16,7 @@ namespace trivar {
 
 namespace {
 
-// Where Space makes the left button the middle one, what else it does waits till it is let go:
-// whether it was, and nothing else happened meanwhile.
+// Space emulates the middle button, so its own action fires on release, if nothing else happened.
 bool space_was_tapped(Editor& editor)
 {
     auto& space = editor.memory.of<HeldSpace>();

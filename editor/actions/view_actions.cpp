@@ -28,7 +28,8 @@ void open_tab(Editor& e, Editor::Tab tab)
     e.only_view = false;
 }
 
-// How finely the window shows what is placed; the scene and its pictures know nothing of it.
+// Adds the tolerances with which the window shows placed objects; the scene and its pictures know
+// nothing of them.
 void add_view_tolerances(std::vector<Action>& a)
 {
     const auto tolerance = [&](const char* name, const char* value) {

@@ -15,7 +15,7 @@
 namespace trivar {
 namespace {
 
-// How the pictures are drawn, as far as that is asked for.
+// Words the options of drawing that were asked for.
 std::string words_of(const DrawingOptions& drawing)
 {
     std::string out = "quality=" + drawing.quality;
@@ -149,7 +149,7 @@ public:
     }
 
 private:
-    // Nothing that is to be written takes the place of what the scene is made from.
+    // Refuses to write over a file from which the scene is made.
     void check_sources() const
     {
         const SourceFiles sources = kept_sources(options_.scene, document_, *assets_);

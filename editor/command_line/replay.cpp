@@ -124,7 +124,7 @@ void tell_of_volumes(const ReplayResult& replayed, const Streams& streams)
     }
 }
 
-// How much the planted feet slide that are locked to a travel.
+// Tells how much the planted feet slide that are locked to a travel.
 void tell_of_walks(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects)

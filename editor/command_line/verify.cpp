@@ -106,9 +106,8 @@ private:
                   "that it uses may have changed");
     }
 
-    // Who shows the file may heed more than its triangles, so all of it must be what was
-    // written.
-    // What was compared must not have been read by a mistake that the writer shares.
+    // Other viewers may use more of the file than its triangles, so all of it must be what was
+    // written. The comparison must not rest on a mistake of reading that the writer shares.
     void ask_another_reader()
     {
         try {

@@ -90,7 +90,7 @@ bool step_aside(Paste& paste, const Session& session)
     return step > 0;
 }
 
-// How what was placed lies here, where it is worth a word.
+// Words how placed objects lie here, if that is worth a word.
 std::string placed_words(const Document& before, const Document& document, const Paste& paste)
 {
     std::size_t straight = 0, elsewhere = 0, in_place = 0;

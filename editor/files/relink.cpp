@@ -49,7 +49,7 @@ std::vector<FileUse> missing_uses(const Session& session)
     return out;
 }
 
-// Which file of an object another one replaces; nothing: it has none.
+// Returns the file of an object that another one replaces; nothing: it has none.
 std::optional<FileUse> replaced_use(const Session& session, Id object)
 {
     const std::vector<FileUse> uses = uses_of(session, object);

@@ -23,7 +23,7 @@ struct VolumeSlice {
 // to the highest thousandth.
 std::array<VolumeSlice, 3> middle_slices(const VoxelGrid& grid, const VolumeSummary& summary);
 
-// Which direction of the data points up in the scene.
+// The direction of the data that points up in the scene.
 enum class DataUp { z, minus_z, y, minus_y, x, minus_x };
 
 // A Keeping is a way to keep volume data: one sample for `coarsen` along each axis.

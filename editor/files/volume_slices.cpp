@@ -7,7 +7,7 @@
 namespace trivar {
 namespace {
 
-// Which axis of the grid goes along each axis of space, most of all, and which way.
+// GridAxes tells which axis of the grid goes most along each axis of space, and which way.
 struct GridAxes {
     std::array<int, 3> axis{0, 1, 2};
     std::array<bool, 3> backwards{};

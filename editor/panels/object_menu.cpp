@@ -46,7 +46,7 @@ const std::vector<std::string_view> with_surfaces{"Shade smooth", "Shade by angl
 const std::vector<std::string_view> with_nothing{
     "Frame all", "Select all", "Show all", rule, "Paste", add_action_name, "Import model..."};
 
-// How menus are spaced, as long as it lives.
+// A MenuStyle sets the spacing of menus as long as it lives.
 struct MenuStyle {
     explicit MenuStyle(const ui::Theme& theme)
     {

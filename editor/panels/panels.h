@@ -97,7 +97,7 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id); // of one that is
 void draw_volume_data(Editor& editor, const ui::Theme& theme,
                       Id id); // levels and how they are read
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
-// How objects with faces are shaded, all as one; the last of them is the active one.
+// Draws the shading of objects with faces, all as one; the last of them is the active one.
 void draw_shading(Editor& editor, const ui::Theme& theme, const std::vector<Id>& ids);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);

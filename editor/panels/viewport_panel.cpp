@@ -103,8 +103,8 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     return helpers;
 }
 
-// How many tiles are seen, with how many vertices, and by which levels of detail, from the finest
-// on: a line each; empty: there are none.
+// Words how many tiles are seen, with how many vertices, and by which levels of detail, from the
+// finest on: a line each; empty: there are none.
 std::string drawn_words(const gpu::TileCounts& counts)
 {
     if (counts.tiles == 0) return {};
@@ -119,7 +119,7 @@ std::string drawn_words(const gpu::TileCounts& counts)
                        with_commas(counts.vertices), with_commas(counts.all_vertices), levels);
 }
 
-// That most of the scene is left out, and how it comes back.
+// Says that most of the scene is left out, and how it comes back.
 std::string hidden_here_words(const Editor& editor)
 {
     const Session& session = editor.session;

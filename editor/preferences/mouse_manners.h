@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// How a person's mouse or trackpad moves the camera.
+// MouseManners say how a person's mouse or trackpad moves the camera.
 struct MouseManners {
     std::string device = "automatic"; // what turns the wheel: "mouse", "trackpad"
     std::string emulation = "alt"; // makes the left button the middle one: "super", "space", "none"

@@ -78,7 +78,7 @@ public:
     // beside the new one; one that cannot be read is not touched, and the preferences are then kept
     // in memory.
     const std::string& trouble() const { return trouble_; }
-    // Why the preferences could not be written, said once; else empty.
+    // Writes the preferences; returns why they could not be written, once, else empty.
     std::string keep(const Preferences& preferences);
 
 private:

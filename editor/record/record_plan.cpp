@@ -20,7 +20,7 @@ std::string stem_of(const Session& session)
     return fs::path(session.scene().path()).stem().string();
 }
 
-// Which view it is, for a picture that is continued from another one is none.
+// Returns the words for a view; a picture that is continued from another one shows none.
 std::string view_words(const Camera& camera)
 {
     Digest digest;

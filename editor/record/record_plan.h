@@ -26,8 +26,8 @@ struct RecordDialog {
     bool open = false;
     std::string of; // the scene's file, for which it is
     RecordPlan plan;
-    // How many of its files were there when the plan became so: asked once, for it may be a million
-    // of them on a slow disk.
+    // The number of its files that existed when the plan became so: asked once, for it may be a
+    // million of them on a slow disk.
     std::optional<std::pair<RecordPlan, int>> there;
     ui::FileDialog browser;   // for the folder
     bool card_hidden = false; // of the recording that runs

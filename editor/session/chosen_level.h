@@ -14,7 +14,7 @@ struct ChosenLevel {
     bool operator==(const ChosenLevel&) const = default;
 };
 
-// Which level of an object is chosen: the first, where no other was; -1: it has none.
+// Returns the chosen level of an object: the first, if no other was chosen; -1: it has none.
 inline int chosen_in(const VoxelShape& shape, Id id, const ChosenLevel& chosen)
 {
     const int last = static_cast<int>(shape.levels.size()) - 1;

@@ -9,8 +9,8 @@
 
 namespace trivar {
 
-// How scenes were looked at last, the newest first, each a line of a person's preferences: numbers
-// of the camera, then the path of the scene's file.
+// Find and keep the last views of scenes, the newest first, each a line of a person's preferences:
+// numbers of the camera, then the path of the scene's file.
 std::optional<Camera> view_of(const std::vector<std::string>& lines, const std::string& path);
 void remember_view_of(std::vector<std::string>& lines, const std::string& path,
                       const Camera& camera, std::size_t most);

@@ -49,7 +49,7 @@ public:
     void commit_if_placed(Id object);
     void cancel();
     bool run(const Command& command); // propose and commit
-    // Why the command was refused; empty: it ran. The note is stored beside it in the scene.
+    // Returns why the command was refused; empty: it ran. The note is stored beside it.
     std::string try_run(const Command& command, const std::string& note = {});
     void undo();
     void redo();

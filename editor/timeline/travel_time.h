@@ -12,7 +12,7 @@ struct TravelBar {
     double begin = 0, end = 0;
     bool endless = false;
 };
-// Nothing where it was not evaluated, being hidden.
+// Returns the bar; nothing if the object is hidden and so was not evaluated.
 std::optional<TravelBar> bar_of(const Session& session, Id id);
 
 // The frames of the scene with as many whole seconds more as let everything that comes to an end

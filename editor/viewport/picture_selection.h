@@ -13,7 +13,7 @@ void leave_out(gpu::Picture& picture, const std::vector<Id>& ids);
 // where the instance is not selected itself.
 void outline_selected(gpu::Picture& picture, const Members& selected);
 
-// How wide that is in a picture: thinner where all that is selected is thin.
+// Returns the outline with its width in a picture: thinner if all that is selected is thin.
 gpu::Outline outline_for(const gpu::Picture& picture, gpu::Outline outline);
 
 } // namespace trivar

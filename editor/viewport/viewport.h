@@ -58,8 +58,8 @@ public:
     long pictures() const { return pictures_; }                       // begun so far
     // Returns what the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();
-    // Why the present scene has no picture, and the renderer's shader_trouble(), if they changed
-    // since the last call; an empty text: there is no trouble any more.
+    // Return why the present scene has no picture, and the renderer's shader_trouble(), if they
+    // changed since the last call; an empty text: there is no trouble any more.
     std::optional<std::string> new_trouble();
     std::optional<std::string> new_shader_trouble();
 

@@ -28,7 +28,7 @@ class WayComparison {
 public:
     void begin() { next_ = 0; }
     bool running() const { return next_ < deform_words.size(); }
-    // In the window's context.
+    // Goes on; call it in the window's context.
     void advance(const Evaluation& evaluated, const Document& document,
                  const Ref<gpu::ShaderTexts>& shaders = {});
     void forget_gpu();

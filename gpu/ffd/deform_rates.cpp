@@ -128,7 +128,7 @@ double sum_multiply_adds(int order, const Method& method)
     return 3 * (2 * o * o * o + 3 * o * o + 4 * o) + frame;
 }
 
-// How many cases, by reason.
+// OmittedCases counts the cases left out, by reason.
 struct OmittedCases {
     std::size_t slow = 0, late = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace trivar::gpu {
 
-// How a deformation is evaluated. All ways but the first exist to be compared with it.
+// The ways to evaluate a deformation. All but the first exist to be compared with it.
 enum class Sum { nested, raised, filtered }; // filtered: by the device's filter, a preview
 enum class NormalsBy { nothing, cofactors, differences };
 struct Method {

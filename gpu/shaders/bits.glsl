@@ -1,4 +1,4 @@
-// How many of 32 bits are set: OpenGL below 4.0 has no function for it.
+// Counts the set bits of 32: OpenGL below 4.0 has no function for it.
 int bits_set(uint v)
 {
 #if __VERSION__ >= 400

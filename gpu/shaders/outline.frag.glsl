@@ -25,7 +25,8 @@ vec2 ring(float radius_px, int count)
     return found;
 }
 
-// How much a place is open to the outside: little in a gap between things that are outlined as one.
+// Returns how much a place is open to the outside: little in a gap between things that are outlined
+// as one.
 float openness()
 {
     if (closed_px <= 0.0) return 1.0;

@@ -1,4 +1,4 @@
-// Which tiles are drawn, and how fine.              GLSL and C++: see gpu/tiles/tile_rule.h
+// Decides which tiles are drawn, and how fine.              GLSL and C++: see gpu/tiles/tile_rule.h
 //
 // Supplied: rule (TileRule) and float pyramid_depth(int at), the depths of a pyramid, level by
 // level, each row by row. Boxes hold tiles, in the space of their patches.
@@ -22,7 +22,7 @@ bool in_view(vec3 lo, vec3 hi)
     return true;
 }
 
-// How far a tile may be off; 0 where its box reaches behind the camera.
+// Returns how far a tile may be off; 0 where its box reaches behind the camera.
 float tolerance_for(vec3 lo, vec3 hi)
 {
     if (rule.perspective == 0) return rule.tolerance;

@@ -1,4 +1,4 @@
-// Which tiles of a layer are drawn, and how fine, in two dispatches: gpu/tiles/tile_sieve.h.
+// Chooses which tiles of a layer are drawn, and how fine, in two dispatches: gpu/tiles/tile_sieve.h.
 // CHOOSE: each tile finds its level, and each group how many it has of each. Without: each group
 // lists its tiles behind those of the groups before it, so that all are in their order.
 const uint GROUP = 256u, LEVELS = 8u, HIDDEN = 8u, KINDS = 9u; // a kind is a level or HIDDEN

@@ -11,9 +11,9 @@
 namespace trivar::gpu {
 namespace {
 
-// How far a tile of a draft may be off by the bound of its stretch, in half pixels: that is about
-// one pixel, for the bound is about twice what tiles are stretched by. Pictures that are no drafts
-// show every tile as it is.
+// The greatest error of a tile of a draft by the bound of its stretch, in half pixels: that is
+// about one pixel, for the bound is about twice the true stretch. Pictures that are no drafts show
+// every tile as it is.
 constexpr double half_pixels_off = 4;
 
 } // namespace

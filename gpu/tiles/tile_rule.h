@@ -30,7 +30,7 @@ static_assert(sizeof(TileRule) == 16 * (5 + 1 + 2 + 4 + 1 + 1));
 // the space of the tiles to the world; `draft`: levels are chosen. At most `most_levels` levels.
 TileRule rule_of(const Camera& camera, const glm::dmat4& to_world, const glm::dvec3& origin,
                  bool draft, const std::vector<TileLevel>& levels);
-// With what hides: a pyramid of that size. `world_to_clip` is that of its picture.
+// Adds the occluders to a rule: a pyramid of that size. `world_to_clip` is that of its picture.
 TileRule with_pyramid(const TileRule& rule, glm::ivec2 size_px, const glm::dmat4& world_to_clip,
                       const glm::dmat4& to_world, const glm::dvec3& origin);
 

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// Why the bytes are no whole PNG, the rest of a sentence; empty: they are one. Its chunks and their
-// checksums are looked at, not its pixels. PNG specification (W3C), 5.
+// Returns why the bytes are no whole PNG, the rest of a sentence; empty: they are one. It checks
+// chunks and their checksums, not pixels. PNG specification (W3C), 5.
 std::string png_trouble(std::string_view bytes);
 
 // The words that a whole PNG has under a name; empty: none. They are Latin text, not packed.

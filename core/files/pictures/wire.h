@@ -25,7 +25,7 @@ struct PictureAnswer {
     std::uint64_t bytes = 0;
 };
 
-// With this status the helper ends where there is no memory left that it may take.
+// The status with which the helper ends when it may take no more memory.
 constexpr int no_memory_status = 3;
 
 } // namespace trivar

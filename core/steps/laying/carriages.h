@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// A part of an evaluated object as a stroke sees it, where a matrix takes the object's own space to
-// that of the stroke. `part` is in the world of the stroke.
+// Transforms a part into the space of the stroke by `own_to_drawn`. `part` is in the world of the
+// stroke.
 Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& own_to_drawn);
 
 // Finds out how an attached stroke is carried, from where its hosts are and where they were when it

@@ -32,7 +32,7 @@ struct FootPlace {
 // mesh at rest they are.
 class Footings {
 public:
-    // Nothing where the host does not show that mesh.
+    // Finds the place; nothing if the host does not show that mesh.
     std::optional<FootPlace> operator()(const AttachedSample& sample, std::size_t index,
                                         const EvaluatedObject& host, const std::vector<Part>& parts,
                                         const StepInput& input);

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// How far along a ray from above the ground is, the plane Z 0 of the world; nothing: the ray does
-// not come down to it.
+// Returns the distance along a ray from above to the ground, the plane Z 0 of the world; nothing:
+// the ray does not come down to it.
 std::optional<double> distance_to_ground(const Ray& ray);
 
 // A GroundPlane is the ground as something that strokes fall on. It belongs to no object: its id is

@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// Whether two motions take what lies under the stroke to the same places, but for rounding.
+// Whether two motions agree on the points under the stroke, up to rounding.
 bool alike(const StrokeHosts& stroke, const glm::dmat4& a, const glm::dmat4& b);
 
 // The motion of a stroke with its main host, which must be there: turn, even scale and shift.

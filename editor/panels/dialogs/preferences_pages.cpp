@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// How fast something is, as a share of the usual.
+// Edits a speed, as a share of the usual.
 void speed_row(const ui::Theme& theme, const char* label, double& value)
 {
     const ui::Row row = ui::label_row(theme, label, value != 1);

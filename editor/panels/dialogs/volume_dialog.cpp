@@ -118,7 +118,8 @@ void draw_stand(const ui::Theme& theme, VolumeOffer& offer)
     ui::check_box(theme, "centered", offer.centered, "on the ground, in the middle");
 }
 
-// How much of the data is kept, in words for each way. Returns whether they are to be read again.
+// Edits how much of the data is kept, in words for each way. Returns whether they are to be read
+// again.
 bool kept_row(const ui::Theme& theme, VolumeOffer& offer)
 {
     int& coarsen = offer.command.shape.reading.coarsen;

@@ -12,8 +12,8 @@
 
 namespace trivar {
 
-// How the number of a field is shown: range, step, unit and what 0 means, from its rule. `mixed`:
-// it differs among the objects that change together. `zero` replaces what the rule says of 0.
+// Returns how a field shows its number: range, step, unit and the meaning of 0, from its rule.
+// `mixed`: it differs among objects that change together. `zero` replaces what the rule says of 0.
 ui::NumberStyle number_style(const Rule& rule, bool mixed, std::string_view zero);
 
 // A row for a text that is one of those that its rule lists.

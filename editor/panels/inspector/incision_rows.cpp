@@ -51,7 +51,7 @@ void choice_row(ValueRows& rows, const char* name, E& value, E rest,
                 [&](int chosen) { value = static_cast<E>(chosen); });
 }
 
-// How a size goes along the cut: a shape, and for a custom one its curve.
+// Edits how a size goes along the cut: a shape, and for a custom one its curve.
 void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProfile::Shape rest,
                  double size, ui::Color color, int& chosen)
 {

@@ -24,7 +24,7 @@ ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
 
 // The section of the materials of these objects, but of those that hold others.
 void draw_materials(Editor& editor, const ui::Theme& theme, std::vector<Id> ids);
-// How large they are, and of how much they are made.
+// Draws how large they are, and of how much they are made.
 void shape_rows(const Session& session, const ui::Theme& theme, const std::vector<Id>& ids);
 
 // A row for an object whose host was deleted, with the choice of another one.

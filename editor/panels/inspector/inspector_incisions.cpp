@@ -199,7 +199,7 @@ bool incision_buttons(Session& session, const ui::Theme& theme, Id id, int numbe
     return changed;
 }
 
-// Which object opens it. Those that depend on the skin cannot.
+// Edits the object that opens it. Objects that depend on the skin cannot.
 void blade_row(const Session& session, ValueRows& rows, Id id, NamedIncision& incision)
 {
     const Document& document = session.document();

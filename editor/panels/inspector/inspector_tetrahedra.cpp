@@ -17,7 +17,7 @@
 namespace trivar {
 namespace {
 
-// Which edit of which volume the rows below the list are of.
+// EditAtHand is the edit of a volume that the rows below the list show.
 struct EditAtHand {
     Id of = 0;
     std::size_t number = 0, known = 0;

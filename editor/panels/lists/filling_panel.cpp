@@ -231,7 +231,7 @@ void draw_filling(Editor& editor, const ui::Theme& theme)
             ? 0
             : theme.px(36) + theme.px(36) * std::min(static_cast<float>(options.size()), most_rows);
     const float top = std::min(theme.px(120), ImGui::GetIO().DisplaySize.y * 0.14f);
-    // Nothing is darkened: the picture shows what is filled in.
+    // The dialog darkens nothing: the picture shows the filled-in command.
     const ui::Rect r =
         ui::begin_dialog(theme, "command palette", {width, head + words + rows + foot},
                          {.from_top = top, .scrim = 0});

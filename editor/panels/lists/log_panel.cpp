@@ -48,7 +48,7 @@ float room_in(const ui::Theme& theme, float width)
     return width - theme.px(48 + 40);
 }
 
-// Why it was refused, whole.
+// Returns why it was refused, in full.
 std::vector<std::string> reasons(const ui::Theme& theme, const LogEntry& entry, float width)
 {
     return ui::wrapped(theme.font.mono, ui::sentence(std::string(entry.why)),

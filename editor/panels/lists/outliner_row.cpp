@@ -136,7 +136,7 @@ const EvaluatedObject* effects_of(const Session& session, Id id)
     return found == session.evaluated().objects.end() ? nullptr : found->second.get();
 }
 
-// Why there is nothing to see of it; empty: there is.
+// Returns why the object shows nothing; empty: it is shown.
 std::string trouble_of(const Session& session, Id id)
 {
     const EvaluatedObject* effects = effects_of(session, id);

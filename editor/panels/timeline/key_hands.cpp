@@ -22,7 +22,7 @@ glm::vec2 mouse_px()
     return {p.x, p.y};
 }
 
-// To propose what differs from what is there; nothing of it: what was there.
+// Proposes the edit; without one, cancels the proposal.
 void show_edit(Editor& editor, KeyEdit edit)
 {
     KeysView& view = editor.timeline.keys;
