@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// An AnimatedExport is a film as one model that moves by itself, and what is claimed of that model.
+// An AnimatedExport is a film as one model that moves by itself, with the claims for that model.
 struct AnimatedExport {
     Film film;   // at the moments at which it was compared; one strip per claim
     Model model; // nodes, skins, morph targets and one clip; its extras hold the claims

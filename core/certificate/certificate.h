@@ -46,7 +46,7 @@ std::vector<std::string> not_certified(const Certificate& certificate);
 std::string to_json(const Certificate& certificate);
 Certificate certificate_from_json(const std::string& text);
 
-// A SampledPart is what sampling the triangles of a part of a file found.
+// A SampledPart is the result of sampling the triangles of a part of a file.
 struct SampledPart {
     std::size_t samples = 0;
     double furthest = 0; // largest distance of the flat triangles from the true surface, metres

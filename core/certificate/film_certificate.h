@@ -12,8 +12,8 @@ namespace trivar {
 inline constexpr double most_tolerance = 1000;
 
 // A FilmCertificate says how close an animated file is to the scene at every time from its first
-// frame to its last. Its numbers are distances in metres between what the file shows and the true
-// surface, point by point.
+// frame to its last. Its numbers are distances in metres between the file's surface and the true
+// one, point by point.
 struct FilmCertificate {
     // bound: the greatest one of the parts; is_proven() tells when a part's bound holds
     double tolerance = 0, bound = 0;

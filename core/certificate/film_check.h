@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// A FilmSample is what was found of one part of a file that moves.
+// A FilmSample is the result of sampling one part of a file that moves.
 struct FilmSample {
     std::size_t samples = 0;
     double furthest = 0; // largest distance between file and scene, metres

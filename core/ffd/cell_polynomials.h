@@ -9,7 +9,7 @@
 namespace trivar {
 
 // CellPolynomials holds the displacement in every occupied cell as a polynomial in the cell's t, in
-// single precision, and what the chain rule needs.
+// single precision, with the matrices for the chain rule.
 struct CellPolynomials {
     std::array<int, 3> order{};
     // Per cell order_u x order_v x order_w x 4 coefficients, highest powers first, as Horner's rule

@@ -36,8 +36,8 @@ struct Part {
     PartKey key = {};
     // Bounds of the posed vertices before to_world or the volume; they may be larger than needed.
     Box bounds = {};
-    // The tiles of which `rest` is the mesh; null: it is no mesh of tiles. What needs no single
-    // vertex takes these, so that nobody has to bend them.
+    // The tiles of which `rest` is the mesh; null: it is no mesh of tiles. Code that needs no
+    // single vertex reads these, so that they need not be bent.
     Ref<TileSet> tiles = nullptr;
 
     const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest.ref(); }

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A LeftOut is what of a shape belongs to pieces that are left out: nothing, or a mark for each
-// triangle of the patch and of the walls, and triangles of the skin beside the patch.
+// A LeftOut marks the parts of a shape that belong to pieces that are left out: nothing, or a mark
+// for each triangle of the patch and of the walls, and triangles of the skin beside the patch.
 struct LeftOut {
     std::vector<char> patch, walls;
     std::vector<std::uint32_t> skin; // ascending
@@ -16,7 +16,7 @@ struct LeftOut {
     bool wall(std::size_t w) const { return !none() && walls[w]; }
 };
 
-// A CutShape is everything that is known of cuts in a skin: what the passes of incise() found.
+// A CutShape is the state of all cuts in a skin after the passes of incise().
 struct CutShape {
     const CutDrawing& drawing;
     std::size_t point_count; // of the drawing, when this was made: it may have got more since

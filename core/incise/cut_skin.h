@@ -16,10 +16,10 @@ struct SkinPlace {
     glm::dvec3 weights{1, 0, 0}; // of its corners; their sum is 1
 };
 
-// A CutSkin is a mesh made ready to be cut: its triangles between points of the surface, what lies
-// round each, and rays. It is made once for a mesh; a cut then costs what its region costs. Side
-// 3 t + i runs from corner i of triangle t to the next one. Triangles that repeat a point are left
-// out. Building costs O(#C log valence).
+// A CutSkin is a mesh made ready to be cut: its triangles between points of the surface, the
+// triangles round each, and rays. It is made once for a mesh; a cut then costs as much as its
+// region. Side 3 t + i runs from corner i of triangle t to the next one. Triangles that repeat a
+// point are left out. Building costs O(#C log valence).
 class CutSkin {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;

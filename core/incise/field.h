@@ -5,8 +5,7 @@
 
 namespace trivar {
 
-// A CutTerm is what one incision does to a vertex when it is quite open; the terms of a vertex add
-// up.
+// A CutTerm is the move of a vertex by one fully open incision; the terms of a vertex add up.
 struct CutTerm {
     std::uint32_t vertex; // of the drawing, or made by cutting
     std::uint32_t incision;

@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// IncisedFlaps bend flaps of an incised mesh outward. A flap moves with the product of what both
-// its incisions do to a point, so it is whole: zero at its base, at the ends of both, and across
-// either of them. Its tip is raised by its lift, and comes back as what is hinged at its base does.
+// IncisedFlaps bend flaps of an incised mesh outward. A flap moves with the product of the effects
+// of both its incisions on a point, so it stays whole: zero at its base, at the ends of both, and
+// across either of them. Its tip is raised by its lift, and turns back as if hinged at its base.
 struct IncisedFlaps {
     struct Lifted {
         std::uint32_t slot, flap;

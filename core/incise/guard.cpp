@@ -241,7 +241,8 @@ Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
 {
     std::vector<glm::dvec3> quite = moves(all, open);
     std::vector<char> moving;
-    // Looks at what has moved since it looked last. False: the incision moves nothing that pierces.
+    // Tests the triangles that moved since the last test. False: the incision moves nothing that
+    // pierces.
     const auto narrow = [&](std::span<const double> shares) {
         std::vector<PiercingPair> pairs = piercings(quite, shares, moving);
         const std::vector<glm::dvec3> before_all = quite;
@@ -293,7 +294,7 @@ bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double de
             .narrow(x, next < as_good_as_shut ? 0 : next, dent * radius_[incision],
                     round_[incision] != 0);
     };
-    // First what lies below the skin is drawn together
+    // The part below the skin is drawn together first
     for (const CutTerm* term : below) step(*term, &Admitted::below, narrower_below);
     if (below.empty())
         for (const CutTerm* term : terms) step(*term, &Admitted::opening, narrower);

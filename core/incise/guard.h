@@ -31,7 +31,8 @@ public:
     std::optional<std::vector<Admission>> admitted(double most) const;
     // Adds how far each one could open if it were alone, where others hold it.
     void find_alone(std::vector<Admission>& admitted) const;
-    // The sum of what all parts of incisions open less than was asked for, each 0..1.
+    // Returns the sum, over all parts of incisions, of the share of the wanted opening that they
+    // lack, each 0..1.
     double lack(std::span<const Admission> admitted) const;
     // The number of triangles and pairs of triangles tested so far: the cost of all of the above.
     std::size_t looks() const { return looks_; }
@@ -66,8 +67,8 @@ private:
     // The same, with dents of one size.
     Admitted narrowed(std::uint32_t incision, std::vector<Admitted> all, std::span<const char> open,
                       double dent, std::vector<char>& holds) const;
-    // Narrows an incision by one step where it moves what pierces; `done`: which terms have been,
-    // by bits. False: it moves nothing of it.
+    // Narrows an incision by one step where it moves a triangle that pierces. `done`: which terms
+    // were narrowed already, by bits. False: it moves none.
     bool lower(const PiercingPair& pair, std::uint32_t incision, double dent,
                const Admitted& before, Admitted& after, std::vector<char>& done) const;
     std::uint32_t corner(const PiercingPair& pair, std::size_t i) const

@@ -45,7 +45,7 @@ double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> inc
     return std::max(deepest > 0 ? deepest : last_rows, last_rows / deepest_through);
 }
 
-// A Made is what one attempt to cut gives.
+// A Made is the result of one attempt to cut.
 struct Made {
     CutShape shape;
     std::vector<LeftOutPieces::Kept> kept;
@@ -53,7 +53,7 @@ struct Made {
     double lacks = 0; // of openings, in all
 };
 
-// An Effort is what attempts have cost, as looks at triangles. What is only better is tried while
+// An Effort is the cost of attempts so far, in tested triangles. Improvements are tried only while
 // it is small, so that a scribble over itself is cut as soon as a plain stroke.
 struct Effort {
     const Progress& progress;

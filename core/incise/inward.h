@@ -20,8 +20,8 @@ public:
         glm::dvec3 p, outward;
         double length, radius;
     };
-    // Takes for each point the mean of what is told round it, as far as the faces there see that:
-    // walls are as smooth as they are deep, however rough the skin is.
+    // Replaces the direction at each point by the mean of the sources round it, as far as the faces
+    // there see it: walls are as smooth as they are deep, however rough the skin is.
     void follow(std::vector<Source> sources);
 
     // Unit, at a point of these triangles; elsewhere the normal.

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// Points of cuts lie on a lattice of whole numbers: this many steps along each side of a triangle.
-// A coarse lattice is better than a fine one: what is nearly one point or one line becomes one.
+// The number of steps along each side of a triangle: points of cuts lie on a lattice of whole
+// numbers. A coarse lattice is better than a fine one: nearly equal points or lines become equal.
 inline constexpr int lattice_steps = 1024;
 
 // A LatticePoint is a point of the skin, named by the smallest thing that it lies on, so that every

@@ -8,21 +8,21 @@
 
 namespace trivar {
 
-// A Narrowing says what share of its opening an incision is let have, along its length: 1
+// A Narrowing is the share of its opening that an incision is admitted, along its length: 1
 // everywhere at first. x is the share of the length.
 class Narrowing {
 public:
     double at(double x) const;
     bool any() const { return least() < 1; }
     double least() const;
-    // Lets the opening be `most` at x at the most, and with the distance from there more, up to
-    // what it was at `radius`. That of a loop goes `round` its ends.
+    // Limits the opening to `most` at x, rising with the distance to its former value at `radius`.
+    // For a loop it goes `round` the ends.
     void narrow(double x, double most, double radius, bool round = false);
-    // Takes it times `factor` where another is half or less, and times less than that where it is
+    // Multiplies it by `factor` where another is half or less, and by less than that where it is
     // more.
     void lower_where_narrowed(const Narrowing& other, double factor);
-    // The greatest opening of a part between two shares of the length, as a share of the greatest
-    // of a profile along the part.
+    // Returns the greatest opening of a part between two shares of the length, as a share of the
+    // greatest of a profile along the part.
     double widest(const CutProfile& profile, double from = 0, double to = 1) const;
 
 private:
@@ -36,8 +36,8 @@ private:
     }
 };
 
-// An Admitted says what of its opening an incision is let have: in the skin, and, as a further
-// share, at half the depth of its floor and below.
+// An Admitted is the share of its opening that an incision is admitted: in the skin, and, as a
+// further share, at half the depth of its floor and below.
 struct Admitted {
     Narrowing opening, below;
     // Returns the share at x, at a depth given as a share of the floor's.
@@ -48,8 +48,8 @@ struct Admitted {
     }
 };
 
-// An Admission is what an incision is let have beside the older ones, as far as these are let open,
-// and while all others are shut.
+// An Admission is what an incision is admitted beside the older ones, as far as these open, and
+// while all others are shut.
 struct Admission {
     Admitted with_others, alone;
     std::vector<std::uint32_t> held_by; // incisions without which it is as if it were alone

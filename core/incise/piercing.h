@@ -15,7 +15,7 @@ struct PiercingPair {
 };
 
 // Whether two triangles pierce each other and have at most one vertex in common. It decides with
-// doubles: what they cannot tell from touching is no piercing.
+// doubles: a pair that they cannot tell from touching does not pierce.
 bool pierce(std::span<const glm::dvec3> positions, const glm::uvec3& a, const glm::uvec3& b);
 
 // Finds the pairs that do, ascending; where triangles are `asked` for, those with one of them.

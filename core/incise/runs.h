@@ -45,7 +45,7 @@ struct CutRun {
     // A length along it as a share of its incision's length.
     double as_share(double way) const { return way * (to - from) / length; }
 };
-// A DrawnStroke says whose stroke of a drawing is, and what of it.
+// A DrawnStroke is the part of an incision that a stroke of a drawing is.
 struct DrawnStroke {
     std::uint32_t incision;
     double from = 0, to = 1;
@@ -59,8 +59,8 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStro
 void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
                 const CutColumns& columns, std::span<const Incision> incisions,
                 std::span<const Narrowing> shares);
-// Takes for each number along a run the mean of what is least within a way round it: so none is
-// greater than it was, and a narrow place gives way to a valley.
+// Replaces each number along a run by the mean of the minima within a way round it: so none grows,
+// and a narrow place gives way to a valley.
 void smooth_room(const CutRun& run, double way, std::vector<double>& room);
 double depth_at(const CutRun& run, double s);
 // Returns how far the rim is set back there, and down to which depth.

@@ -332,7 +332,7 @@ private:
             return "faces that share an edge or a point in more than one way";
         return nullptr;
     }
-    // The runs of sound points of a line; and what the first one touches that is not.
+    // Keeps the runs of sound points of a line, and names the first unsound thing that it touches.
     void keep_sound_parts(const Line& line, const char*& touched)
     {
         const DrawnChain& all = line.chain;

@@ -233,8 +233,8 @@ private:
         return corner(n, node.level_number(graph_.edges[e].depth_at(node.point)), sector, e);
     }
 
-    // The last row of a wall through the body: between its last levels and the far side, where what
-    // is left of the cut lies right.
+    // Makes the last row of a wall through the body: between its last levels and the far side,
+    // where the left of the cut lies right.
     void join_to_far_side(const CutRun& near, const CutRun& far, const ThroughCut& cut, bool left)
     {
         auto next_crossing = cut.crossings.begin(); // at or after both points

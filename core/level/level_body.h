@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// A LevelBody is what is on one side of a level of a field, and hides what is behind it.
+// A LevelBody is the body on one side of a level of a field. It hides points behind it.
 struct LevelBody {
     const ScalarField<float>& field;
     const FieldHulls& hulls;

@@ -175,7 +175,7 @@ private:
                         }
                 });
     }
-    // Widened by what rounding may make of a product with a view.
+    // Bounds a brick's runs, widened by the rounding of a product with a view.
     void bound_runs(const LevelMesh::Brick& brick)
     {
         constexpr float of_normals = 1e-6f, of_places = 1e-6f, least_of_offsets = 2e-4f;

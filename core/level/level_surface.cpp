@@ -34,8 +34,8 @@ public:
     }
 
 private:
-    // A corner of what is in the body of a triangle of a face: a sample, or where the level crosses
-    // the edge between two of them.
+    // A CapCorner is a corner of the part of a face's triangle that is in the body: a sample, or
+    // the point at which the level crosses the edge between two of them.
     struct CapCorner {
         glm::ivec3 sample;
         int direction; // 0: the sample itself

@@ -32,8 +32,8 @@ glm::dvec2 on_edge(int edge, double t); // t from 0 at its first corner to 1; ex
 glm::dvec2 quarter_turned(const glm::dvec2& v, int turns);
 
 // A ChartNet says how the charts of a surface hang together. Two charts that share an edge run
-// along it in opposite directions; what lies beyond is reached by a turn by quarter turns and a
-// shift. All other edges are borders.
+// along it in opposite directions; a turn by quarter turns and a shift lead beyond it. All other
+// edges are borders.
 class ChartNet {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;

@@ -62,7 +62,7 @@ class Tracer {
 public:
     Tracer(const LimitSurface& surface, GeodesicRay& ray) : surface_(surface), ray_(ray) {}
 
-    // Makes one step of at most the given length; returns what it made. `edge` names the crease or
+    // Makes one step of at most the given length; returns its length. `edge` names the crease or
     // border that stopped it.
     double step(double length, int& edge)
     {

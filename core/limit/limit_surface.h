@@ -39,8 +39,8 @@ public:
     // Throws Rejected where the faces form no surface or there would be too many charts. 3 to 30
     // microseconds per chart.
     explicit LimitSurface(const Cage& cage);
-    // Gives the same surface after the points of its cage have moved; what follows from the faces
-    // is shared. About 2 microseconds per chart.
+    // Returns the surface after the points of its cage have moved; facts of the faces are shared.
+    // About 2 us per chart.
     LimitSurface moved(std::span<const glm::dvec3> cage_points) const;
 
     const ChartNet& net() const override;

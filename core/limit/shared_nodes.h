@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// SharedNodes numbers the nodes of a grid on every chart, so that what charts share is one node: at
-// their corners, along their edges, and all along an edge that is a single point. Asking costs
-// O(1).
+// SharedNodes numbers the nodes of a grid on every chart, so that a node that charts share has one
+// number: at their corners, along their edges, and all along an edge that is a single point. Asking
+// costs O(1).
 class SharedNodes {
 public:
     // `counts` holds the number of intervals along u and along v of each chart, equal on both sides

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A Cage holds what decides a subdivision surface: points, faces of any number of corners, and the
-// edges and points that are sharp. All indices are of points, of which each is used.
+// A Cage defines a subdivision surface: points, faces of any number of corners, and the edges and
+// points that are sharp. All indices are of points, of which each is used.
 struct Cage {
     std::vector<glm::dvec3> points;
     std::vector<int> face_sizes;         // number of corners of each face

@@ -31,7 +31,8 @@ void renumber(std::vector<std::uint32_t>& points)
     }
 }
 
-// Takes back what would let a face come back to one of its corners: it is narrow, and no seam.
+// Takes back joins by which a face would come back to one of its corners: it is narrow, and no
+// seam.
 void keep_faces_whole(const Mesh& mesh, std::vector<std::uint32_t>& joined)
 {
     std::vector<bool> apart(joined.size(), false);                // by what points would become

@@ -18,16 +18,16 @@ struct MeshRegion {
 // work of the region.
 MeshRegion region_of(const Mesh& whole, std::size_t points, std::vector<std::uint32_t> faces);
 
-// Makes `out` a copy of a mesh but for some of its faces (ascending), in their order: with room for
-// more vertices and for so many more triangles, with a point for every vertex.
-// What memory `out` has is used again. Arrays in parallel.
+// Makes `out` a copy of a mesh without some of its faces (`left_out`, ascending), in their order:
+// with room for more vertices and for so many more triangles, with a point for every vertex. The
+// memory of `out` is used again. Arrays in parallel.
 void copy_others(Mesh& out, const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
                  std::size_t more_vertices, std::size_t more_triangles);
 
-// Puts what a region was changed to into a copy of the whole without the region's faces, as
-// copy_others() makes it. The first vertices of `changed` are still those of the region and take
-// their places; others, and all faces, come last. Points from the region's number on are new ones.
-// O(size of the region), arrays in parallel.
+// Puts a changed region into a copy of the whole without the region's faces, as copy_others() makes
+// it. The first vertices of `changed` are still those of the region and take their places; others,
+// and all faces, come last. Points from the region's number on are new ones. O(size of the region),
+// arrays in parallel.
 void put_back(Mesh& out, const MeshRegion& region, const Mesh& changed);
 
 } // namespace trivar

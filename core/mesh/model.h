@@ -81,7 +81,7 @@ struct Skin {
     std::vector<glm::dmat4> mesh_to_joint; // as the mesh was made: "inverse bind matrices"
 };
 
-// A Model is what a file or a primitive gives: meshes and curves that hang on a tree of nodes.
+// A Model is the content of a file or a primitive: meshes and curves that hang on a tree of nodes.
 // World: Z up, metres.
 struct Model {
     std::vector<Node> nodes;

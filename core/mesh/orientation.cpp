@@ -116,7 +116,7 @@ bool holds(const Box& box, const Box& other)
            glm::all(glm::greaterThanEqual(box.hi, other.hi));
 }
 
-// Whether what is seen of a part shows its back, by a clear majority: sheets show both sides alike.
+// Whether a part shows more of its back, by a clear majority: sheets show both sides alike.
 bool shows_its_back(const SeenSides& seen)
 {
     return static_cast<double>(seen.back) > 1.2 * static_cast<double>(seen.front);

@@ -15,7 +15,7 @@ struct Stance {
 // The stance at a time of a clip; null: that of the file. O(#nodes + #channels log #keys).
 Stance stance_at(const Model& model, const Clip* clip, double time_s);
 
-// A Pose is what moves the vertices of a mesh one by one. Empty: nothing moves them.
+// A Pose moves the vertices of a mesh one by one. Empty: nothing moves them.
 struct Pose {
     // The transform of the mesh by each joint of the skin, to the place that it has in a node
     // without a transform.

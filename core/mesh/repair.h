@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// Repairs counts what was damaged.
+// Repairs counts the damage by kind.
 struct Repairs {
     std::size_t repeats = 0;    // faces whose corners repeated a point
     std::size_t dropped = 0;    // faces left with fewer than three corners

@@ -115,7 +115,7 @@ private:
         return sides == 2;
     }
 
-    // The lines from a joint along what has not been followed yet.
+    // Follows the lines from a joint along edges that were not followed yet.
     void follow(const Node& start, BoxLines& out)
     {
         for (const Node& first : joints_[start].next) {

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Joins the faces around one vertex that meet in an edge, and counts what is left apart.
+// Joins the faces around one vertex that meet in an edge, and counts the parts.
 std::size_t fan_count(int vertex, const std::vector<int>& faces,
                       const std::vector<std::array<int, 3>>& border)
 {

@@ -82,7 +82,7 @@ bool on_side(double x, double side, double whole)
     return std::abs(x - side) < 2 * on_boundary * whole;
 }
 
-// Vertices on the faces of the box, to what the mesher finds them by, are put exactly there.
+// Puts vertices on the faces of the box, up to the mesher's accuracy, exactly there.
 void put_on_box(SimplexMesh<3>& mesh, const Box& box)
 {
     const double whole = glm::length(box.size());

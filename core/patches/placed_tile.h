@@ -21,7 +21,7 @@ struct PlacedTile {
     bool operator==(const PlacedTile&) const = default;
 };
 
-// The tiles of a layer: what stays while others change has its runs in common.
+// The tiles of a layer, in runs; runs that did not change are shared with the former value.
 using PlacedTiles = Runs<PlacedTile>;
 
 inline bool is_tinted(const PlacedTile& tile)

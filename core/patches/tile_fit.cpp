@@ -24,7 +24,7 @@ glm::dmat3 nearest_rotation(glm::dmat3 m)
     return m;
 }
 
-// Adds the translation after which the box of what is left of the distances has its middle at 0.
+// Adds the translation after which the box of the remaining distances has its middle at 0.
 glm::dmat4 centred(const Mesh& unit, const BentPlaces& to, const glm::dmat3& turn)
 {
     Box left;

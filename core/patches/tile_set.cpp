@@ -29,7 +29,7 @@ template <class Key> std::size_t first_by(const TileSet& set, Key&& key)
     return set.extents.begin_of(run) + static_cast<std::size_t>(in_run - extents.begin());
 }
 
-// The box of all vertices. Tiles whose hull lies inside of what is known already are not bent.
+// Returns the box of all vertices. Tiles whose hull lies inside of the box so far are not bent.
 Box box_of(const TileSet& set)
 {
     Box out;

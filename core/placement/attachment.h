@@ -15,8 +15,8 @@ namespace trivar {
 struct AttachedHost {
     int object = 0;
     glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0};
-    // Whether the strip lies on it. What it only passes counts while it stays where it was to what
-    // the strip lies on.
+    // Whether the strip lies on it. A host that it only passes counts while it stays where it was
+    // relative to those under the strip.
     bool touched = true;
     glm::dmat4 stood() const;
     bool operator==(const AttachedHost&) const = default;
@@ -52,22 +52,22 @@ bool carries(const Attachment& attachment);
 std::optional<Attachment> renumbered(const Attachment& attachment,
                                      const std::function<std::optional<int>(int)>& number);
 
-// Throws Rejected, naming the field, for what cannot be: no hosts, a host that is flat, a sample of
-// no host, another number of samples than the stroke has.
+// Throws Rejected, naming the field, for impossible values: no hosts, a host that is flat, a sample
+// of no host, another number of samples than the stroke has.
 void check(const Attachment& attachment, std::size_t samples);
 
-// Turn and shift that take the points `from` to those `to` as near as can be in least squares,
-// never mirrored; the turn is none where they do not tell. As many points each, and some. Horn
-// 1987.
+// Returns the turn and shift that move the points `from` to `to` as closely as possible in least
+// squares, never mirrored; no turn if the points do not determine one. As many points each, and
+// some. Horn 1987.
 glm::dmat4 best_motion(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to);
 
-// A view, and lengths of a placement, where a matrix takes them that turns, scales evenly and
-// shifts; a picture of what it took along is the same.
+// Transform a view, and the lengths of a placement, by a matrix that turns, scales evenly and
+// shifts; the picture of the objects moved with them is the same.
 Camera carried(Camera camera, const glm::dmat4& by);
 PlacementParameters carried(PlacementParameters parameters, const glm::dmat4& by);
 
-// The factor of a matrix that turns, scales evenly and shifts, to about nine digits; nothing where
-// it does something else or mirrors.
+// Returns the factor of a matrix that turns, scales evenly and shifts, to about nine digits;
+// nothing if it does something else or mirrors.
 std::optional<double> even_scale(const glm::dmat4& matrix);
 
 } // namespace trivar

@@ -111,7 +111,7 @@ std::optional<std::vector<std::size_t>> DepthJumps::bridge(RayGrid& line,
     of_line_ = found_.size();
     std::size_t last = seen.size() - 1;
     while (seen[last].beyond) --last;
-    // Not of what it passes in the air
+    // Jumps at parts that it passes in the air do not count
     if (at(first) - at(0) > longest_end || at(seen.size() - 1) - at(last) > longest_end) {
         if (highest < far_behind * way) {
             found_.clear();

@@ -11,8 +11,8 @@
 
 namespace trivar {
 
-// DepthJumps leaves out of a stroke what is seen beyond the edges of the surface that it lies on. A
-// jump is `least` metres deep or more along the sight. A steep surface is none: rays in ever
+// DepthJumps leaves out of a stroke the surfaces seen beyond the edges of the one that it lies on.
+// A jump is `least` metres deep or more along the sight. A steep surface is none: rays in ever
 // shorter steps tell them apart. Cost: a few rays for each step that may be one.
 class DepthJumps {
 public:
@@ -23,10 +23,11 @@ public:
     {
     }
 
-    // Lets the nodes beyond an edge lie where the surface would go on straight, and returns them.
-    // Of the middle line, whose points in the picture are given. Nothing: it ends on another
-    // surface than it began on, which is so little higher or lower that it is to be followed.
-    // Throws Rejected, saying where, if that surface is far off.
+    // Moves the nodes beyond an edge to where the surface would go on straight, and returns them.
+    //   line       the middle line
+    //   points_px  its points in the picture
+    // Nothing: it ends on another surface than it began on, which is so little higher or lower that
+    // it is to be followed. Throws Rejected, saying where, if that surface is far off.
     std::optional<std::vector<std::size_t>> bridge(RayGrid& line,
                                                    const std::vector<glm::dvec2>& points_px);
     // Bridges the jumps of a grid over that middle line.

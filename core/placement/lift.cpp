@@ -129,8 +129,8 @@ LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const Ra
     };
     double let_be = 0; // largest depth found that needs no lift
     RayLook look{.skip_back_faces = options.skip_back_faces};
-    // Looks with rays, the fastest way, until they find nothing that a lift could repair. Returns
-    // what is left, and marks moved control points as changed.
+    // Casts rays, the fastest way, until they find nothing that a lift could repair. Returns the
+    // rest, and marks moved control points as changed.
     std::vector<char> changed;
     const auto look_and_rise = [&](std::vector<char> where, int many_rays) {
         look.where_steep = many_rays;

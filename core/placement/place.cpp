@@ -209,7 +209,8 @@ std::optional<Placement> bridged(const Sketch& sketch, PlacementParameters param
     return finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
 }
 
-// Whether what lies on one surface stands, or at least folds less than what follows the jumps.
+// Whether the placement on one surface is sound, or at least folds less than the one that follows
+// the jumps.
 bool better(const Placement& on_one, const Placement& followed)
 {
     const auto folds = [](const Placement& p) {

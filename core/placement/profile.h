@@ -61,8 +61,8 @@ void check_profile(const std::vector<glm::dvec2>& points, const std::string& nam
 // The same for a rise, whose values must ascend strictly from 0 to 1.
 void check_rise(const std::vector<glm::dvec2>& points, const std::string& name);
 
-// A Brush says what a stroke's width is: even; wider where the hand was slower than its usual
-// speed; or twice the pressure.
+// A Brush decides a stroke's width: even; wider where the hand was slower than its usual speed; or
+// twice the pressure.
 enum class Brush { even, speed, pressure };
 // The smooth profile of width that a brush draws, at most 9 points; empty where the width hardly
 // changes.

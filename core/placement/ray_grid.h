@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A RayGrid holds the rays through a ruled grid of the strip and what they meet. Node (i, j) has
-// index i * columns + j; i runs along the stroke, j from its right to its left.
+// A RayGrid holds the rays through a ruled grid of the strip and their hits. Node (i, j) has index
+// i * columns + j; i runs along the stroke, j from its right to its left.
 struct RayGrid {
     int rows = 0, columns = 0;
     std::vector<double> a;          // #rows, along the strip
@@ -30,8 +30,8 @@ struct RayGrid {
     double missed_share() const;
 };
 
-// Fills in what the grid's rays meet. A hit at less than about a degree to the surface counts as a
-// miss: such a hit jumps with the smallest move of the strip.
+// Fills in the hits of the grid's rays. A hit at less than about a degree to the surface counts as
+// a miss: such a hit jumps with the smallest move of the strip.
 RayGrid met(RayGrid grid, const RayScene& scene, bool skip_back_faces);
 inline constexpr double grazing = 0.02; // cosine between normal and ray
 

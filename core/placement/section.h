@@ -20,7 +20,7 @@ struct SectionPlane {
 };
 
 // A Section is a closed way round a body where a plane cuts it, and the body's surface to both
-// sides of it: what parallel planes cut, each drawn taut, so that what is hollow is bridged.
+// sides of it: the cuts of parallel planes, each drawn taut, so that hollows are bridged.
 // Deterministic for any number of threads.
 class Section {
 public:

@@ -29,8 +29,8 @@ std::optional<Ground> ground_hit(const RayScene& scene, const Ray& ray, double r
 Ground walked(const RayScene& scene, Ground from, const glm::dvec3& along, double distance,
               double reach);
 
-// The turn and shift that take one ground to another. Across level ground the heading stays; what
-// stands upright on a steep wall stays upright.
+// Returns the turn and shift that take one ground to another. Across level ground the heading
+// stays; on a steep wall, upright stays upright.
 glm::dmat4 slid(const Ground& from, const Ground& to);
 
 // The turn about the ground's normal, right-handed, and the scaling about its place.

@@ -29,7 +29,7 @@ public:
     StripJudge(const SurfaceTable& surface, const View& view, const NearScene& scene,
                const JudgeOptions& options);
 
-    // Measures what has changed since the last call, according to the index. Parallel.
+    // Measures the parts that changed since the last call, according to the index. Parallel.
     Judgement judge(const StripIndex& strip);
 
 private:

@@ -42,7 +42,7 @@ struct RayLook {
     // each turn looks at other places in the cells: a second look at the same place finds nothing
     // new
     int turn = 0;
-    // false: looks only for what is in front of the surface; true: also behind the surface
+    // false: looks only in front of the surface; true: also behind it
     bool beyond = false;
     bool skip_back_faces = false;
 };

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// ComposedCells holds what bounds the error of volumes that deform one after the other: the first
-// one, and those that deform its result. To be shared by threads.
+// ComposedCells holds the data for error bounds of volumes that deform one after the other: the
+// first one, and those that deform its result. Threads share it.
 class ComposedCells {
 public:
     ComposedCells(const Lattice& first, std::vector<NextVolume> next);
@@ -26,8 +26,8 @@ private:
     std::vector<StretchBound> stretch_;
 };
 
-// ComposedBounds bounds the distance of what G takes F takes x to, from the flat edge or triangle
-// through the deformed corners, in world units. Point for point of equal barycentric coordinates:
+// ComposedBounds bounds the distance of G(F(x)) from the flat edge or triangle through the deformed
+// corners, in world units, point for point of equal barycentric coordinates:
 //
 //   |G(F(x)) - flat| <= |G(F(x)) - G(y)| + |G(y) - flat| <= L e(F) + e(G),
 //

@@ -42,7 +42,7 @@ public:
         double bound = unknown;
     };
 
-    // `next` deform what the lattice has deformed.
+    // `next` deform the result of the lattice.
     SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice,
                     const std::vector<NextVolume>& next);
 

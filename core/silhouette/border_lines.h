@@ -27,8 +27,8 @@ private:
     KeyNumbers known_;
 };
 
-// Finds where a level leaves its grid: the closed curves round what the faces of the grid cut off,
-// the same for all views. Their bend is 0. O(#triangles).
+// Finds where a level leaves its grid: the closed curves round the sections in the faces of the
+// grid, the same for all views. Their bend is 0. O(#triangles).
 Silhouettes border_lines(const ScalarField<float>& field, const LevelMesh& level,
                          float spacing = 0.4f);
 

@@ -11,7 +11,7 @@ constexpr double longest_step = 0.5, longest_way = 1; // voxels
 constexpr double touching = 1e-6;                     // squared sine between the two gradients
 constexpr double is_quadratic = 0.02; // a step from which the next one is its square
 
-// A place on its way, with what is known of the field at its last step but one.
+// A Polishing is a place on its way, with the jet of the field at its last step but one.
 template <class Real> struct Polishing {
     glm::vec<3, Real> p, begin;
     ScalarJet<Real> jet;

@@ -19,8 +19,8 @@ template <class Real>
 bool polish(const ScalarField<Real>& field, Real level, const ViewPoint& view, glm::vec<3, Real>& p,
             ScalarJet<Real>& jet, Real tolerance = Real(1e-4));
 
-// Polishes points if it is wished, eight beside each other, and sets what else is known of them.
-// 0.2 us per point on one core.
+// Polishes points if `polished`, eight at once, and sets their other values. 0.2 us per point on
+// one core.
 void finish(const ScalarField<float>& field, float level, const ViewPoint& view, bool polished,
             std::span<SilhouettePoint> points);
 

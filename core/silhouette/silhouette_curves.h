@@ -37,7 +37,7 @@ Silhouettes curves_of(const EdgeChains& chains, std::span<const glm::vec3> place
 // The place where a line crosses an edge, of the products at its ends.
 glm::vec3 place_on_edge(const glm::vec3& a, const glm::vec3& b, float product_a, float product_b);
 
-// Moves the points to the spline, if that is wished, and sets what else is known of them.
+// Moves the points to the spline, if that is wished, and sets their other values.
 void finish(const ScalarField<float>& field, float level, const ViewPoint& view,
             const SilhouetteOptions& options, Silhouettes& out);
 

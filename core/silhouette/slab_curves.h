@@ -8,9 +8,9 @@
 namespace trivar {
 
 // SlabCurves finds the silhouettes and the border of a level slab by slab, of data that are larger
-// than memory. Vertices have the numbers that they have in the mesh of the whole, so that what
-// crosses from slab to slab goes on: the curves are those of the whole. It keeps about 100 bytes
-// for each edge that a curve crosses.
+// than memory. Vertices have the numbers that they have in the mesh of the whole, so that curves go
+// on from slab to slab: they are those of the whole. It keeps about 100 bytes for each edge that a
+// curve crosses.
 class SlabCurves {
 public:
     // Throws Rejected if the view has no direction.

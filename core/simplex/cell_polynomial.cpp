@@ -46,8 +46,8 @@ std::vector<glm::dvec3> CellInterpolation::coefficients(std::span<const glm::dve
     return out;
 }
 
-// De Casteljau's steps, each with another argument: what is left after each is a polynomial of one
-// degree less.
+// Makes de Casteljau's steps, each with another argument: each leaves a polynomial of one degree
+// less.
 glm::dvec3 CellInterpolation::polar_form(std::span<const glm::dvec3> coefficients,
                                          std::span<const glm::dvec4> arguments) const
 {

@@ -19,7 +19,7 @@ struct SidePlace {
     }
 };
 
-// A TriangleSide says what of a triangle is in the body on one side of it.
+// A TriangleSide is the part of a triangle that is in the body on one side of it.
 struct TriangleSide {
     std::array<bool, 3> in{};
     std::array<SidePlace, 3> corners;

@@ -195,7 +195,7 @@ template <int S> auto SimplexBasis<S>::inner_direction(const Point& x) const -> 
     return out;
 }
 
-// Whether a place lies beyond the face opposite to a corner. What lies on the border lies inside.
+// Whether a place lies beyond the face opposite to a corner. The border lies inside.
 template <int S>
 bool SimplexBasis<S>::beyond_jump(std::size_t cell, std::size_t corner, const Place& at) const
 {

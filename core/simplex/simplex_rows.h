@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// A DisplacedPoints is what a volume makes of the points that are bound to it.
+// DisplacedPoints are the images of the points bound to a volume.
 struct DisplacedPoints {
     std::vector<glm::vec3> positions;
     std::vector<glm::mat3> jacobians; // empty unless the rows have gradients

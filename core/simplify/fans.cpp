@@ -104,8 +104,8 @@ private:
         return out;
     }
 
-    // A Difference says what differs between the two sides of an edge: the faces, or the values at
-    // one end or both.
+    // A Difference lists the differences between the two sides of an edge: the faces, or the values
+    // at one end or both.
     struct Difference {
         bool faces, here, there; // here: where the first side begins
         bool line() const { return faces || (here && there); }

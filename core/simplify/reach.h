@@ -18,10 +18,10 @@ public:
     explicit Reach(std::vector<Triangle3> triangles = {}); // O(n log n)
 
     // Whether every point of a triangle is proven to be within a distance of these. True never
-    // errs; false where a point is further, and where the pieces that it is cut into are not
-    // enough to tell. A piece is proven by one triangle that all its corners are near to [1]:
-    // distances from what is convex are greatest at corners. What lies above one of the triangles
-    // is cut off and proven by that one, what is left is quartered.
+    // errs; false if a point is further, or if the pieces that it is cut into are not enough to
+    // tell. A piece is proven by one triangle that all its corners are near to [1]: distances from
+    // a convex set are greatest at corners. The part above one of the triangles is cut off and
+    // proven by that one, the rest is quartered.
     //   [1] Guthe, Borodin, Klein, Fast and accurate Hausdorff distance calculation, 2005
     bool covers(const Triangle3& triangle, double distance) const;
 

@@ -12,7 +12,8 @@ namespace trivar {
 // SimplifyOptions are two goals, of which the first one met ends the work. Without any, nothing is
 // done.
 struct SimplifyOptions {
-    // No more than these, unless what is kept needs more; what is left out does not count.
+    // The greatest number of triangles, not counting those left out; lines that are kept may need
+    // more.
     std::optional<std::size_t> triangles;
     // The greatest deviation: no point of the old mesh is to be further than that from the new one,
     // nor of the new one from the old; in the unit of the mesh.
@@ -28,10 +29,10 @@ struct SimplifiedMesh {
     Ref<Mesh> mesh; // the one that was given where nothing was to be done
     std::size_t triangles_before = 0, triangles = 0;
     std::size_t left_out = 0; // of them: round edges of more than two faces and the like, kept
-    // No point of either mesh is further from the other, in any pose: proven, rounding of single
-    // precision included. It is the error asked for where one was given; otherwise, where it was
-    // measured, at most a quarter more than what can be proven, and infinite where it was not. 0
-    // where nothing was done.
+    // The proven greatest distance of a point of either mesh from the other, in any pose, rounding
+    // of single precision included. It is the error asked for if one was given; otherwise, if it
+    // was measured, at most a quarter more than the least provable, and infinite if it was not. 0
+    // if nothing was done.
     double error = 0;
 };
 

@@ -5,9 +5,9 @@
 
 namespace trivar {
 
-// The frame turned about u until w goes along obstacles that together are a bar, whether it leans
-// or not: what is drawn in along w is then drawn along the bar. Unchanged: they are none, or lie
-// more along v. O(#V of the obstacles).
+// Returns the frame turned about u until w goes along obstacles that together are a bar, whether it
+// leans or not: a skin drawn in along w is then drawn along the bar. Unchanged: they are none, or
+// lie more along v. O(#V of the obstacles).
 SplitFrame along_obstacles(const std::vector<SplitObstacle>& obstacles, SplitFrame frame);
 
 } // namespace trivar

@@ -40,7 +40,7 @@ struct LeftOut {
     std::vector<char> places; // by number, or empty: none
 };
 
-// The loop without what is left out. The slivers between both are added to `slivers`.
+// Returns the loop without the places left out. The slivers between both are added to `slivers`.
 RimLoop thinned(const RimLoop& loop, double distance, const std::vector<char>& left_out,
                 const CapOptions& options, std::vector<std::array<std::uint32_t, 3>>& slivers)
 {
@@ -103,8 +103,8 @@ void add_between(const glm::dvec2& a, const glm::dvec2& b, const Coarseness& coa
     add_between(middle, b, coarseness, shortest, out);
 }
 
-// Triangulates the region to the left of loops, but for what is left out. Returns false, with
-// nothing added, where edges cross or meet on the grid, or do not enclose it.
+// Triangulates the region to the left of loops, without the places left out. Returns false, with
+// nothing added, if edges cross or meet on the grid, or do not enclose it.
 bool triangulate_thinned(const std::vector<const RimLoop*>& loops, const LeftOut& left_out,
                          const OpenRim& rim, FlatCap& cap)
 {
@@ -213,8 +213,8 @@ void close_by_fan(const RimLoop& loop, const CapOptions& options, FlatCap& cap)
         cap.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], at});
 }
 
-// Closes a loop without regard to others: what it runs round is covered, by triangles that are
-// turned round where it runs clockwise. Returns false where it crosses itself.
+// Closes a loop without regard to others: the area that it runs round is covered, by triangles that
+// are reversed if it runs clockwise. Returns false if it crosses itself.
 bool close_alone(const RimLoop& loop, const OpenRim& rim, FlatCap& cap)
 {
     if (triangulate({&loop}, rim, cap)) return true;
@@ -262,7 +262,7 @@ std::size_t add_cap_vertices(CutMesh& cut, const CapOptions& options, const Flat
     return first;
 }
 
-// Triangulates the cap of either half; what is to be told of it goes to `out`.
+// Triangulates the cap of either half; counts go to `out`.
 FlatCap closed(const CutMesh& cut, const CapOptions& options, Caps& out)
 {
     RimLoops loops = loops_of(cut.rim, cut.places.size());

@@ -31,7 +31,7 @@ struct PlainCut {
     // goes through each piece where it was seen, and a gap that changes later only moves pieces.
     // Missing: 0.
     std::vector<glm::dvec3> opened = {};
-    // It was drawn over an object that obstacles part, and cuts what they leave of it.
+    // Set if it was drawn over an object that obstacles part, and cuts the parts.
     bool parted = false;
     bool operator==(const PlainCut&) const = default;
 };

@@ -102,7 +102,7 @@ private:
         return vertex < options_.places.size() ? options_.places[vertex]
                                                : cap_.inside[vertex - options_.places.size()];
     }
-    // Triangulates what is in a layer.
+    // Triangulates a layer.
     bool fill(int layer)
     {
         Triangulation plane;

@@ -15,9 +15,10 @@ struct CutNeed {
     std::function<glm::dvec2(std::uint32_t vertex)> at; // (v, w) of a vertex
 };
 
-// Tells which of the triangles of a mesh that a cut goes through must be cut: not those of loops
-// all of which lies beside the rectangle, in a box that is apart from it and from those of all
-// loops that must be cut. So no cap reaches over what is left whole. `across` holds their vertices.
+// Returns which of the triangles that a cut goes through must be cut: not those of loops that lie
+// wholly beside the rectangle, in a box that is apart from it and from those of all loops that must
+// be cut. So no cap reaches over parts that stay whole.
+//   across  vertices of these triangles
 // Empty: all must be. O(n) for n triangles, and O(k^2) for k loops.
 std::vector<char> needed(std::span<const glm::uvec3> across, const Mesh& mesh, const CutNeed& need);
 

@@ -28,9 +28,9 @@ struct SidesOnCut {
 
 inline constexpr char side_below = 0, side_above = 1, side_across = 2;
 
-// A face all of which lies on the cut belongs to the side where the solid is, by its normal; that
-// of a sheet to the side of the rest of it. What lies on the cut with all of its body is above.
-// O(#C).
+// Finds the sides. A face that lies wholly on the cut belongs to the side where the solid is, by
+// its normal; one of a sheet to the side of the rest of it. A body that lies wholly on the cut is
+// above. O(#C).
 SidesOnCut sides_on_cut(const Mesh& mesh, std::span<const double> heights, const OnCut& on);
 
 } // namespace trivar

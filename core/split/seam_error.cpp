@@ -9,8 +9,8 @@
 namespace trivar {
 namespace {
 
-// A kink of a function, whose slope jumps by 1 over a length of 1, is off by a quarter of that from
-// what is linear: as much as with this second derivative.
+// The second derivative by which a kink counts: a function whose slope jumps by 1 over a length of
+// 1 is off by a quarter of that from a linear one.
 constexpr double bend_of_kink = 1 / (4 * share_of_edge);
 
 // Bounds of how fast a point moves, and how fast that changes, along an edge.
@@ -72,7 +72,7 @@ SplitError::SideErrors SplitError::drawn_in_by_sides(std::size_t opening,
         if (!in_reach) continue;
         const auto& [r, nearest, farthest, kernel, slope, curve] = *in_reach;
         const JetBound wall = bounds.walls[side].over(from, to);
-        // It fades like the square of what is between these
+        // The fade is the square of these
         const double far = std::max(0.0, 1 - nearest / drawn_reach);
         const double near = std::max(0.0, 1 - farthest / drawn_reach);
         const double q = drawn_reach * r;

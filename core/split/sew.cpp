@@ -36,7 +36,7 @@ bool stays(const CapTriangle& t, const std::vector<Half>& halves)
     return std::ranges::any_of(t, [&](std::size_t c) { return halves[c] == Half::apart; });
 }
 
-// Hides what is round an opening of its own that does not reach the rim.
+// Hides caps round an opening of its own that does not reach the rim.
 void hide_what_is_inside(const std::vector<CapTriangle>& triangles, std::size_t places,
                          std::vector<Half>& halves)
 {
@@ -58,7 +58,8 @@ void hide_what_is_inside(const std::vector<CapTriangle>& triangles, std::size_t 
 }
 
 // Takes vertices apart that are among triangles which stay: an edge between two joined vertices is
-// to be on one such triangle of each half, at the end of what stays, or it would be on four faces.
+// to be on one such triangle of each half, at the end of the caps that stay, or it would be on four
+// faces.
 void keep_edges_apart(const std::vector<CapTriangle>& triangles, const std::vector<glm::uvec2>& rim,
                       std::vector<Half>& halves)
 {

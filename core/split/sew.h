@@ -6,11 +6,11 @@
 
 namespace trivar {
 
-// Makes both halves one again where an opening ends: copies of a place beyond the walls become one
-// point, and triangles of both caps between such points, which lie on each other, are left out; so
-// are caps that lie inside, away from the rim, as round an obstacle that is hidden in the mesh. A
-// closed mesh stays closed, and a sheet is one sheet before and behind the obstacle. What is left
-// are caps beside the obstacle only. O(size of the cut).
+// Joins both halves where an opening ends: copies of a place beyond the walls become one point, and
+// triangles of both caps between such points, which lie on each other, are left out; so are caps
+// that lie inside, away from the rim, as round an obstacle that is hidden in the mesh. A closed
+// mesh stays closed, and a sheet is one sheet before and behind the obstacle. Only caps beside the
+// obstacle remain. O(size of the cut).
 void sew(CutMesh& cut, const Caps& caps, const SplitField& field, std::size_t opening);
 
 // Returns the edges of a triangle of a cap that reaches beyond an opening, as shares of the length

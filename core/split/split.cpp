@@ -282,8 +282,8 @@ void move_others(Mesh& out, const Mesh& whole, const MeshRegion& region, const V
         });
 }
 
-// Flat triangles are to stay within what is free between the walls and the obstacles, where that is
-// not much less than what was asked.
+// Returns the tolerance: flat triangles are to stay within the free room between walls and
+// obstacles, if that is not much less than the tolerance asked for.
 double tolerance_of(const SplitField& field, const SplitOptions& options)
 {
     double free = options.tolerance;
@@ -384,7 +384,7 @@ std::optional<SplitMesh> split(const Mesh& mesh, const SplitField& field,
     VertexPlaces& places = memory.places;
     find_places(mesh, field, places);
     if (places.box.apart(field.reach())) return std::nullopt;
-    // Seams draw in what is in reach, so all of it is looked at with them
+    // Seams draw in all in reach, so all of it is tested with them
     const double enough =
         options.closing == SplitClosing::stitched ? -1 : tolerance_of(field, options);
     ToChange& change = memory.change;

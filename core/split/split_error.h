@@ -9,10 +9,10 @@ namespace trivar {
 // the edge itself, and over a triangle none of whose edges has a greater one.
 constexpr double share_of_edge = 1.0 / 8, share_of_bend = 1.0 / 6;
 
-// An edge of the cut may be worse than the edges of the triangle that it runs through: what is cut
-// is to be off by no more than this share of what is allowed.
+// The share of the tolerance for triangles that are cut, since an edge of the cut may be worse than
+// the edges of the triangle through which it runs.
 constexpr double share_of_cut = 0.5;
-// The same for all triangles, so that what is cut of them afterwards keeps within what is allowed.
+// The share of the tolerance for all triangles, so that those cut afterwards keep within it.
 constexpr double share_of_whole = 0.6;
 
 // Beyond the walls halves only touch, but neither a cap nor its rim should be further from the cut
@@ -44,8 +44,8 @@ public:
     // corner, the heights over the cut surfaces.
     EdgeErrors edges(const std::array<glm::dvec3, 3>& uvw,
                      const std::array<const double*, 3>& heights) const;
-    // Metres, for any triangle whose corners lie in a box of uvw: quick, and more than what
-    // `edges` says without seams.
+    // Bounds the error, in metres, of any triangle whose corners lie in a box of uvw: quick, and
+    // more than `edges` gives without seams.
     double within(const Box& uvw) const;
     // The same for a flat triangle of a cap of an opening, whose corners have these (v, w). Beside
     // its own walls a cap may run through other openings. O(1) for one opening.

@@ -78,8 +78,8 @@ SplitObstacle joined(const SplitObstacle& a, const SplitObstacle& b)
     return out;
 }
 
-// Gives each side of each opening its reach: what was asked, or what its kernel needs, in the room
-// that it has beside the others.
+// Gives each side of each opening its reach: the one asked for, or the one that its kernel needs,
+// in the room that it has beside the others.
 void give_reaches(std::vector<Opening>& openings)
 {
     constexpr double endless = std::numeric_limits<double>::infinity();

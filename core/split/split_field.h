@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// A SplitObstacle is what a model is parted by.
+// A SplitObstacle parts a model.
 struct SplitObstacle {
     std::string name; // for sentences
     std::vector<RayScene::Entry> bodies;

@@ -20,7 +20,7 @@ struct ObstacleUse {
     bool operator==(const ObstacleUse&) const = default;
 };
 
-// Splitting says by what an object is parted, and how its halves are closed.
+// Splitting lists the obstacles that part an object, and how its halves are closed.
 struct Splitting {
     std::vector<ObstacleUse> obstacles;
     glm::dvec3 opening{1, 0, 0}; // direction in the world in which the halves part

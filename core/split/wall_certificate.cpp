@@ -50,7 +50,7 @@ public:
         const glm::uvec3& v = obstacle.triangles()[t];
         return {corner(p[v.x]), corner(p[v.y]), corner(p[v.z])};
     }
-    // About how many halvings make it certain: each takes half of what bends.
+    // Estimates how many halvings make it certain: each halves the bend.
     double work(const Triangle& t) const
     {
         const double least = std::min({t[0].gap, t[1].gap, t[2].gap}), bend = bend_of(t).most;

@@ -8,7 +8,7 @@ namespace trivar {
 // A WallCertificate states proven facts of a wall below (side 0) or above (1) a cut surface.
 struct WallCertificate {
     double clear = 0; // metres: nowhere is the obstacle nearer along u; negative: not certain
-    // Points of the obstacle, in uvw, where the wall is nearer than what is wanted.
+    // Points of the obstacle, in uvw, at which the wall is nearer than wanted.
     std::vector<glm::dvec3> too_near;
 };
 

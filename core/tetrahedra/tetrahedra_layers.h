@@ -20,7 +20,7 @@ SimplexMesh<3> domain_cells(const TetrahedraShape& shape);
 // places. Throws Rejected where they are none or more than most_cells.
 SimplexMesh<3> cells_near(const TetrahedraRefinement& refinement);
 
-// The domain with its creases and clouds. Throws Rejected for what check() refuses.
+// Returns the domain with its creases and clouds. Throws Rejected for domains that check() refuses.
 SimplexDomain<3> domain_of(const TetrahedraShape& shape);
 
 // Returns that domain, and one layer per refinement, whose functions fade smoothly at its border.

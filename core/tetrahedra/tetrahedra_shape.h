@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-// A TetrahedraShape says which volume of tetrahedra deforms what is in it, and what was done to it.
-// All places are in its own space, before any deformation: they stay where they are when the domain
+// A TetrahedraShape is a volume of tetrahedra that deforms objects in it, with its edits. All
+// places are in its own space, before any deformation: they stay where they are when the domain
 // changes.
 
 namespace trivar {

@@ -10,7 +10,7 @@ namespace trivar {
 // middle, by straightest ways. No map of the whole surface is needed, and so no seam cuts a tile.
 struct TileChart {
     std::array<SurfacePlace, 16> nodes; // 4 j + i at (patch_nodes[i], patch_nodes[j])
-    // Beyond a border: what is missing of the way to the node, in the space of the model.
+    // Beyond a border: the missing part of the way to the node, in the space of the model.
     std::array<glm::dvec3, 16> beyond{};
     // The longest way that a border cut off, as a share of the tile's size; infinite where the tile
     // is larger than the whole base.

@@ -10,7 +10,7 @@ namespace trivar {
 std::vector<double> heights_along_rows(const Covering& covering,
                                        std::span<const SurfacePoint> points, double factor);
 
-// GuardedHeights are heights at which no cell folds, and what that took.
+// GuardedHeights are heights at which no cell folds, with the cells that had to change.
 struct GuardedHeights {
     std::vector<double> heights;       // of the nodes
     std::vector<char> lowered, folded; // of the cells

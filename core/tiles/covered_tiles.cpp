@@ -172,8 +172,8 @@ private:
     std::vector<std::pair<std::uint32_t, CellShape>> shapes_;
 };
 
-// A place of the surface, by the same numbers from all cells that have it: corners are nodes, and
-// what lies on a side that two charts share belongs to the first of them.
+// Returns a place of the surface, by the same numbers from all cells that have it: corners are
+// nodes, and a place on a side that two charts share belongs to the first of them.
 SurfacePoint shared_place(const Covering& covering, const CoveringPose& pose,
                           const HeightsOverUvs& heights, const Covering::Spot& spot)
 {

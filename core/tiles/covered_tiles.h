@@ -15,8 +15,9 @@ namespace trivar {
 // A CoveringPose is a covering as its base stands at a frame, with how high its tiles are.
 struct CoveringPose {
     std::vector<SurfacePoint> points; // of the covering's nodes, in the world
-    // Metres in the world of what is as high as the tile's model is long: at every node that is a
-    // corner of cells. Between corners it is bilinear, so that tiles that meet are as high there.
+    // The height in the world, in metres, of a tile as high as its model is long: at every node
+    // that is a corner of cells. Between corners it is bilinear, so that tiles that meet are
+    // equally high there.
     std::vector<double> heights;
     // Whether the posed base is mirrored relative to rest, by chart.
     std::vector<char> mirrored;
@@ -47,7 +48,7 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
 Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell& cell,
                    const Covering& covering, const CoveringPose& pose); // of all
 
-// Heights by a picture that lies over the texture coordinates of what is covered.
+// HeightsOverUvs are heights by a picture over the texture coordinates of the base.
 struct HeightsOverUvs {
     const GreyImage& image;
     const HeightSheet& sheet;
@@ -67,7 +68,7 @@ Mesh displaced_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCe
 // The matrix from a cell to the unit cell of core/patches/tile_set.h, for patched_tile().
 glm::dmat4 to_unit_cell(const CoverCell& cell);
 
-// A PatchedTile is a tile of a covering as a single patch under the whole tile: what the graphics
+// A PatchedTile is a tile of a covering as a single patch under the whole tile, which the graphics
 // card can repeat.
 struct PatchedTile {
     PlacedTile tile;

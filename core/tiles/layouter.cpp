@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // Whether the last stroke is the only one that is another, and may keep what it has laid.
+    // Whether only the last stroke changed, and may keep the tiles that it laid.
     bool goes_on(std::size_t first, const std::vector<Ref<TileStroke>>& strokes) const
     {
         return first + 1 == done_.size() && first < strokes.size() && work_.can_go_on() &&

@@ -17,10 +17,10 @@ namespace trivar {
 TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
                      const Progress& progress = {}, const Lazy<TileCurvature>* curvature = nullptr);
 
-// A Layouter works off the strokes of a layer again and again, and gives the same as layout_of().
-// It keeps where the last strokes began, so that a change of these costs what they lay themselves;
-// of a stroke that scatters tiles and goes on, what is new. Layouts have the runs of tiles in
-// common that stayed. Not thread-safe.
+// A Layouter lays the strokes of a layer again and again, and gives the same as layout_of(). It
+// keeps the state at the begin of the last strokes, so that a change of these costs only their own
+// tiles; a growing stroke that scatters tiles, only the new part. Layouts share the runs of tiles
+// that stayed. Not thread-safe.
 class Layouter {
 public:
     Layouter();

@@ -10,8 +10,7 @@
 namespace trivar {
 namespace {
 
-// Beyond this share of what they would be in a plane, ways to neighbouring nodes have come so close
-// that they are about to meet.
+// The share of their plane distance below which ways to neighbouring nodes are about to meet.
 constexpr double least_spread = 0.3;
 
 struct NodeWays {

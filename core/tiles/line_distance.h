@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// A LineDistance finds how far points are from lines. Boxes round 16 pieces each leave out what is
-// far. O(#pieces / 16), and 16 for each box that may hold the nearest piece.
+// A LineDistance finds the distance of points from lines. Boxes round 16 pieces each rule out far
+// ones. O(#pieces / 16), and 16 for each box that may hold the nearest piece.
 class LineDistance {
 public:
     void add(std::span<const glm::dvec3> line);

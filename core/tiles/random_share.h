@@ -19,7 +19,7 @@ std::uint32_t random_bits(std::uint32_t seed, std::uint32_t number);
 // Gives a number of [0, 1) for the seed of a tile and a purpose: the same for ever.
 double random_share(std::uint32_t seed, std::uint32_t purpose);
 
-// Gives the seed of a tile for the seed of what lays it, and numbers of the tile there;
+// Returns the seed of a tile from the seed of its stroke or cover, and numbers of the tile there;
 // random_share mixes its bits.
 inline std::uint32_t seed_of(int seed, std::int64_t x, std::int64_t y = 0, std::size_t piece = 0)
 {

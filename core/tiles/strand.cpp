@@ -12,8 +12,9 @@ namespace trivar {
 namespace {
 
 constexpr double points_per_cell = 12;
-// In sizes: over how much of its path a strand is smoothed, from how near an end snaps to another
-// one, how long a strand at least is, and how far a strand goes straight on from what it joins.
+// Lengths in sizes of a tile: the part of its path over which a strand is smoothed, the distance
+// within which an end snaps to another one, the least length of a strand, and the way that a strand
+// goes straight on from its joint.
 constexpr double path_smoothing = 0.3, snap_reach = 0.75, least_strand = 0.3, straight_on = 0.4;
 // Strands are as thin as this where nobody presses the pen, and not of no width at all.
 constexpr double thinnest = 0.02;
@@ -87,7 +88,8 @@ private:
         return best;
     }
 
-    // Chooses what the path goes on from and leads to. It is turned round where that links more.
+    // Chooses the ends from which the path goes on and to which it leads. It is turned round if
+    // that links more.
     void choose_sockets(std::vector<StrandPoint>& points)
     {
         const glm::dvec3 first = points.front().at.p, last = points.back().at.p;

@@ -8,10 +8,10 @@
 
 namespace trivar {
 
-// Lets masks change strands, by their factors at the stations (#stations). Scale is a factor of
+// Applies masks to strands, by their factors at the stations (#stations). Scale is a factor of
 // width and height there, height of the height alone, so that tiles that meet stay as wide and as
-// high. Density leaves out cells and morph is that of a cell, each by its mean over the cell; what
-// is left stays where it is. O(#stations + #cells).
+// high. Density leaves out cells and morph is that of a cell, each by its mean over the cell; the
+// other cells stay where they are. O(#stations + #cells).
 void mask_strands(StrandLayout& layout, std::span<const MaskFactors> factors);
 
 } // namespace trivar

@@ -226,7 +226,7 @@ std::uint32_t StrokeWork::next_seed(const TileStroke& stroke)
     return random_bits(static_cast<std::uint32_t>(stroke.seed), made_++);
 }
 
-// Lays a tile if there is room, and where the stroke has a mirror its image. What would overlap
+// Lays a tile if there is room, and its image if the stroke has a mirror. A tile that would overlap
 // its own image stands on the plane.
 void StrokeWork::lay(const TileStroke& stroke, int number, Wanted wanted, bool avoiding)
 {

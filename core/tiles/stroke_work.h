@@ -10,8 +10,8 @@
 
 namespace trivar {
 
-// A StrokeWork works off strokes on a base, one after another; it can go back to what it was before
-// one of them. For Layouter, which decides what is worked off again.
+// A StrokeWork lays strokes on a base, one after another; it can return to its state before one of
+// them. For Layouter, which decides which are laid again.
 class StrokeWork {
 public:
     // `cube`: of the grid in which tiles are found; the order of tiles near a place follows it.
@@ -21,9 +21,8 @@ public:
     void attend(const Progress& progress, const Lazy<TileCurvature>* curvature);
     // Works off the next stroke. Throws Cancelled, and then serves for nothing any more.
     void work_off(const TileStroke& stroke, int number);
-    // The same for the stroke that was worked off last, if its samples have changed and nothing
-    // else, and it scatters tiles: what dabs have laid that are as they were stays. `before` is the
-    // state before the stroke.
+    // Continues the stroke laid last, if its samples have changed and nothing else, and it scatters
+    // tiles: tiles of unchanged dabs stay. `before` is the state before the stroke.
     struct State;
     bool can_go_on() const { return dab_.has_value(); }
     void go_on(const State& before, const TileStroke& stroke, int number);

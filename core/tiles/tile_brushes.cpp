@@ -30,7 +30,8 @@ std::optional<std::size_t> take_nearest(const LaidTiles& laid, const StrokeStep&
     return nearest;
 }
 
-// A Grip is what a hand has taken, and where the first of it goes; nothing, if that is none.
+// A Grip lists the tiles that a hand has taken, and the place to which the first goes; nothing, if
+// it took none.
 struct Grip {
     std::vector<std::size_t> tiles;
     const StrokeStep* to = nullptr;

@@ -91,7 +91,7 @@ TileCurvature::TileCurvature(const TileBase& base)
     }
     for (std::size_t p = 0; p < count; ++p)
         if (areas[p] > 0) tensors_[p] /= areas[p];
-    // A mesh that was measured is never as smooth as what was meant.
+    // A scanned mesh is rougher than the surface that it stands for.
     for (int round = 0; round < rounds_of_smoothing; ++round) {
         std::vector<glm::dmat3> sums = tensors_;
         std::vector<double> weights(count, 1);

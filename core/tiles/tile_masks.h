@@ -24,7 +24,7 @@ struct MaskFactors {
     bool operator==(const MaskFactors&) const = default;
 };
 
-// A ReadyMask is a mask with what it reads. A mask that lacks its image or its curve does nothing.
+// A ReadyMask is a mask with its image or curve. A mask that lacks them does nothing.
 struct ReadyMask {
     TileMask mask;
     Ref<GreyImage> image = nullptr;    // null: it has none
@@ -43,7 +43,8 @@ struct TileMasks {
 
     bool drive(MaskDrives what) const; // whether one of them does
     bool read_uvs() const;
-    // Pure and thread-safe. O(#masks), and what a LineDistance takes.
+    // Returns the factors at a place. Pure and thread-safe. O(#masks), and the cost of a
+    // LineDistance.
     MaskFactors at(const MaskPlace& place) const;
 };
 

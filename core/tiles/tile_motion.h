@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// A TileMotion is what the growth and the wave of a layer make of one tile at a frame.
+// A TileMotion is the effect of the growth and the wave of a layer on one tile at a frame.
 struct TileMotion {
     double size = 1;   // factor of its sides and of its height; 0: it is not there yet
     double height = 1; // factor of its height alone
@@ -20,8 +20,8 @@ struct TileMotion {
 TileMotion motion_of(const TileLook& look, const TileLayout& layout, const Tile& tile,
                      const glm::dvec3& p);
 
-// The morph of the tiles that are behind the others by that share, from 0 to 1. Tiles that wait
-// are what they were, and those that are done stay what they became.
+// Returns the morph of the tiles that are behind the others by that share, from 0 to 1. Waiting
+// tiles keep their shape, and finished ones keep their morph.
 double morph_of(const TileLook& look, double share);
 
 // A tile that has slid over the base as far as the look says, with its x axis carried along;
@@ -33,13 +33,12 @@ std::optional<Tile> slid(const TileBase& base, const Tile& tile, const TileLook&
 std::optional<Tile> slid_along(const TileBase& base, const Tile& tile, const StrokeTrack& track,
                                double sides);
 
-// The layout with all tiles slid; those that a border or the end of their track stopped are
-// infinitely large, so that
-// they get no chart. In parallel.
+// Returns the layout with all tiles slid; those that a border or the end of their track stopped are
+// infinitely large, so that they get no chart. In parallel.
 TileLayout slid_layout(const TileBase& base, const TileLayout& layout, const TileLook& look);
 
-// The middle part of a patch whose sides are `share` as long, as a patch of its own: exact, for
-// polynomials stay what they are. About 2 microseconds.
+// Returns the middle part of a patch whose sides are `share` as long, as a patch of its own: exact,
+// since polynomials stay polynomials. About 2 us.
 TilePatch middle_of(const TilePatch& patch, double share);
 
 } // namespace trivar

@@ -69,7 +69,7 @@ struct TileStroke {
     bool operator==(const TileStroke&) const = default;
 };
 
-// A TileLook holds what holds for all tiles of a layer.
+// A TileLook holds the settings common to all tiles of a layer.
 struct TileLook {
     double scale = 1;             // factor of the sizes of all tiles
     double height = 1;            // factor of the heights of all tiles
@@ -91,7 +91,7 @@ struct TileLook {
     double slide_along = 0;          // how far tiles of lines have gone along their strokes
     bool keep_overlaps = true;       // tiles that overlap earlier ones stay; else they are left out
     // The unit cell: the part of the tile's box, in shares of its sides, that fills the place of a
-    // tile; what lies outside of it reaches over the tiles beside it.
+    // tile; the rest reaches over the tiles beside it.
     double cell_x0 = 0, cell_x1 = 1, cell_y0 = 0, cell_y1 = 1;
     double base_level = 0;    // what lies on the surface, as a share of the box's height
     double overlap = 0;       // of strands: how far tiles reach into the next ones, in cells

@@ -144,8 +144,8 @@ private:
         best_.push({bent + round * (rim * rim / (4 * glm::pi<double>()) - area), a, b});
     }
 
-    // Whether two disks have one piece of their rims in common, points included: vertices less
-    // edges of what they share are 1.
+    // Whether two disks have one piece of their rims in common, points included: the shared part
+    // has one vertex more than edges.
     bool share_one_piece(std::uint32_t a, std::uint32_t b)
     {
         for (const std::uint32_t s : nodes_[a].sides) seen_[surface_.vertex(s)] = stamp_;

@@ -28,7 +28,7 @@ struct ChartRules {
 //   [1] Garland, Willmott, Heckbert, "Hierarchical face clustering on polygonal surfaces", 2001
 class ChartTree {
 public:
-    // Throws what `progress` throws, which is called every few milliseconds.
+    // Builds the tree. `progress` is called every few milliseconds; its throw cancels.
     ChartTree(const CutSurface& surface, const ChartRules& rules, const Progress& progress = {});
 
     static constexpr std::uint32_t none = ~0u;

@@ -29,8 +29,8 @@ struct UnwrapFacts {
         0; // charts that were cut in two: they folded, met themselves or were stretched
     std::size_t left_out = 0; // faces that use a point twice; their texture coordinates are 0
     double filled = 0;        // share of the square
-    // Over all triangles, without the worst thousandth of their area: what angles and lengths are
-    // off by, as factors; 1: nothing.
+    // The greatest factors by which angles and lengths are off, over all triangles without the
+    // worst thousandth of their area; 1: exact.
     double angle = 1, length = 1;
     bool operator==(const UnwrapFacts&) const = default;
 };

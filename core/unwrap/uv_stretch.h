@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// A UvStretch is what the map from a triangle to its texture coordinates does to lengths: the
+// A UvStretch is the effect on lengths of the map from a triangle to its texture coordinates: the
 // largest and the smallest factor over all directions, the singular values of the map.
 struct UvStretch {
     double most = 0, least = 0; // texture lengths per length; 0: the triangle has no area

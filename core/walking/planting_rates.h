@@ -26,8 +26,8 @@ public:
                                            std::size_t foot, const std::vector<LocalRates>& local,
                                            double from_s, double to_s);
 
-    // The rates of what is added to the points of a node; `point` gives a point's rates in the
-    // node's own space.
+    // Returns the rates of the additions to the points of a node; `point` gives a point's rates in
+    // the node's own space.
     Rates at(int node, const Rates& point) const;
 
 private:

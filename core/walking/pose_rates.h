@@ -46,8 +46,8 @@ std::vector<Rates> weight_rates(const Model& model, const Clip& clip, int node, 
 // Returns for each node the foot whose leg moves it, or -1 for none.
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);
 
-// The moments between the begin and the end of a clip at which the clip, or what is added to a
-// foot, changes its course; ascending, with both ends. The gait may be null.
+// Returns the moments between the begin and the end of a clip at which the clip, or the addition to
+// a foot, changes its course; ascending, with both ends. The gait may be null.
 std::vector<double> breaks_of(const Clip& clip, const Gait* gait);
 
 } // namespace trivar
