@@ -15,8 +15,7 @@ namespace trivar {
 // the next value and back, less each time, as something elastic that is let go.
 enum class Tween { step, linear, cubic, settle };
 
-// A Repeat says what follows the last frame of something: nothing, all of it again, or the way
-// back.
+// A Repeat decides the time after the last frame: nothing more, all of it again, or the way back.
 enum class Repeat { once, loop, back_and_forth };
 // The time inside of something that lasts from 0 to `length` and is repeated; length must be above
 // 0.

@@ -28,8 +28,8 @@ void copy_with_room(const std::vector<Value>& from, std::size_t more, std::vecto
     to.assign(from.begin(), from.end());
 }
 
-// ArrayCopies are jobs on different arrays, done in parallel: what a copy costs is mostly that its
-// memory is touched for the first time.
+// ArrayCopies are jobs on different arrays, done in parallel: most of the cost of a copy is that
+// its memory is touched for the first time.
 class ArrayCopies {
 public:
     void add(std::function<void()> job) { jobs_.push_back(std::move(job)); }

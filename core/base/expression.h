@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// A Measure says what a typed number measures: which units it may carry, and in which unit the
-// result is.
+// A Measure is the quantity of a typed number: it decides which units the number may carry, and the
+// unit of the result.
 enum class Measure {
     plain,  // no unit
     length, // mm cm m km in ft; metres

@@ -9,7 +9,7 @@
 namespace trivar {
 
 // KeyNumbers finds numbers by keys: a hash table of one array, O(1) a key. It is for regions of a
-// mesh that are small beside the mesh; what it costs depends on the number of keys alone.
+// mesh that are small beside the mesh; its cost depends on the number of keys alone.
 class KeyNumbers {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF; // no number

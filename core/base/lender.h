@@ -9,9 +9,9 @@
 
 namespace trivar {
 
-// A Lender gives values away as Refs and gets the memory of one of them back when nobody has it any
-// more, so that what is made anew frame by frame takes no new memory. Refs may outlive it, and may
-// end on any thread.
+// A Lender is a pool of one: it gives values away as Refs and gets the memory of one of them back
+// when nobody has it any more, so that values made anew frame by frame take no new memory. Refs may
+// outlive it, and may end on any thread.
 template <class T> class Lender {
 public:
     Ref<T> lend(T value)

@@ -7,16 +7,16 @@
 
 namespace trivar {
 
-// Mistake reports that Trivar itself is wrong: something that its code relies on does not hold.
-// The user's data are not to blame. Tests stop at it; the window shows what it concerns without
-// the step that failed, and goes on.
+// Mistake reports a fault of Trivar itself: an assumption of its code does not hold. The user's
+// data are not to blame. Tests stop at it; the window shows the object without the step that
+// failed, and goes on.
 struct Mistake : std::logic_error {
     using logic_error::logic_error;
 };
 [[noreturn]] void mistaken(const char* wrong, const char* file, int line);
 
-// Throws Mistake, with these words and the place of the call, unless what the code relies on holds.
-// The place is not a std::source_location, which clang 14 does not have.
+// Throws Mistake, with these words and the place of the call, unless the assumption `holds`. The
+// place is not a std::source_location, which clang 14 does not have.
 inline void ensure(bool holds, const char* wrong, const char* file = __builtin_FILE(),
                    int line = __builtin_LINE())
 {

@@ -11,9 +11,10 @@
 
 namespace trivar {
 
-// Runs are a sequence in pieces, which copies have in common until one of them changes: a copy
-// costs O(#runs), and equal pointers of runs mean equal elements, by which others see what stayed.
-// Runs are never empty. Where one ends says nothing: sequences with the same elements are equal.
+// Runs are a sequence in pieces, which copies share until one of them changes: a copy costs
+// O(#runs), and equal pointers of runs mean equal elements, by which others see which stayed. Runs
+// are never empty. The place at which one ends has no meaning: sequences with the same elements are
+// equal.
 template <class T> class Runs {
 public:
     using Run = Ref<std::vector<T>>;

@@ -22,8 +22,8 @@ std::string printable(std::string_view text);
 // The same, cut after some 60 bytes, so that a sentence stays short.
 std::string excerpt(std::string_view text);
 
-// A sentence that stays one sentence whatever a file or a path contributes to it: printable, and
-// cut in front where it is longer than 380 bytes, because its end says what is wrong.
+// Makes a sentence of a text that a file or a path may have contributed to: printable, and cut in
+// front if it is longer than 380 bytes, because its end tells the fault.
 std::string short_sentence(std::string_view text);
 
 // The lines of a text in their order, without the blanks at their ends; empty lines too.

@@ -10,8 +10,8 @@ namespace trivar {
 
 struct EmptyBricks;
 
-// OpenBricks say how much of the light from all around reaches the middle of each brick of a
-// field's hulls: 255: all of it. It darkens hollows and what lies within.
+// OpenBricks hold the share of the light from all around that reaches the middle of each brick of a
+// field's hulls; 255: all of it. It darkens hollows and inner parts.
 struct OpenBricks {
     glm::ivec3 count{0};
     std::vector<std::uint8_t> share; // x fastest

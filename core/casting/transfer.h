@@ -20,18 +20,18 @@ struct TransferPoint {
     bool operator==(const TransferPoint&) const = default;
 };
 
-// The transfer function of points at a value: straight lines between points, and beyond them what
-// the outermost one has. The points may be in any order; of two at one value the later one is above
-// it. sRGB and opacity; nothing for no points.
+// Returns the transfer function of points at a value: straight lines between points, and beyond
+// them the value of the outermost one. The points may be in any order; of two at one value the
+// later one is above it. sRGB and opacity; nothing for no points.
 glm::vec4 transfer_at(std::span<const TransferPoint> points, double value);
 
 // The same at the middles of 256 equal parts of [least, greatest], for drawing it.
 std::array<glm::vec4, 256> transfer_colors(std::span<const TransferPoint> points, double least,
                                            double greatest);
 
-// A transfer function that is made from the histogram. What is below the value that parts all
-// values best [Otsu 1979] is empty. What is above is parted once more: the lower part has a thin
-// warm skin and is nearly clear within, the upper one is dense and pale.
+// Makes a transfer function from the histogram. The values below the one that divides all values
+// best [Otsu 1979] are empty. The part above is divided once more: the lower part has a thin warm
+// skin and is nearly clear within, the upper one is dense and pale.
 std::vector<TransferPoint> usual_transfer(const VolumeSummary& summary, const VoxelGrid& grid);
 
 } // namespace trivar

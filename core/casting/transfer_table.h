@@ -6,8 +6,8 @@
 namespace trivar {
 
 // A TransferTable holds the integrals of a transfer function over the values of some data, so that
-// what lies between two values along a ray is a difference of two entries, however thin it is
-// [Engel, Kraus, Ertl 2001]. Values are told as shares, 0..1, of the range of the data.
+// the integral between two values along a ray is a difference of two entries, however thin it is
+// [Engel, Kraus, Ertl 2001]. Values are given as shares, 0..1, of the range of the data.
 struct TransferTable {
     static constexpr int cells = 1024;
     double least = 0, greatest = 1; // of the data

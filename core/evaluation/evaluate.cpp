@@ -23,8 +23,8 @@
 namespace trivar {
 namespace {
 
-// Lists the objects that an object depends on: its hosts, what it is painted on, and the lattices
-// that bend it.
+// Lists the objects that an object depends on: its hosts, the base that it is painted on, and the
+// lattices that bend it.
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
@@ -153,7 +153,7 @@ private:
     std::vector<FailedStep> all_;
 };
 
-// The stage with notices of what failed.
+// Returns the stage with notices of the failed steps.
 Stage told_of(const Stage& stage, const std::vector<FailedStep>& failed)
 {
     Stage out = stage;
@@ -184,8 +184,8 @@ struct Evaluator::Cache {
           on_failure(manner)
     {
     }
-    // Forgets what neither the document nor a kept result uses. An object that undo brings back is
-    // computed again.
+    // Forgets results that neither the document nor a kept result uses. An object that undo brings
+    // back is computed again.
     void forget_unused(const Document& document)
     {
         std::erase_if(objects, [&](const auto& o) { return !document.objects.contains(o.first); });

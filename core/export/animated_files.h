@@ -13,7 +13,7 @@ const std::vector<std::string>& animated_extensions();
 // Throws Rejected where a name has none of these endings, or its folder does not exist.
 void check_animated_name(const std::string& path);
 
-// An AnimatedFile is what was written. A .glb has a certificate.
+// An AnimatedFile lists the written files. A .glb has a certificate.
 struct AnimatedFile {
     std::vector<std::string> files;
     int frames = 0;

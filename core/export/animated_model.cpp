@@ -90,7 +90,7 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
 {
     double sag_before = std::numeric_limits<double>::infinity(), done = 0;
     for (int per_frame = 1;; per_frame *= 2) {
-        // Nobody knows how often it begins again: each time half of what is left is done.
+        // Half of the remaining progress is given to each round, as their number is not known
         const Progress reading = part_of(progress, done, done + (1 - done) / 4),
                        bounding = part_of(progress, done + (1 - done) / 4, (1 + done) / 2);
         done = (1 + done) / 2;
@@ -136,7 +136,7 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
     }
 }
 
-// Computes the error that keys may add at each moment: what the tolerance leaves.
+// Computes the error that keys may add at each moment: the rest of the tolerance.
 std::vector<double> allowed_by(const AnimatedScene& scene, const std::vector<double>& space,
                                const std::vector<double>& between)
 {

@@ -24,8 +24,8 @@ public:
     void add_targets(const FilmStrip& strip, TargetKeys&& keys, FilmCertificate::PartClaim& claim);
     // Adds curves that rest or move as a whole; false where they do neither.
     bool add_curves(const CurveStrip& strip);
-    // Adds the render camera, if the scene has one. Returns a sentence on what of its motion the
-    // format cannot hold; empty: nothing.
+    // Adds the render camera, if the scene has one. Returns a sentence on the part of its motion
+    // that the format cannot hold; empty: none.
     std::string add_camera();
     Model finished();
 

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// A RigidCount says what becomes of the tiles of a layer in a file with instances.
+// A RigidCount counts how the tiles of a layer are stored in a file with instances.
 struct RigidCount {
     std::string name;          // of the layer
     std::size_t meshes = 1;    // whose tiles are counted, each for itself
@@ -43,8 +43,8 @@ std::vector<RigidTile> rigid_tiles(const std::vector<const Part*>& parts, double
 std::vector<std::vector<std::size_t>> parts_of_tiles(const std::vector<Part>& parts);
 
 // A RigidScene is a scene in which tiles within the tolerance are parts of their own with the mesh
-// of one tile, behind the other parts of their layer. What a part had of tiles that stay bent it
-// keeps as a mesh, which may be empty.
+// of one tile, behind the other parts of their layer. The tiles of a part that stay bent remain as
+// a mesh, which may be empty.
 struct RigidScene {
     Evaluation evaluated;
     std::vector<RigidCount> counts;

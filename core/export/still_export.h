@@ -17,12 +17,12 @@ struct ExportedScene {
     double frame = 1;
     std::string log; // the scene's file; empty: the scene has no name
     int lines = 0;   // of the log, as in Certificate
-    // Within which a tile counts as a copy of its unit cell, metres; then what is repeated are
-    // nodes with the same mesh, for GlbOptions::instances. None: tiles are one mesh per layer.
+    // The tolerance, in metres, within which a tile counts as a copy of its unit cell; copies are
+    // then nodes with the same mesh, for GlbOptions::instances. None: tiles are one mesh per layer.
     std::optional<double> instances = {};
 };
-// An Export is what is exported and what is claimed of it, also in the model's extras. There are
-// claims where something is refined, or a tolerance was asked for.
+// An Export is the exported model with its claims, which are in the model's extras, too. There are
+// claims if something is refined, or a tolerance was asked for.
 struct Export {
     Model model;
     std::optional<Certificate> certificate;

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// CountedNotices says what a reader left out or changed: each kind once, with the number of times,
-// in the order in which the kinds were first met.
+// CountedNotices counts what a reader left out or changed: each kind once, with the number of
+// times, in the order in which the kinds were first met.
 class CountedNotices {
 public:
     // The sentences for one time and for several, in which {0} is the number and {1} the first

@@ -10,7 +10,7 @@
 
 namespace trivar {
 
-// A FileText is what every reader gets: the whole file, and its name for the user.
+// A FileText is the input of every reader: the whole file, and its name for the user.
 struct FileText {
     std::string_view bytes;
     std::string name;

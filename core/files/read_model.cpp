@@ -41,8 +41,8 @@ ObjModel read_format(const FileText& file, const std::string& extension, const P
         fmt::format("{}: models are read from .obj, .ply, .stl, .off, .gltf and .glb", file.name));
 }
 
-// Where the file gives no normals: glTF demands flat faces (specification 3.7.2.1), STL has facets,
-// OBJ may say it by smoothing groups; otherwise what bends more is taken for an edge.
+// Completes normals that the file lacks: glTF demands flat faces (specification 3.7.2.1), STL has
+// facets, OBJ may say it by smoothing groups; otherwise faces that bend more are taken for an edge.
 void complete_normals(Mesh& mesh, const FileText& file, const std::vector<std::uint32_t>& smoothing)
 {
     const std::string extension = extension_of(file.name);

@@ -17,7 +17,7 @@ vec3 light_around(vec3 n)
     return max(vec3(sum), vec3(0.0f));
 }
 
-// Where values change, what is seen is a surface across the slope, and lit from the side of the eye.
+// Lights a value as a surface across the slope, where values change, from the side of the eye.
 vec3 lit(vec3 color, vec3 p, vec3 slope)
 {
     const float FAINT = 0.02f; // slope at which half of the light is that of a surface

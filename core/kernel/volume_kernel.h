@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A VolumeFrame is what the formulas know of a volume and of an object's place in it; std140, field
-// by field as in gpu/shaders/volume_inputs.glsl. p is in object space.
+// A VolumeFrame is the input of the formulas on a volume and on an object's place in it; std140,
+// field by field as in gpu/shaders/volume_inputs.glsl. p is in object space.
 struct VolumeFrame {
     glm::mat4 x_by_p{1};    // maps p - x_middle to -1/2..1/2 over the domain of every axis
     glm::mat4 rest_by_p{1}; // maps p - rest_middle to the place of p before the displacement

@@ -161,7 +161,7 @@ bool Triangulation::fill(const std::vector<std::pair<int, int>>& edges)
                     rim, std::pair<int, int>(std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]))))
                 enter(f->neighbor(static_cast<int>(i)));
     }
-    // Where edges run round twice what is inside, it is on both sides of some
+    // An edge has the inside on both sides where the edges run round it twice
     for (const auto& [a, b] : edges)
         if (const Face f = plane_->left_of(b, a); f->info()) enclosed = false;
     return enclosed;

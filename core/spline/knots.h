@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// A Closure says what happens at the ends of an axis. Periodic: the control points repeat. Twisted:
-// they repeat mirrored in the other axes, as round a Moebius band.
+// A Closure is the kind of ends of an axis. Periodic: the control points repeat. Twisted: they
+// repeat mirrored in the other axes, as round a Moebius band.
 enum class Closure { open, periodic, twisted };
 
 inline constexpr int max_order = 6;

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// These functions are what curves, surfaces and trivariate functions have in common, so that an
-// algorithm along one axis is written once.
+// These functions are common to curves, surfaces and trivariate functions, so that an algorithm
+// along one axis is written once.
 
 template <class T> std::span<const Knots> axes_of(const Curve<T>& f)
 {

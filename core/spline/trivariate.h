@@ -82,7 +82,7 @@ template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int d
         twisted = twisted || knots.closure() == Closure::twisted;
     }
 
-    // Contracted over w, then v, then u; what is not asked for costs nothing.
+    // Contracts over w, then v, then u; derivatives that are not asked for cost nothing.
     Jet<T> jet;
     for (int i = 0; i < f.axes[0].order(); ++i) {
         T plane{}, plane_v{}, plane_w{}, plane_vv{}, plane_ww{}, plane_vw{};

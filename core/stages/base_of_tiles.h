@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// Finds the first of a layer's base, the base of that, and so on, for which `has` is true: what is
-// done to it is done to its tiles, too. 0: none, or the object is no layer.
+// Finds the first of a layer's base, the base of that, and so on, for which `has` is true: its
+// steps apply to its tiles, too. 0: none, or the object is no layer.
 template <class Has> Id base_that(const Document& document, const Object& layer, Has&& has)
 {
     const Object* at = &layer;

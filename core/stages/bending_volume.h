@@ -9,12 +9,12 @@
 
 namespace trivar {
 
-// A BendingVolume bends what stands in the world: a lattice, or the stroke on which one lies.
+// A BendingVolume bends objects in the world: a lattice, or the stroke on which one lies.
 struct BendingVolume {
     Ref<Lattice> volume;
     Embedding embedding; // from the world
-    // The volume of a stroke goes straight on beyond its ends, as wide and as high as what it
-    // bends. A lattice moves what is outside of it with its nearest side.
+    // Set for the volume of a stroke, which continues straight beyond its ends, as wide and as high
+    // as the objects in it. A lattice moves points outside of it with its nearest side.
     bool goes_on = false;
     // A volume of tetrahedra in place of the lattice, which is null then; no value: it is a
     // lattice.
@@ -28,7 +28,7 @@ BendingVolume bending_volume(const LatticeStroke& stroke);
 std::vector<BendingVolume> volumes_round(const Document& document, Id id,
                                          const std::map<Id, Ref<EvaluatedObject>>& done);
 
-// A volume as far as it reaches for what lies in a box of its parameters.
+// Returns a volume as far as it reaches for objects in a box of its parameters.
 Ref<Lattice> reaching(const BendingVolume& volume, const Box& uvw);
 
 // A lattice with its control points where the volumes take them, one after the other, worked out

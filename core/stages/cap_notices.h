@@ -12,7 +12,8 @@ struct CapCounts {
     std::size_t fans = 0, open = 0, gaps = 0;
 };
 
-// Sentences for the user, one per kind of what could not be closed as it should; empty: all was.
+// Returns sentences for the user, one per kind of hole that could not be closed as it should;
+// empty: all were.
 std::vector<std::string> notices_of(const CapCounts& counts);
 
 } // namespace trivar

@@ -9,7 +9,8 @@
 
 namespace trivar {
 
-// A part of what a stroke may fall on, in the space in which the stroke was drawn.
+// A Support is a part of an object that a stroke may fall on, in the space in which the stroke was
+// drawn.
 struct Support {
     Id id = 0;
     Part part;

@@ -11,7 +11,7 @@ namespace trivar {
 struct Stage;
 struct IncisedMesh;
 
-// IncisingEffects holds what IncisingStep tells of an object beside what the object shows.
+// IncisingEffects holds the facts that IncisingStep tells of an object beside its stage.
 struct IncisingEffects {
     struct OfIncision {
         std::string refusal;          // why there is none, a sentence; empty: there is one

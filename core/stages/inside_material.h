@@ -17,7 +17,7 @@ InsideMaterial inside_material(const Stage& stage, Filling filling);
 // The material that a surfacing stands for.
 Material material_of(const Surfacing& surfacing);
 
-// Whether a pattern fills some of what the stage shows, so that it follows where points were.
+// Whether a pattern fills a part of the stage, so that it follows the former places of points.
 bool is_filled(const Stage& stage, Filling inside, const std::optional<Surfacing>& surfacing);
 
 } // namespace trivar

@@ -11,7 +11,7 @@ namespace trivar {
 
 struct ShownVolume;
 
-// A Shape is what a source gives, subdivided and ready to be drawn or laid.
+// A Shape is the result of a source, subdivided and ready to be drawn or laid.
 struct Shape {
     struct NodeMesh {
         Ref<Mesh> rest;
@@ -51,7 +51,7 @@ Shape shape_of(Ref<Model> model);
 // Subdivides the faces by Catmull and Clark. A mesh that hangs on several nodes is subdivided once.
 // Skins and morph targets then move nothing any more.
 void subdivide(Shape& shape, int levels, const Progress& progress);
-// Adds a sentence that says what is missing.
+// Adds a sentence on something missing.
 void say_lacking(Shape& shape, const std::string& why);
 
 // Puts the meshes where the nodes of their model stand; meshes that would be out of range are

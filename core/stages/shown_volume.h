@@ -19,8 +19,8 @@ struct VoxelGrid;
 // Certified lines are proven to boxes of a voxel halved so often.
 inline constexpr int certified_halvings = 3;
 
-// A ShownVolume is volume data with the levels that an object shows of it: what their lines are
-// drawn by. A level that is hidden is not in it.
+// A ShownVolume is volume data with the levels that an object shows of it and the data by which
+// their lines are drawn. A level that is hidden is not in it.
 struct ShownVolume {
     struct Level {
         std::size_t number = 0; // in VoxelShape::levels
@@ -48,8 +48,8 @@ struct ShownVolume {
     bool certifies() const;          // some of these lines with a proof
     glm::dmat4 all_to_model() const; // voxels of all data to the object's model
     Box cast_box() const;            // of what is cast, in these voxels; empty: nothing is
-    // The corners of the box round what is cast and round the levels with lines, where the object's
-    // model is put into the world; none: nothing is. O(#vertices of the levels).
+    // Returns the corners of the box round the cast volume and the levels with lines, in the world;
+    // none: nothing is shown. O(#vertices of the levels).
     std::vector<glm::dvec3> seen_corners(const glm::dmat4& to_world) const;
 };
 

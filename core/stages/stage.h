@@ -26,7 +26,7 @@ struct Support;
 struct UnwrapFacts;
 struct Walk;
 
-// Each struct holds what one step tells of an object beside what the object shows.
+// Each struct holds the facts that one step tells of an object beside the shown parts.
 
 // Effects on an object that lies on a stroke, or on a lattice: then for its box, as it would stand
 // without a stroke.
@@ -102,8 +102,8 @@ struct SplittingEffects {
     std::vector<Part> whole_parts = {}; // as they were before; empty: nothing was cut
 };
 
-// A Stage is what some of an object's steps have made of it. A step changes a copy and returns
-// that, so that a stage never changes once another step has seen it.
+// A Stage is an object after some of its steps. A step changes a copy and returns that, so that a
+// stage never changes once another step has seen it.
 struct Stage : SimplifyingEffects,
                UnwrappingEffects,
                IncisingEffects,
@@ -129,8 +129,8 @@ struct Stage : SimplifyingEffects,
     }
     // Its volume with the control points where they are seen. It must have one.
     Ref<Lattice> seen_cage() const;
-    // The parts with the faces of its model: what lies on it by these does not see that it is
-    // split.
+    // Returns the parts with the faces of its model: objects that lie on it by these do not see
+    // that it is split.
     const std::vector<Part>& whole() const { return whole_parts.empty() ? parts : whole_parts; }
     bool has_no_geometry() const { return parts.empty() && curves.empty(); }
     // Volume data may be seen by lines and rays alone; tetrahedra are seen by their edges.

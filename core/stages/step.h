@@ -17,7 +17,7 @@ namespace trivar {
 // triangles in all frames.
 enum class ShutIncisions : std::uint8_t { vanish, stay };
 
-// A StepInput is what a step may read beside the stage before it: the object at one frame, and the
+// A StepInput is the input of a step beside the stage before it: the object at one frame, and the
 // results of the objects on which it depends.
 struct StepInput {
     const Document& document;
@@ -37,9 +37,9 @@ struct StepInput {
     }
 };
 
-// A Step is one of the steps from an object's shape to what is shown, for one object. It keeps its
-// last few results and returns the stage before where it does nothing. Equal stages and equal input
-// give the same pointer while they are among the kept results.
+// A Step is one of the steps from an object's shape to the shown parts, for one object. It keeps
+// its last few results and returns the stage before if it does nothing. Equal stages and equal
+// input give the same pointer while they are among the kept results.
 class Step {
 public:
     virtual ~Step() = default;

@@ -18,10 +18,12 @@ struct TilePieces {
 // Returns the sides of cuts on which all of a box is; none: a cut may go through it.
 using SidesOfBox = std::function<std::optional<unsigned>(const Box&)>;
 
-// Sorts the tiles by their hulls. `kept` says whether what is on some sides is kept. `alone`: the
-// mesh of the set is that of its tiles bent one by one; the mesh of others cannot be taken apart,
-// and is crossed as a whole. Tiles that are not crossed are not bent. 2 microseconds per tile in
-// runs that are divided.
+// Sorts the tiles by their hulls.
+//   alone     the mesh of the set is that of its tiles bent one by one; another mesh cannot be
+//             taken apart, and is crossed as a whole
+//   sides_of  the sides of cuts on which a box is
+//   kept      whether tiles on some sides are kept
+// Tiles that are not crossed are not bent. 2 us per tile in runs that are divided.
 TilePieces tile_pieces(const Ref<TileSet>& set, bool alone, const SidesOfBox& sides_of,
                        const std::function<bool(unsigned sides)>& kept);
 

@@ -12,8 +12,8 @@ namespace trivar {
 // whose space strokes of tiles are stored. `object` is the object that the base shows.
 glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part);
 
-// A TiledPiece is a part of what tiles stand on, at rest: the mesh that it shows, and the cage of
-// that, if it is shown as a subdivision surface.
+// A TiledPiece is a part of the base of tiles, at rest: the mesh that it shows, and its cage, if it
+// is shown as a subdivision surface.
 struct TiledPiece {
     Ref<Mesh> mesh;
     glm::dmat4 to_model{1};

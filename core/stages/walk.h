@@ -22,7 +22,7 @@ struct Walk {
     // measured.
     Lazy<double> slide;
     std::string trouble; // a sentence that says why the feet are not locked; empty: they are
-    // a sentence on what may not be intended although the feet are locked; empty: none
+    // a sentence on effects that may not be intended although the feet are locked; empty: none
     std::string remark;
 
     double clip_time_s(const Playing& playing, double gone_u) const;

@@ -50,7 +50,7 @@ struct ToMesh {
 
 using PartOfIncision = IncisingStep::PartOfIncision;
 
-// The parts of an incision, by what of its stroke lies on which mesh.
+// Divides an incision into parts, by the mesh on which each part of its stroke lies.
 std::vector<PartOfIncision> parts_by_mesh(const Incision& cut, std::size_t number,
                                           const std::vector<std::size_t>& mesh_of_point)
 {

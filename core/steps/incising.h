@@ -10,10 +10,10 @@
 
 namespace trivar {
 
-// IncisingStep cuts the skin of a shape at rest open, before anything poses, lays or bends it. What
-// is cut depends on strokes, depths and widths; an opening that changes moves vertices only. Of a
-// stroke that goes over several meshes each is cut by what lies on it. Where all incisions are
-// shut, the meshes are those that were there before. Stage: incise.
+// IncisingStep cuts the skin of a shape at rest open, before anything poses, lays or bends it. The
+// cut depends on strokes, depths and widths; an opening that changes moves vertices only. A stroke
+// that goes over several meshes cuts each by its part there. If all incisions are shut, the meshes
+// are the former ones. Stage: incise.
 class IncisingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
@@ -32,7 +32,7 @@ public:
             return of_all;
         }
     };
-    // A mesh of the shape that is cut, and what of the object's incisions does so.
+    // A Wound is a mesh of the shape that is cut, and the parts of the object's incisions in it.
     struct Wound {
         std::size_t mesh;
         Ref<IncisedMesh> incised;

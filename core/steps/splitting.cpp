@@ -35,7 +35,7 @@ const Mesh& mesh_in_world(const Part& part, SplitPartMemory& memory)
     memory.of = part.mesh();
     memory.mirrored = mirrored;
     memory.in_world = transformed(*part.mesh(), part.to_world);
-    // Where a file gives each face vertices of its own, what lies at one place is one point
+    // Vertices at one place are one point if a file gives each face vertices of its own
     if (memory.in_world.points.empty())
         memory.in_world.points = points_by_position(part.mesh()->positions);
     return memory.in_world;

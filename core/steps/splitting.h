@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// SplitPartMemory keeps what the splitting of a part uses again at the next frame.
+// SplitPartMemory keeps the memory that the splitting of a part uses again at the next frame.
 struct SplitPartMemory {
     SplitMemory split;
     Lender<Mesh> made; // results
@@ -17,8 +17,8 @@ struct SplitPartMemory {
     bool mirrored = false;
 };
 
-// SplittingStep parts what an object shows round its obstacles, as both stand at the frame. An
-// obstacle that moves without turning keeps its field. Stage: split.
+// SplittingStep parts an object round its obstacles, as both stand at the frame. An obstacle that
+// moves without turning keeps its field. Stage: split.
 class SplittingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;

@@ -13,7 +13,7 @@
 namespace trivar {
 
 // A ByteFile is the bytes of a file, on the disk or in memory, of which any part can be read. On
-// the disk only what is asked for is read. Copies are the same file.
+// the disk only the requested part is read. Copies are the same file.
 class ByteFile {
 public:
     // Reads bytes that outlive it, or bytes that it keeps.
@@ -42,9 +42,9 @@ struct ByteStream {
     std::function<std::uint64_t(std::uint64_t)> skip;
 };
 
-// The bytes of a file from a place on, at most `count`; what is skipped is not read.
+// Returns the bytes of a file from a place on, at most `count`; skipped bytes are not read.
 ByteStream stream_of(ByteFile file, std::uint64_t at, std::uint64_t count = ~std::uint64_t{0});
-// A stream of which only read() is known: what is skipped is read.
+// Makes a stream from a read function; skipped bytes are read.
 ByteStream stream_of(std::function<std::size_t(std::span<char>)> read);
 
 // The first `count` bytes of a stream that is to have just these. As soon as all of them were read

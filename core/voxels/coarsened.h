@@ -5,10 +5,10 @@
 
 namespace trivar {
 
-// A grid with one sample for `times` of another one along each axis: their mean, rounded where
-// samples are whole numbers, in the middle of their places. At its end an axis that is no multiple
-// leaves out what is left over; an axis of less than 2 * times samples keeps 2. Takes so much less
-// memory: what is too large to work on can be looked at first. O(#samples), in parallel.
+// Makes a grid with one sample for `times` of another one along each axis: their mean, rounded if
+// samples are whole numbers, in the middle of their places. An axis that is no multiple loses the
+// samples left over at its end; an axis of less than 2 * times samples keeps 2. Data too large to
+// work on can so be viewed first. O(#samples), in parallel.
 VoxelGrid coarsened(const VoxelGrid& grid, const glm::ivec3& times);
 
 // The numbers of samples along each axis that one is made of, for a grid of that size.

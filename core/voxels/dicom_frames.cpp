@@ -10,8 +10,8 @@
 namespace trivar {
 namespace {
 
-// Finds where elements of a frame stand: in its own item of an enhanced multi-frame file, in what
-// all frames share, or at the top of any other file.
+// Finds where elements of a frame stand: in its own item of an enhanced multi-frame file, in the
+// items shared by all frames, or at the top of any other file.
 class FrameItems {
 public:
     FrameItems(DcmDataset& data, unsigned long frame) : data_(data), frame_(frame) {}

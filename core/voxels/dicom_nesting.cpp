@@ -63,7 +63,7 @@ void* run_work(void* given)
     return nullptr;
 }
 
-// Stacks are memory of which only what is used is taken.
+// Only the used part of a stack takes memory.
 void run_on_thread(std::size_t stack_bytes, const std::string& name,
                    const std::function<void()>& run)
 {

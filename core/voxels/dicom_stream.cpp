@@ -6,7 +6,7 @@
 namespace trivar {
 namespace {
 
-// Makes a stream of what follows a place.
+// Makes a stream of the bytes after a place.
 class DicomStreamFactory : public DcmInputStreamFactory {
 public:
     explicit DicomStreamFactory(std::string_view bytes) : bytes_(bytes) {}

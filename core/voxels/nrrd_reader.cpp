@@ -39,7 +39,7 @@ std::string from_hex(std::string_view text, const VolumeSource& source)
     return out;
 }
 
-// One file of an NRRD, or what follows the head.
+// An NrrdFile is one file of an NRRD, or the data after the head.
 class NrrdFile {
 public:
     NrrdFile(const NrrdHeader& header, const VolumeSource& source, ByteFile file,

@@ -19,7 +19,7 @@ bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-// A whole number in a name, and what stands between it and the one before.
+// A NameNumber is a whole number in a name, with the text between it and the one before.
 struct NameNumber {
     std::int64_t value = 0;
     std::string before;

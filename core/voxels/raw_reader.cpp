@@ -7,7 +7,7 @@
 namespace trivar {
 namespace {
 
-// The layout that the name says. Throws Rejected with what it could be.
+// Returns the layout that the name says. Throws Rejected with the possible ones.
 RawLayout guessed_layout(VolumeSource& source)
 {
     const std::vector<RawGuess> guesses = raw_guesses(source.name(), source.size());

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// A segment of a label map: what its samples with that value are.
+// A VolumeSegment is a segment of a label map: the meaning of its samples with that value.
 struct VolumeSegment {
     std::string name = {};
     double value = 0; // the label

@@ -70,8 +70,8 @@ private:
             gaps_.push_back(height_[k + 1] - height_[k]);
     }
 
-    // Slices nearer than a hundredth of the usual distance are at one place; what is far below the
-    // distance of pixels is rounding.
+    // Slices nearer than a hundredth of the usual distance are at one place; values far below the
+    // distance of pixels are rounding.
     double nearest() const
     {
         constexpr double of_pixels = 1e-3;

@@ -44,8 +44,8 @@ void refuse_bytes(const SampleBlock& block, const ByteTurns& turns, std::uint64_
 // The samples of that volume, of the bytes of all.
 ByteStream chosen_volume(const VolumeSource& source, ByteStream all, const ByteTurns& turns);
 
-// A volume of the part that was taken, with the sentence for what samples lost. `frame` is that of
-// the whole volume.
+// Returns a volume of the part that was taken, with a sentence on the loss of samples. `frame` is
+// that of the whole volume.
 ReadVolume volume_of(VolumeSource& source, PartTaker& taker, SampleType type,
                      const VolumeFrame& frame, double metres_per_unit);
 // Returns the transform of a part, given that of the whole.

@@ -14,8 +14,8 @@
 
 namespace trivar {
 
-// A VolumeSource is what each reader of volumes gets: the file that is opened, and the way to the
-// files beside it that it names. Of a large file only what a reader asks for is read.
+// A VolumeSource is the input of each reader of volumes: the open file, and access to the files
+// beside it that it names. Only the requested parts of a large file are read.
 class VolumeSource {
 public:
     // `name` is that of the file, for sentences; other files are read from `folder`, none if it is

@@ -38,9 +38,9 @@ public:
     // The bytes that a uri holds or names; empty where there is no such file in the folder.
     std::optional<std::string> uri_bytes(std::string_view uri) const;
 
-    // Counts what is made of the file, so that it stays in proportion to the file and a small file
-    // cannot fill the memory, for example with one accessor used a thousand times. Throws Rejected
-    // where the things of an entry exceed that; `called` is the word for them.
+    // Counts the things made from the file, so that they stay in proportion to the file and a small
+    // file cannot fill the memory, for example with one accessor used a thousand times. Throws
+    // Rejected if the things of an entry exceed that; `called` is the word for them.
     void account(const GltfEntry& owner, std::size_t count, const char* called,
                  std::size_t bytes_each);
 

@@ -19,8 +19,8 @@ namespace trivar {
 // The largest number of pixels in all pictures of a model together: 1 GiB of RGBA.
 constexpr std::uint64_t max_pixels_per_model = std::uint64_t{1} << 28;
 
-// An ImageHead is what the head of a picture's file says; all of its pixels were read, so the file
-// is complete.
+// An ImageHead is the head of a picture's file; all of its pixels were read, so the file is
+// complete.
 struct ImageHead {
     glm::ivec2 size_px{0};
     int bits = 0;   // per channel

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// ImageTags are what a picture's file says besides its pixels: names and words.
+// ImageTags are the names and words in a picture's file besides its pixels.
 using ImageTags = std::vector<std::pair<std::string, std::string>>;
 
 } // namespace trivar

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// A PictureHead is what is known of a picture before a pixel of it is decoded.
+// A PictureHead holds the facts of a picture before a pixel of it is decoded.
 struct PictureHead {
     glm::ivec2 size_px{0};
     int channels = 4;

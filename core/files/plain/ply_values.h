@@ -20,7 +20,8 @@ public:
     // Names the element, counted from 0, that errors mention from now on. The name must live on.
     void begin(const PlyElement& element, std::size_t index);
 
-    // May be no finite number: in text infinity stands for what is none, or one too large.
+    // Reads a value, which may be not finite: in text infinity stands for a word that is no number,
+    // or one too large.
     double value(PlyType type);
     // Reads the length of a list; the bytes that are left can hold that many.
     std::size_t list_length(const PlyProperty& property);

@@ -26,8 +26,8 @@ std::string plain_name(std::string name, const std::string& otherwise, bool blan
     return name.empty() ? otherwise : name;
 }
 
-// The name of the file from which a picture came, with the ending of what it is; empty where it
-// cannot be the name of a file beside an OBJ.
+// Returns the name of the file from which a picture came, with the ending of its format; empty if
+// it cannot be the name of a file beside an OBJ.
 std::string own_name(const Image& image)
 {
     constexpr std::size_t longest = 100;

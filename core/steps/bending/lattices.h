@@ -10,8 +10,7 @@
 namespace trivar {
 
 // LatticeVolume gives a lattice its volume, and renews it when box, steps or place change. The
-// volume of a stroke on which the lattice lies is put aside, to be what bends the box. Stage:
-// shape.
+// volume of a stroke on which the lattice lies is put aside, to bend the box. Stage: shape.
 class LatticeVolume : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;

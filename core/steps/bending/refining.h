@@ -36,7 +36,7 @@ SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
 // refine() does.
 RefinementResult bounded(const Part& part, const RefineOptions& options);
 
-// A sentence that says what is not certified, and why; empty: everything is.
+// Returns a sentence on the parts that are not certified, and why; empty: all are.
 std::string notice_of(const RefinementResult& refined, const Refining& refining);
 
 } // namespace trivar

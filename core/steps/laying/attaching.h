@@ -19,8 +19,8 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
 // space: an edit of an attached stroke is made there.
 glm::dmat4 stroke_to_world(const Stage& laid);
 Sketch stroke_now(const Stage& laid, const PlacementStep& step);
-// The hosts of an attached stroke as they stand in that space now: for another stroke there, until
-// it is known what that meets. Nothing: it is not attached.
+// Returns the hosts of an attached stroke as they stand in that space now: for another stroke
+// there, until its own hits are known. Nothing: it is not attached.
 std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step);
 
 } // namespace trivar

@@ -5,10 +5,10 @@
 
 namespace trivar {
 
-// Takes each sample of the carriage's stroke along to where its place is now in the space of the
-// stroke, and those whose host is not there, or that met none, in between. Says where a part of
-// what carries it is not there, and where hosts moved apart so far that the stroke bridges a gap.
-// Hosts must know where they stand in that space.
+// Moves each sample of the carriage's stroke along to the present place of its point in the space
+// of the stroke, and samples whose host is missing, or that met none, in between. Adds notices
+// where a part of a host is missing, and where hosts moved apart so far that the stroke bridges a
+// gap. Hosts must know where they stand in that space.
 void carry_samples(Carriage& carriage, const StrokeHosts& stroke);
 
 } // namespace trivar

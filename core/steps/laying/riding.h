@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// Carries what lies on a stroke that is attached to where its hosts are now, volume and all: by one
+// Moves an object on an attached stroke to the present place of its hosts, volume and all: by one
 // matrix, so nothing is laid again and no vertex is worked out before somebody asks for it.
 class Riding : public Step {
 public:
