@@ -11,8 +11,7 @@ namespace trivar {
 
 struct Editor;
 
-// A Condition says when an action can run, and what is missing where it cannot: "select an object
-// first".
+// A Condition is whether an action can run, and if not the missing thing: "select an object first".
 struct Condition {
     Condition() = default;
     template <class Holds>

@@ -82,7 +82,7 @@ struct Editor {
     CommandField command_field;
     Memory memory; // what one panel or action alone knows
 
-    // The graphics card was reset: drops what was made in the context that is lost, and says so.
+    // Drops the contents of a lost context after a reset of the graphics card, and says so.
     void lose_context();
     Tool& active_tool() { return *tools[tool]; }
     const Tool& active_tool() const { return *tools[tool]; }

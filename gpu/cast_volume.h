@@ -6,7 +6,7 @@
 namespace trivar::gpu {
 
 // A CastVolume is volume data seen by rays that are cast through a box of it. It is part of the
-// scene: it stops at surfaces and curves, hides what is behind it as far as it is dense, and can be
+// scene: it stops at surfaces and curves, hides things behind it as far as it is dense, and can be
 // picked where it hides more than half. It casts no shadow. Drafts cast fewer rays, by samples that
 // are linear in between; pictures at rest show the field's own spline.
 struct CastVolume {

@@ -6,7 +6,7 @@
 namespace trivar::gpu {
 namespace {
 
-// Lightness, chroma and hue of OKLab to linear Rec. 709, cut to what a screen has.
+// Converts lightness, chroma and hue of OKLab to linear Rec. 709, clipped to the gamut of a screen.
 glm::vec3 from_oklch(float lightness, float chroma, float hue_deg)
 {
     const float h = glm::radians(hue_deg), a = chroma * std::cos(h), b = chroma * std::sin(h);

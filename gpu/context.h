@@ -23,9 +23,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The end of a sentence that says what the current context lacks to draw pictures; empty: nothing.
-// It accepts OpenGL 4.3, or 3.3 with extensions that offer what was made for 4; meshes are then
-// deformed by the processor.
+// Returns the end of a sentence that says which features for drawing pictures the current context
+// lacks; empty: none. It accepts OpenGL 4.3, or 3.3 with extensions for the features of 4; meshes
+// are then deformed by the processor.
 std::string lacking();
 // The part of a sentence that says what helps where something is lacking.
 inline constexpr const char* better_opengl =

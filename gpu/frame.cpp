@@ -45,7 +45,7 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
     const double air = 0.01 * (hi - lo) + 1e-4 * target;
     if (!camera.perspective) return {lo - air, hi + air};
     hi = std::max(hi + air, target * 1e-2);
-    // Depth wants a near plane not too near, but never so far that it cuts what is looked at.
+    // A near plane should be far for the sake of depth, but never cut the target.
     const double nearest = std::min(hi * 1e-4, target * 0.02);
     return {std::clamp(lo - air, nearest, hi * 0.99), hi};
 }

@@ -31,7 +31,7 @@ struct Look {
 // the studio.
 Look look_named(std::string_view name);
 
-// Whether what is written over a picture of that look must be light.
+// Whether text over a picture of that look must be light.
 bool is_dark(std::string_view name);
 
 } // namespace trivar::gpu

@@ -70,7 +70,7 @@ struct Translucent {
     std::vector<glm::vec3> normals = {};  // one per point, or empty: flat, without a rim
 };
 
-// A Backdrop is what is behind everything. Colours are display-linear; the share of a line is a
+// A Backdrop is the background of a picture. Colours are display-linear; the share of a line is a
 // share of the encoded colour, so that a tenth looks like a tenth on any ground.
 struct Backdrop {
     glm::vec3 top{0}, middle{0}, bottom{0};

@@ -59,7 +59,8 @@ public:
     // Whether the graphics card casts rays through volumes, or the processor does; the same picture
     // but for rounding. Without a call the faster one.
     void cast_on_card(bool on_card);
-    // A sentence that says what of the last picture was not drawn as asked; empty: everything was.
+    // Returns a sentence on the parts of the last picture that were not drawn as asked; empty: all
+    // were.
     const std::string& notice() const;
     // A sentence with file and line that says why a shader of the picture is not the given one;
     // empty: all are.

@@ -22,7 +22,7 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
-// Whether what it was before it was deformed is known, with the same vertices and faces.
+// Whether its undeformed mesh is known, with the same vertices and faces.
 bool has_rest(const Instance& instance)
 {
     return instance.rest && instance.rest->vertex_count() == instance.mesh->vertex_count() &&

@@ -72,7 +72,7 @@ struct Scene {
     glm::vec4 map_range{0}; // values.glsl
 };
 
-// A CasterKey tells from what the maps were drawn that do not depend on the camera: equal keys mean
+// A CasterKey identifies the inputs of the maps that do not depend on the camera: equal keys mean
 // equal maps.
 struct CasterKey {
     struct Caster {

@@ -34,7 +34,7 @@ std::optional<std::string_view> shader_file(std::string_view name);
 // Texts by file name that replace embedded ones.
 using ShaderTexts = std::map<std::string, std::string, std::less<>>;
 
-// A ShaderSource is what the compiler gets for a file: version, defines, and the text with every
+// A ShaderSource is the compiler's input for a file: version, defines, and the text with every
 // included file pasted once, at its first inclusion. A file that two branches of an #ifdef need
 // must be included before it.
 struct ShaderSource {
@@ -51,7 +51,7 @@ struct ShaderSource {
 ShaderSource shader_source(const std::string& file, const std::vector<std::string>& defines,
                            const ShaderTexts* texts = nullptr, int gl_version = 43);
 
-// The first error in a compiler's log, or else its first line, as "FILE:LINE: what is wrong", with
+// Returns the first error in a compiler's log, or else its first line, as "FILE:LINE: fault", with
 // the file in which that line stands.
 std::string first_error(const std::string& log, const ShaderSource& source);
 

@@ -14,8 +14,8 @@
 namespace trivar::gpu {
 namespace {
 
-// Where textures are made and filled: no pass reads from it, so that none loses what it has bound
-// when another texture is made halfway.
+// The unit on which textures are made and filled: no pass reads from it, so that none loses its
+// binding when another texture is made halfway.
 constexpr unsigned spare_unit = 13;
 
 } // namespace

@@ -93,7 +93,7 @@ Camera framed(const Camera& camera, std::span<const glm::dvec3> points, double f
     const glm::dvec3 up = glm::cross(right, forward);
     const double aspect = camera.size_px.x / std::max(1.0, camera.size_px.y);
     const double foot = std::clamp(foot_px / std::max(1.0, camera.size_px.y), 0.0, 0.5);
-    // Shares of half the picture between its middle and the ends of what the points fill.
+    // Shares of half the picture between its middle and the ends of the box of the points.
     const double to_top = 1 - (1 - share) * (1 - foot);
     const double to_foot = to_top - 2 * foot;
     const double slope_y = camera.perspective ? std::tan(camera.fov_y / 2) : 0;

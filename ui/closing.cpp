@@ -7,7 +7,7 @@
 namespace trivar::ui {
 namespace {
 
-// Closes what was opened in the innermost window since it began, or since there were that many
+// Closes everything opened in the innermost window since it began, or since there were that many
 // fonts.
 void close_in_window(int fonts)
 {

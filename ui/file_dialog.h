@@ -11,7 +11,7 @@
 
 namespace trivar::ui {
 
-// A FileRequest says what a file dialog asks for.
+// A FileRequest is the input of a file dialog.
 struct FileRequest {
     std::string title;                   // "Open a scene"
     std::string action;                  // on the button: "Open"
@@ -33,7 +33,7 @@ public:
     void open(FileRequest request, const std::filesystem::path& start = {});
     bool is_open() const { return open_; }
     bool option_on() const { return request_.option_on; } // of the last request
-    // Opens the dialog again as it was, with what was typed, and says why that could not be done.
+    // Opens the dialog again as it was, with the typed text, and says why that could not be done.
     void ask_again(std::string problem);
     // Draws the dialog if it is open; returns the chosen path in the frame in which it was chosen.
     std::optional<std::string> draw(const Theme& theme);

@@ -9,7 +9,7 @@
 
 namespace trivar::ui {
 
-// A Frame is what the program that draws a frame is given, and what it asks for in return.
+// A Frame is the input of the program that draws a frame, with its requests in return.
 struct Frame {
     const Theme& theme;
     const std::vector<Event>& events; // what hands did since the last frame

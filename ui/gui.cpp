@@ -12,8 +12,8 @@
 namespace trivar::ui {
 namespace {
 
-// Since when the mouse has been over what it is over; ImGui's own count begins anew in every frame
-// where one thing lies over another.
+// Returns how long the mouse has been over its present item; ImGui's own count begins anew in every
+// frame where one item lies over another.
 double hovered_for_s(ImGuiContext& g)
 {
     const ImGuiID thing = ImHashStr("hovered"), since = ImHashStr("hovered since");

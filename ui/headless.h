@@ -28,7 +28,7 @@ public:
     void resize(glm::ivec2 size_px); // from the next frame on
     // Draws one pixel of each frame, where nobody looks at its picture.
     void draw_little();
-    // Simulates a reset of the graphics card: `forget` drops what the body made, the context ends
+    // Simulates a reset of the graphics card: `forget` drops the body's objects, the context ends
     // and another one begins.
     void lose_context(const std::function<void()>& forget);
     int count() const { return count_; }

@@ -29,7 +29,7 @@ Event type_text(unsigned code_point);
 Event turn_wheel(float steps_up);
 Event drop_files(std::vector<std::string> paths);
 
-// ClickManners is what a person has arranged about buttons.
+// ClickManners are a person's settings of buttons.
 struct ClickManners {
     double double_click_s = 0.3; // between the presses of a double click
     bool hold =
@@ -63,7 +63,7 @@ public:
 private:
     void tell(const Event& event, double time_s, double double_click_s);
     // Whether ImGui gets the event, which may be changed into another one: with `holds`, a click
-    // holds what is dragged.
+    // holds the dragged item.
     bool hears(Event& event, double time_s, double double_click_s, bool holds);
     bool cancels() const; // Esc or the right button is among what waits
 

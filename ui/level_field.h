@@ -17,7 +17,7 @@ struct LevelMark {
     bool dim = false;  // it is hidden
 };
 
-// A LevelStyle says what the histogram is of.
+// A LevelStyle names the quantity of the histogram.
 struct LevelStyle {
     std::span<const std::uint64_t> counts; // in equal parts of [lo, hi]
     double lo = 0, hi = 1;

@@ -45,7 +45,7 @@ struct Palette {
 Palette dark_palette();
 Palette light_palette();
 
-// A Look is what a person chose. High contrast: no text is quieter than another, and overlays are
+// A Look holds a person's choices. High contrast: no text is quieter than another, and overlays are
 // wider. Other hues: overlays that differ from each other for eyes of every kind. Lines on the
 // picture are `lines` times wider; the tooltip comes after the mouse has rested for that many
 // seconds, and two clicks within that many seconds are a double click.
@@ -60,7 +60,7 @@ Palette palette_of(const Look& look);
 // The same palette with the backdrop and the overlays of a light or a dark picture.
 Palette with_overlays(Palette palette, const Look& look);
 
-// Linear light with straight alpha, for what the renderer draws.
+// Returns linear light with straight alpha, for the renderer.
 glm::vec4 linear_light(Color color);
 
 // The visible difference of two opaque colours (CIE 1976, distance in L*a*b*), for usual eyes or

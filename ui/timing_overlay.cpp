@@ -76,7 +76,7 @@ float height_of(const Theme& theme, const Group& group)
     return theme.px(row_px) * static_cast<float>(lines) + theme.px(gap_px);
 }
 
-// A row for each way, to be chosen, with what it takes.
+// Draws a row for each way, to be chosen, with its time.
 void draw_ways(const std::vector<TimedWay>& ways, Rows& rows, TimingView& view)
 {
     const Theme& theme = rows.theme;

@@ -26,7 +26,7 @@ struct TimingSources {
     std::string drawn = {}; // lines that say how much of the scene is drawn; empty: all of it
 };
 
-// A TimingView is what the overlay remembers between frames.
+// A TimingView is the state of the overlay between frames.
 struct TimingView {
     bool open = false;
     long held = 0; // number, from 1, of the picture that is shown in place of the newest; 0: none

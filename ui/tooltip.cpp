@@ -11,7 +11,7 @@ namespace {
 
 constexpr double patience_after_another_s = 0.15, just_s = 0.5;
 
-// A press, a turn of the wheel or a key: the hand knows what it wants.
+// Whether there is a press, a turn of the wheel or a key: the person needs no tooltip then.
 bool hand_acts()
 {
     const ImGuiIO& io = ImGui::GetIO();
@@ -29,7 +29,7 @@ glm::vec2 mouse()
     return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
 }
 
-// Its lines and what they take.
+// Words are its lines with their sizes.
 struct Words {
     std::vector<std::string> name, sentence;
     glm::vec2 size{0};

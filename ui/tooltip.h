@@ -9,7 +9,7 @@
 
 namespace trivar::ui {
 
-// A Tip is what is said of the thing under the mouse: its name with its key, and a sentence below.
+// A Tip is the text on the item under the mouse: its name with its key, and a sentence below.
 struct Tip {
     std::string name, key = {}, sentence = {};
 };

@@ -10,7 +10,7 @@
 
 namespace trivar::ui {
 
-// A TransferStyle says what the histogram behind a transfer function is of.
+// A TransferStyle names the quantity of the histogram behind a transfer function.
 struct TransferStyle {
     std::span<const std::uint64_t> counts; // in equal parts of [lo, hi]
     double lo = 0, hi = 1;

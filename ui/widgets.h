@@ -95,8 +95,8 @@ struct Row {
 Row label_row(const Theme& theme, const std::string& label, bool changed = false,
               const std::string& help = {}); // the sentence of the row's tooltip
 void reset_rows(); // resets the rows of the current window in this frame, as their dots do
-// A button at the end of a row that unfolds what is below it; the row's field gets narrower by it.
-// Before it is pressed, `open_at_first` is the answer. Values never open or close it.
+// Draws a button at the end of a row that unfolds the rows below it; the row's field gets narrower
+// by it. Before it is pressed, `open_at_first` is the answer. Values never open or close it.
 bool unfolded(const Theme& theme, Row& row, const std::string& id, bool open_at_first);
 void unfold(const std::string& id); // opens it from the next frame on
 // A row that shows a fact.

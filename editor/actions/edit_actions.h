@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// Undo and what is done to the selected objects.
+// Adds undo and redo, and the edits of the selected objects.
 void add_edit_actions(std::vector<Action>& actions);
-// Attaches a placed object to what it lies on, or says why not.
+// Attaches a placed object to its hosts, or says why not.
 void attach_as_it_lies(Editor& editor, Id id);
 
 } // namespace trivar

@@ -102,7 +102,7 @@ std::vector<KeyTarget> targets(const Editor& e)
     return out;
 }
 
-// Where nothing else is meant, the view of pictures gets keys of what the window shows.
+// Gives the view of pictures keys of the window's view, if the mouse means nothing else.
 bool key_view(Editor& e)
 {
     if (!e.keys_under_mouse.empty() || !e.session.selected.ids().empty() || e.timeline.hovered ||

@@ -13,7 +13,7 @@ namespace trivar {
 
 namespace {
 
-// The lattice among what is selected, the active one first; 0: none.
+// Returns the selected lattice, the active one first; 0: none.
 Id selected_lattice(const Session& session)
 {
     const Id active = session.selected;

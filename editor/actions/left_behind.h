@@ -11,7 +11,7 @@ namespace trivar {
 
 struct Editor;
 
-// LeftBehind is what a deletion did to objects that are left.
+// LeftBehind lists the effects of a deletion on the objects that are left.
 struct LeftBehind {
     std::vector<std::string> lines;   // sentences for the user, at most one per outcome
     std::vector<Id> dependents, gone; // objects that used deleted ones; the deleted ones they used
@@ -35,8 +35,8 @@ struct BindChoice {
 };
 // The objects that all of them can be bound to.
 std::vector<Id> can_be_bound_to(const Editor& editor, const std::vector<Id>& dependents);
-// Takes the deletion back, binds what used the deleted objects to another one, and deletes again.
-// Where other steps were made since, binds what lies or is painted on nothing any more.
+// Undoes the deletion, binds the users of the deleted objects to another one, and deletes again. If
+// other steps were made since, it binds the objects whose host or base is missing now.
 void bind_to(Editor& editor, const BindChoice& choice, Id to);
 
 } // namespace trivar

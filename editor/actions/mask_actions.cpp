@@ -30,7 +30,7 @@ bool selects_surface(const Editor& e)
            !found->second->tiles;
 }
 
-// Whether what an object shows has texture coordinates.
+// Whether an object has texture coordinates as shown.
 bool shows_uvs(const Session& session, Id id)
 {
     const auto shown = session.evaluated().objects.find(id);

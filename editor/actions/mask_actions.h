@@ -9,7 +9,7 @@ namespace trivar {
 
 struct Editor;
 
-// A picture for what is selected: a layer of tiles gets a mask of its density, anything else is
+// Uses a picture for the selection: a layer of tiles gets a mask of its density, anything else is
 // displaced by it.
 void use_image(Editor& editor, const std::string& path);
 

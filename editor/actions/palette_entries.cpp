@@ -39,7 +39,7 @@ std::string words_of(std::string_view verb)
     return words;
 }
 
-// The command about the selection; what it leaves as it is stands in it already.
+// Returns the command on the selection, filled in with the present values.
 Command about_selection(const Command& command, const Editor& editor)
 {
     const Session& session = editor.session;
@@ -59,8 +59,8 @@ Command about_selection(const Command& command, const Editor& editor)
 
 constexpr const char* empty_scene = "the scene is empty";
 
-// Whether the selection has what the command is about. Where values are filled in, another object
-// can be named.
+// Returns why the command does not fit the selection; empty: it does. When values are filled in,
+// another object can be named.
 std::string why_not(const Command& command, const Editor& editor)
 {
     const Document& document = editor.session.document();

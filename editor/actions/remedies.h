@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// A Remedy is a command that does what a notice of an object advises.
+// A Remedy is the command that a notice of an object advises.
 struct Remedy {
     std::string words; // on its button
     Command command;

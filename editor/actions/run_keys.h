@@ -12,7 +12,8 @@ struct HeldSpace {
 
 // Runs the actions whose keys were struck in this frame.
 void run_keys(Editor& editor);
-// Once a frame has been drawn: the Esc of the next one closes what is open then, and nothing more.
+// Remembers the open popups after a frame: the Esc of the next frame closes these, and nothing
+// more.
 void remember_popups(Editor& editor);
 
 } // namespace trivar

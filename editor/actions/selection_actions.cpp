@@ -67,7 +67,7 @@ void select_keeping_active(Editor& e, const std::vector<Id>& ids)
     if (e.session.selected.contains(active)) e.session.selected.add({active});
 }
 
-// Only what is selected is shown, or everything again.
+// Shows only the selection, or everything again.
 void isolate(Editor& e)
 {
     std::vector<Id>& hidden_here = e.session.hidden_here;

@@ -279,8 +279,8 @@ private:
         return {usual};
     }
 
-    // Reads a box of samples of the grid, with as many round it as its function depends on; `box`
-    // is that of what is read then.
+    // Reads a box of samples of the grid, with the samples round it on which its function depends;
+    // `box` becomes the box within these.
     ReadVolume box_read(const GridPart& whole, SampleBox& box) const
     {
         const int halo = slab_halo(field_);
@@ -395,7 +395,7 @@ void say_proof(const SilhouetteCommand& command, const ProofGaps& gaps, const St
 Status run_silhouette(const SilhouetteCommand& typed, const Streams& streams)
 {
     const SilhouetteCommand command = with_segments(typed, streams);
-    // Says what is wrong of the options before anything is read.
+    // Reports faults of the options before anything is read.
     for (std::size_t i = 0; i <= command.colors.size(); ++i) style_of(command, i);
     direction_of(command.view, "view");
     direction_of(command.light, "light");

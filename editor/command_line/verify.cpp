@@ -22,7 +22,7 @@
 namespace trivar {
 namespace {
 
-// One file against its scene; what is wrong is said as it is found.
+// A Verification compares one file with its scene and reports faults as they are found.
 class Verification {
 public:
     Verification(const VerifyOptions& options, const Streams& streams)

@@ -6,7 +6,8 @@
 
 namespace trivar {
 
-// trivar verify: what an exported file claims, against the scene. Throws Rejected.
+// Runs trivar verify, which compares the claims of an exported file with the scene. Throws
+// Rejected.
 Status run_verify(const VerifyOptions& options, const Streams& streams);
 
 } // namespace trivar

@@ -132,8 +132,8 @@ private:
             off(sample.furthest, allowed, "at frame " + shortest(sample.at_frame));
     }
 
-    // One line an object: how far off it was found to be, and what is claimed of that. What is
-    // proven must keep to its own claim, all else to it at the moments, and to the tolerance.
+    // Prints one line for each object: the measured distance, and the claim. A proven part must
+    // keep to its own claim; the others to it at the moments, and to the tolerance.
     void tell(const std::vector<FilmSample>& samples)
     {
         clear_progress(streams_);

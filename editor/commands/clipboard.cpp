@@ -70,7 +70,7 @@ std::vector<Id> hidden_in(const Document& document, Id first, const std::string&
     return found;
 }
 
-// Moves the copies aside, in whole steps, till none stands in what it is a copy of. Whether it had
+// Moves the copies aside, in whole steps, till none stands in its original. Returns whether it had
 // to.
 bool step_aside(Paste& paste, const Session& session)
 {

@@ -9,8 +9,8 @@
 
 namespace trivar {
 
-// A CommandPalette is the list in which everything can be found: what the person has typed and
-// which row is chosen.
+// A CommandPalette is the state of the list in which everything can be found: the typed text and
+// the chosen row.
 struct CommandPalette {
     bool open = false, fresh = false; // fresh: takes the keyboard in its first frame
     std::string typed;

@@ -11,7 +11,7 @@ namespace trivar {
 // Whether a line is empty, or is no step but a line that a scene says of itself.
 bool is_no_step(std::string_view line);
 
-// Runs what a person typed; returns why it was refused, or an empty text.
+// Runs a typed line; returns why it was refused, or an empty text.
 std::string run_typed(Session& session, std::string_view line);
 
 bool holds_lines(std::string_view text); // more than one that is not empty

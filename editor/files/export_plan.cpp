@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An export over it would take the scene what it is made of.
+// Whether the scene is made from this file, so that an export over it would destroy its source.
 bool is_model_of(const fs::path& file, const Session& session)
 {
     std::error_code ignored;

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// An ExportPlan is what a person chooses about exporting frames as one file, before it is written.
+// An ExportPlan holds a person's choices for exporting frames as one file, before it is written.
 struct ExportPlan {
     std::string file; // its ending decides what it is
     int first = 1, last = 1;
@@ -36,7 +36,7 @@ void set_kind(ExportPlan& plan, int kind); // by the ending of its file
 // says what would.
 ExportWish wish_of(const ExportPlan& plan, const Session& session);
 
-// An ExportOutlook says what the plan gives, and whether it replaces something.
+// An ExportOutlook is the result to expect of a plan, and whether it replaces something.
 struct ExportOutlook {
     std::string words;
     bool replaces = false;

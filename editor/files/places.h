@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// The folders of what comes with the program.
+// Places are the folders that come with the program.
 struct Places {
     std::string scenes, tutorials, manual, pictures; // pictures: of the scenes, by their names
     std::string models;                              // in a checkout those that the build makes

@@ -36,7 +36,7 @@ std::string plain_name(const PlainMeshJob& asked)
     return name_of(asked.document, asked.wish.object) + " plain";
 }
 
-// A PlainMesh is what the job made: a model, and what is proven of it.
+// A PlainMesh is the result of the job: a model, with what is proven of it.
 struct PlainMesh {
     Transform transform = {}; // where the model of the file stands to its parent, or in the world
     std::size_t triangles = 0;

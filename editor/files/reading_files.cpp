@@ -65,8 +65,8 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
         session_->jobs().start(
             {"Opening " + file_name(path),
              [this, since, path, copy, then](const Progress&) -> Jobs::Finish {
-                 // Shared, for a function that is copied cannot hold what is
-                 // only moved.
+                 // The scene is shared, since a function that is copied cannot hold a value that
+                 // can only be moved.
                  auto scene = std::make_shared<SceneFile>(read_scene(path, copy));
                  return [this, since, scene, then] {
                      if (opening_.lock() == since) opening_.reset();
@@ -209,7 +209,7 @@ void Files::read_model(const std::string& path, std::function<void(const ImportM
 
 namespace {
 
-// Whether a person sees something of what is in the box.
+// Whether a person sees any part of a box.
 bool is_seen(const Camera& camera, const Box& box)
 {
     constexpr double least_px = 6;

@@ -10,8 +10,8 @@
 
 namespace trivar {
 
-// VolumeImports reads volume data beside the window and keeps what was read until a person has said
-// whether it comes into the scene.
+// VolumeImports reads volume data beside the window and keeps them until a person has decided
+// whether they come into the scene.
 class VolumeImports {
 public:
     explicit VolumeImports(Session& session) : session_(&session) {}

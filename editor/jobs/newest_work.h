@@ -13,9 +13,9 @@
 
 namespace trivar {
 
-// A NewestWork does work on a thread of its own, of which only the newest counts: what comes takes
-// the place of what waits, what runs is told to end, and nothing is heard of it any more. For what
-// is drawn of a view that may move on. Frame thread only.
+// A NewestWork does work on a thread of its own, of which only the newest counts: a new task
+// replaces the waiting one, the running one is told to end, and its result is dropped. It suits
+// pictures of a view that may move on. Frame thread only.
 class NewestWork {
 public:
     NewestWork();
@@ -24,12 +24,12 @@ public:
     NewestWork& operator=(const NewestWork&) = delete;
 
     using Finish = std::function<void()>;
-    // The work runs on the other thread and owns what it uses. Its progress, which any thread may
-    // call, throws Cancelled once the work is old. Rejected is as if it gave nothing.
+    // Starts work on the other thread, which owns its input. Its progress, which any thread may
+    // call, throws Cancelled once the work is old. A Rejected counts as no result.
     void start(std::function<Finish(const Progress&)> work);
     void drop(); // what runs, waits, or was not taken in
-    // Calls what the newest work has returned; true where there was something to call. Throws what
-    // the work ended by, where that was a mistake of Trivar.
+    // Calls the function that the newest work has returned; true if there was one. Throws the
+    // exception that ended the work, if that was a mistake of Trivar.
     bool poll();
     bool busy() const; // something runs or waits that was not dropped
 

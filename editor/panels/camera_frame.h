@@ -6,11 +6,11 @@
 
 namespace trivar {
 
-// The part of a view through the render camera that a picture of that size in pixels shows; `view`
-// is where the window shows what the camera sees. It lies inside of `view`.
+// Returns the part of a view through the render camera that a picture of that size in pixels shows;
+// `view` is the rectangle of the view in the window. It lies inside of `view`.
 ui::Rect picture_frame(const Camera& render_camera, glm::dvec2 size_px, const ui::Rect& view);
 
-// Frames what a picture or a recording will show, and darkens what lies outside, while the window
+// Frames the part that a picture or a recording will show, and darkens the rest, while the window
 // looks through the render camera.
 void draw_camera_frame(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 

@@ -186,7 +186,8 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
     for (const Hint& hint : hints_here(editor, layout)) {
         const std::vector<std::string> inputs = inputs_now(editor, hint);
         if (inputs.empty() && !hint.inputs.empty()) continue;
-        // A name in it must not push the others out; what the hand does now is said whole.
+        // A name in it must not push the others out; the hint for the present gesture is shown
+        // whole.
         const bool tells = hint.inputs.empty();
         const std::string verb = ui::elided(
             theme.font.small, hint.verb, tells ? std::max(room - x, theme.px(64)) : theme.px(240));

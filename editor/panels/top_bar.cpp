@@ -45,7 +45,7 @@ State state_of(const Editor& editor, const ui::Palette& c)
     return {name, nothing ? "No changes" : "Not saved yet", nothing ? c.text_3 : c.warn};
 }
 
-// The way to every command, and to what its key is. Returns where it begins.
+// Draws the button that leads to every command, and to its key. Returns where it begins.
 float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
 {
     const ui::Palette& c = theme.color;
@@ -72,7 +72,7 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     return r.lo.x;
 }
 
-// "Undo Width of Snake 0.24 m": what the button would take back or bring back.
+// Words the step that the button would undo or redo: "Undo Width of Snake 0.24 m".
 std::string words_of_step(const Session& session, bool undo)
 {
     const History& history = session.scene().history();

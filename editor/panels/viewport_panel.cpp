@@ -28,7 +28,7 @@
 namespace trivar {
 namespace {
 
-// A lattice has no surface: its edges are what is seen of it, and its sides while it is selected.
+// Adds the edges of lattices, which have no surface, and the sides of selected ones.
 void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const ui::Theme& theme)
 {
     constexpr std::size_t most_points = 20000; // the sides of more are no net any more

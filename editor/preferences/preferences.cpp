@@ -24,7 +24,7 @@ constexpr std::size_t longest_list = most_remembered, longest_text = 4096,
 
 using OneOf = std::initializer_list<std::string_view>;
 
-// One list of what is kept and what may be read.
+// A Reading is the one list of the preferences, for writing and for reading.
 struct Reading {
     const Json& from;
     std::vector<std::string>& odd;

@@ -12,7 +12,7 @@
 
 namespace trivar {
 
-// Preferences are what a person has arranged for all scenes. Sizes are pixels at scale 1.
+// Preferences are a person's settings for all scenes. Sizes are pixels at scale 1.
 struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
     double dock = 320, outliner = 256, timeline = 184;

@@ -60,7 +60,7 @@ std::string as_png(const std::string& path, PictureReader& reader)
     return encoded_image(reader.read(path), ".png");
 }
 
-// A program that is given bytes to its standard input; what it says goes nowhere.
+// A Child is a program that reads bytes from its standard input; its output goes nowhere.
 class Child {
 public:
     explicit Child(const std::vector<std::string>& arguments)

@@ -120,7 +120,7 @@ bool Session::propose_quietly(Command command)
     return try_propose(command, true);
 }
 
-// Whatever the command says, and however it is said as keys: what is refused changes nothing.
+// A refused command changes nothing, also where it becomes keys of a track.
 bool Session::try_propose(const Command& command, bool quietly)
 {
     check_.reset();
@@ -159,7 +159,7 @@ void Session::commit_if_placed(Id object)
     finish_check();
 }
 
-// A new stroke belongs to what it was drawn on.
+// Attaches the proposed stroke to the objects on which it was drawn.
 void Session::attach_proposal(const EvaluatedObject& laid)
 {
     const std::optional<History::Step>& proposal = scene_.history().proposal();

@@ -18,8 +18,8 @@
 
 namespace trivar {
 
-// A Session is what is open and what the person does with it: the scene with its proposal, its
-// latest evaluation, the selection and the point of view. Frame thread only.
+// A Session is the open scene with its proposal, its latest evaluation, the selection and the point
+// of view. Frame thread only.
 class Session {
 public:
     // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.

@@ -28,9 +28,9 @@ ChosenKeys present_keys(const Document& document, ChosenKeys keys);
 const Track* track_of(const Document& document, const TrackName& name);
 const Key* key_of(const Document& document, const KeyName& name);
 
-// A KeyEdit is what a hand does to keys: the command, if there is anything to do, and the names of
-// the same keys afterwards. A moved key replaces a key in its new frame, and a value beyond its
-// range becomes the range's end. Tracks of missing parameters stay.
+// A KeyEdit is the result of an edit of keys: the command, if there is anything to do, and the
+// names of the same keys afterwards. A moved key replaces a key in its new frame, and a value
+// beyond its range becomes the range's end. Tracks of missing parameters stay.
 struct KeyEdit {
     std::optional<Command> command;
     ChosenKeys keys;

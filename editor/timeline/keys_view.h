@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// A KeyGesture is what a hand does to keys in the open timeline: a button is held, or, begun by a
-// key, a click will end it. Each gesture is one proposal, always from the state before it, and one
-// step in the end.
+// A KeyGesture is a drag of keys in the open timeline: a button is held, or, begun by a key, a
+// click will end it. Each gesture is one proposal, always from the state before it, and one step in
+// the end.
 struct KeyGesture {
     enum class Hand { none, move, copy, scale, box, handle };
     Hand hand = Hand::none;

@@ -43,8 +43,8 @@ std::set<double> key_frames(const Document& document, const std::vector<Id>& ids
 // Returns the frames of the first and of the last of all keys; none if there are no keys.
 std::optional<glm::dvec2> keyed_frames(const Document& document);
 
-// The tracks whose curves are shown: those whose rows are chosen, else those of what is selected,
-// else all.
+// Returns the tracks whose curves are shown: those whose rows are chosen, else those of the
+// selection, else all.
 std::vector<TrackName> shown_curves(const Document& document, const KeysView& view,
                                     const std::vector<Id>& selected);
 

@@ -21,8 +21,8 @@ public:
         const Camera& camera;
         const std::vector<Id>& hidden_here; // ascending
     };
-    // Takes in what is finished, drops what nobody sees any more, and begins what is wanted once
-    // that has rested a moment; once per frame. `into` draws the lines.
+    // Takes in finished results, drops those that nobody sees any more, and begins new ones once
+    // the view has rested a moment; once per frame. `into` draws the lines.
     void follow(const Seen& seen, bool moving, double time_s, VolumeLines& into);
 
     long number() const { return number_; } // counts up with each change of the lines

@@ -9,8 +9,8 @@ namespace trivar {
 // Leaves the instances and curves of these objects out of the picture; ascending ids.
 void leave_out(gpu::Picture& picture, const std::vector<Id>& ids);
 
-// Gives an outline to what is selected: instances and curves by their ids, and copies by theirs
-// where the instance is not selected itself.
+// Outlines the selection: instances and curves by their ids, and copies by theirs if the instance
+// is not selected itself.
 void outline_selected(gpu::Picture& picture, const Members& selected);
 
 // Returns the outline with its width in a picture: thinner if all that is selected is thin.

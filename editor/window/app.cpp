@@ -23,7 +23,7 @@
 namespace trivar {
 namespace {
 
-// Where programs keep what is theirs between two runs (XDG Base Directory Specification).
+// Returns a path for state that is kept between two runs (XDG Base Directory Specification).
 std::string kept(const std::string& name)
 {
     const char* state = std::getenv("XDG_STATE_HOME");
@@ -33,7 +33,7 @@ std::string kept(const std::string& name)
     return home && *home ? home + std::string("/.local/state/trivar/") + name : std::string();
 }
 
-// For a program that watches this one: what the frame that is shown next shows at most.
+// Tells a program that watches this one the most that the next frame can show.
 void tell_steps(const SceneFile& scene)
 {
     const History& history = scene.history();

@@ -23,7 +23,7 @@ void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {size_px.x, size_px.y}, theme.color.gap);
 }
 
-// For the list of what was worked on; a scene without a name is in no list.
+// Adds the scene to the list of recent ones; a scene without a name is in no list.
 void remember_scene(Editor& editor)
 {
     const std::string& named = editor.session.scene().path();

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A word that artists know from other programs, and the names under which the palette has what they
-// look for: of actions and commands, as they are listed there.
+// A Synonym is a word that artists know from other programs, with the names of the actions and
+// commands that it means, as the palette lists them.
 struct Synonym {
     std::string_view word;
     std::vector<std::string_view> names;

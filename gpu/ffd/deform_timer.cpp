@@ -75,7 +75,7 @@ void DeformTimer::take(const Ref<Mesh>& mesh)
     to_ = {};
 }
 
-// The mesh with what the method reads.
+// Returns the mesh with the data that the method reads.
 Ref<Mesh> DeformTimer::mesh(const Method& method) const
 {
     if (method.normals != NormalsBy::nothing) return mesh_;

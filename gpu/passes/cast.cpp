@@ -101,7 +101,7 @@ void CastPass::cast_on_processor(const Targets& targets, const CastItem& item, c
                                  glm::ivec2 size_px, const LayerBounds& there, bool linear) const
 {
     const glm::dvec2 by = glm::dvec2(targets.size_px) / glm::dvec2(size_px);
-    // The pixel of the picture that one of what is cast looks at.
+    // Returns the pixel of the picture at which a cast pixel looks.
     const auto seen = [&](glm::ivec2 p) {
         return glm::min(glm::ivec2((glm::dvec2(p) + 0.5) * by), targets.size_px - 1);
     };

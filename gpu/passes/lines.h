@@ -15,7 +15,7 @@ public:
     bool any() const { return count_ > 0; }
     // Draws helpers over the finished picture: first their hidden parts, then the rest.
     void draw_over(Tools& tools, const Targets& targets) const;
-    // Draws lines as part of a sample. They hide what is drawn later, and can be picked.
+    // Draws lines as part of a sample. They hide later layers, and can be picked.
     void draw_within(Tools& tools, const Targets& targets) const;
     // Draws lines into the bound mask, with one value everywhere.
     void draw_mask(Tools& tools, float value) const;

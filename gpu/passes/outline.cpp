@@ -11,7 +11,7 @@
 namespace trivar::gpu {
 namespace {
 
-// The part of the picture that holds what is outlined and its outline.
+// Returns the part of the picture that holds the outlined items and their outline.
 LayerBounds bounds_of(const Frame& frame, const Scene& scene, bool with_curves, int margin_px)
 {
     const glm::ivec2 whole(frame.size_px);

@@ -109,7 +109,7 @@ void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const 
         };
         tools.draw(scene.items, pass);
     });
-    // The nearest layer is what is picked, and what hides lines; previews stand in nobody's way.
+    // The nearest layer is picked, and hides lines; previews stand in nobody's way.
     targets.to_ids.bind();
     set_state({.depth = DepthTest::less, .write_depth = true});
     MeshPass ids;

@@ -5,14 +5,14 @@
 
 namespace trivar::gpu {
 
-// A ShadowMap is what the key light sees: an orthographic depth map fitted to the casters. It is
+// A ShadowMap is the view of the key light: an orthographic depth map fitted to the casters. It is
 // drawn anew only when casters, light or resolution change.
 class ShadowMap {
 public:
     ShadowMap();
     // Fits the map and fills in the frame's key_clip and shadow_map; `resolution_px` is its side.
     void fit(Frame& frame, const Scene& scene, int resolution_px);
-    // Whether the map does not show what was fitted last.
+    // Whether the map differs from the scene fitted last.
     bool stale(const Scene& scene) const;
     void draw(Tools& tools, const Scene& scene, const Quality& quality);
     void bind() const; // to the units of shadow.glsl

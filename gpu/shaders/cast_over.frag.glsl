@@ -1,5 +1,5 @@
-// Lays what rays gathered in a volume over the picture. IDS: its id and distance where it hides more
-// than half of what is behind it.
+// Lays the light gathered in a volume over the picture. IDS: its id and distance where it hides
+// more than half of the background.
 #include "frame.glsl"
 #include "tonemap.glsl"
 in vec2 uv;

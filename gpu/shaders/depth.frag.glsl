@@ -1,4 +1,4 @@
-// Depth alone. MASKED variants leave out what the material cuts away.
+// Writes depth alone. MASKED variants leave out parts that the material cuts away.
 #ifdef MASKED
 #define READS_MATERIAL
 #include "frame.glsl"

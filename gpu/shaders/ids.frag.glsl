@@ -1,4 +1,5 @@
-// The ids of what one can see through, for picking. MASKED variants leave out what is cut away.
+// Writes the ids of see-through items, for picking. MASKED variants leave out parts that are cut
+// away.
 #include "frame.glsl"
 #include "mesh_inputs.glsl"
 #ifdef MASKED

@@ -1,4 +1,4 @@
-// Lays what was added up of the see-through layers over the picture.
+// Lays the sums of the see-through layers over the picture.
 layout(location = 0) out vec4 out_color;
 layout(binding = 0) uniform sampler2D weighed;
 layout(binding = 6) uniform sampler2D near_depths; // LAYERS_AT_ONCE: of all

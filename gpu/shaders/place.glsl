@@ -1,4 +1,4 @@
-// Where what is drawn stands: the instance, or one of its copies.
+// Places the drawn item: the instance, or one of its copies.
 #ifdef TILES // are COPIES, too, but bent before the matrix of all of them takes them to the scene
 #include "tile.glsl"
 uniform mat4 to_scene;

@@ -50,7 +50,8 @@ vec2 key_reaching(vec3 p, vec3 n, float phi, float out_by)
     return taps == 0 ? vec2(1.0, 0.0) : vec2(seen / float(SHADOW_TAPS), radius);
 }
 
-// For what is drawn straight into the picture, with noise that evens out over the samples.
+// Returns the key's visibility for items drawn straight into the picture, with noise that evens out
+// over the samples.
 float key_visibility(vec3 p, vec3 n, vec2 p_px)
 {
     float phi = 6.2831853 * noise_at(p_px, frame.scene.w);

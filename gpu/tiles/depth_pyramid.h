@@ -7,9 +7,9 @@
 
 namespace trivar::gpu {
 
-// A DepthPyramid tells what lies behind what a picture shows: it holds the depths of the picture,
-// and in each smaller level the greatest of four of them [Greene, Kass, Miller 1993]. A level has
-// half of the texels of the one before along each side, rounded up; the last has one.
+// A DepthPyramid holds the depths of a picture, and in each smaller level the greatest of four of
+// them, to find boxes behind them [Greene, Kass, Miller 1993]. A level has half of the texels of
+// the one before along each side, rounded up; the last has one.
 class DepthPyramid {
 public:
     DepthPyramid() = default;

@@ -10,7 +10,7 @@
 
 namespace trivar::gpu {
 
-// LateCounts are what the graphics card counted of the tiles of pictures: read when it is done, and
+// LateCounts are the graphics card's counts of the tiles of pictures: read when it is done, and
 // never waited for.
 class LateCounts {
 public:

@@ -41,9 +41,9 @@ public:
 
     // Chooses how the picture's tiles are drawn, as a camera sees them, or prepares that.
     void update(const Picture& picture, const Camera& camera, Mirror& mirror, Programs& programs);
-    // Shows those of them that nothing hides which lies `before` them: what the processor has
-    // chosen, or else, on the card, what it chooses now; null: nothing does. Draws of the picture's
-    // tiles must come after it.
+    // Limits the shown tiles to those that nothing in `before` hides: among those that the
+    // processor has chosen, or else, on the card, among those that it chooses now; null: nothing
+    // hides any. Draws of the picture's tiles must come after it.
     void show(const DepthPyramid& before, const glm::dmat4& world_to_clip);
     void show(const DevicePyramid* before, const glm::dmat4& world_to_clip, Programs& programs);
     // Returns the tiles of an instance, by its index in that picture; null: it has none, or they do

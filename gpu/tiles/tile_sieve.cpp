@@ -35,7 +35,7 @@ void zero_from(const Buffer& buffer, std::size_t begin)
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
-// Another size for a buffer; what was there before stays, and the rest is 0.
+// Resizes a buffer; its contents stay, and the rest is 0.
 void resize_buffer(Buffer& buffer, std::size_t bytes)
 {
     Buffer other;

@@ -8,8 +8,8 @@ namespace trivar {
 
 inline constexpr int raw_row_count = 6; // of a file without a head
 
-// Rows in which a person says what the files of volume data do not: how the samples of a file
-// without a head lie, and how far apart samples are. Returns whether they are to be read again.
+// Draws rows for facts that files of volume data lack: how the samples of a file without a head
+// lie, and how far apart samples are. Returns whether they are to be read again.
 bool draw_raw_rows(const ui::Theme& theme, VolumeOffer& offer);
 
 } // namespace trivar

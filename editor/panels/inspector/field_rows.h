@@ -35,13 +35,13 @@ public:
           all_(all)
     {
     }
-    // `zero` is what 0 means, in place of what the list says.
+    // Edits a member; `zero` is the meaning of 0, in place of the one in the list.
     template <class V> void operator()(V T::*member, std::string_view zero = {})
     {
         row(member, T{}.*member, zero);
     }
     template <class V> void resting_at(const V& rest, V T::*member) { row(member, rest, {}); }
-    // A length that at 0 is what stands there already, metres; 0: not known.
+    // Edits a length that at 0 has a value already, `present`, metres; 0: not known.
     void size(double T::*member, double present)
     {
         const FieldFacts field = facts_of(member);

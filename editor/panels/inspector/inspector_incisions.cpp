@@ -103,7 +103,7 @@ bool incision_row(Editor& editor, const ui::Theme& theme, Id id, int number,
     return changed;
 }
 
-// The section of the chosen incision, and what it was made of.
+// SeenSection is the section of the chosen incision, with its inputs.
 struct SeenSection {
     IncisedSkin skin;
     Ref<EvaluatedObject> shown;

@@ -19,7 +19,7 @@ Command with_key_of(const Document& document, Id id, const Parameter& number, do
     return Animate{{{id, {with_key(had ? *had : Track{number.name, {}}, frame, number.value)}}}};
 }
 
-// A line over the rows of a step that says what it was, so that they need not.
+// Draws a line that names a step over its rows, so that these need not.
 void step_caption(const ui::Theme& theme, const std::string& words)
 {
     const ImVec2 at = ImGui::GetCursorScreenPos();

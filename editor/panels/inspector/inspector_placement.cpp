@@ -133,7 +133,7 @@ void fit_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p)
     constexpr double least_fill = 1e-3;
     fields(&PlacementParameters::start);
     fields(&PlacementParameters::fill);
-    // The two share the stroke: what was not touched gives way.
+    // The other of the two gives way: both share the stroke.
     p.start = std::min(p.start, 1 - least_fill);
     if (p.start + p.fill > 1) p.fill = std::max(least_fill, 1 - p.start);
     Lying lying = lying_of(p);
@@ -165,8 +165,8 @@ void contact_rows(PlacementRows& fields)
     fields(&P::skip_back_faces);
 }
 
-// Where on the body it goes round. The step lays it anew, so that what was done to its volume after
-// that would be lost: then keys alone change it.
+// Edits the place on the body at which it goes round. The step lays it anew, so later edits of its
+// volume would be lost: if there are some, only keys change it.
 void level_row(Editor& editor, ValueRows& rows, Id id)
 {
     const Object& each = object(editor.session.document(), id);

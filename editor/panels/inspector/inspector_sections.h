@@ -10,7 +10,7 @@ namespace trivar {
 
 struct Editor;
 
-// An InspectorSection is a part of the inspector for those objects that have what it changes.
+// An InspectorSection is a part of the inspector, for the objects to which it applies.
 struct InspectorSection {
     bool (*applies)(const Document& document, Id id);
     void (*draw)(Editor& editor, const ui::Theme& theme, Id id);

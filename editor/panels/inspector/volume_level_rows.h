@@ -20,8 +20,8 @@ struct LevelRows {
 // The histogram with its levels as lines that are dragged, and below it how much line each level
 // would give.
 void draw_level_histogram(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
-// A row of each level: colour, name, value, and what of it is shown. A click on the name chooses
-// it.
+// Draws a row for each level: colour, name, value, and the parts of it that are shown. A click on
+// the name chooses it.
 void draw_level_list(ValueRows& rows, const LevelRows& of, VoxelShape& shape, int& chosen);
 
 } // namespace trivar

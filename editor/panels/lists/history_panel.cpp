@@ -123,7 +123,8 @@ struct MouseAtChange {
     glm::vec2 at{0};
 };
 
-// Rows that change places under a mouse at rest are not what it was put on.
+// Whether the mouse moved since the rows changed: rows that change places under a mouse at rest are
+// not the ones that it was put on.
 bool has_moved_since_a_change(Editor& editor, const History& history)
 {
     constexpr float moved_px = 2;

@@ -281,7 +281,7 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
     const ui::Rect& r = layout.inspector;
-    // Objects are what is copied once the hand went to them.
+    // Copying copies objects once the hand went to them.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool elsewhere =
         layout.view.contains({mouse.x, mouse.y}) || layout.outliner.contains({mouse.x, mouse.y});

@@ -177,7 +177,7 @@ void draw_filter(OutlinerState& o, const ui::Theme& theme, const ui::Rect& place
                    ui::icon::search);
     ui::tooltip(
         {"Filter", {}, "Letters in order are enough; type:model shows objects of one type."});
-    // The text field gives what was there before back on Esc; here that is nothing at all.
+    // On Esc the text field restores the former text; here that is empty.
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ui::key_escape, false)) o.filter.clear();
 }
 

@@ -234,7 +234,7 @@ bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<
                                   : c.text_3,
                        type);
     }
-    // The eye is its own: bright even where what it is in is hidden.
+    // The eye shows the object's own state: bright even if its group is hidden.
     const ui::Color own = selected ? c.text : c.text_2;
     column_cell(editor, theme, ui::rect_at({eye, place.lo.y}, square), Column::eye, each, row.id,
                 each.hidden ? off : own, true);

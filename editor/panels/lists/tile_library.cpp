@@ -86,8 +86,8 @@ void choose_tile(Editor& editor, const LibraryTile& tile, bool also)
     if (tile.own) editor.active_tool().fit_model(tile.own->fit);
 }
 
-// Names what the brush paints with, in its order: tiles of the library by their names, other
-// models by their files, and else what is selected.
+// Names the models with which the brush paints, in its order: tiles of the library by their names,
+// other models by their files, and else the selection.
 std::vector<std::string> painted_with(const Editor& editor, const std::vector<std::string>& files)
 {
     std::vector<std::string> names;

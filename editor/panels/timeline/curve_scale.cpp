@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Grows to what it is told.
+// A ValueReach is the range of the values told to it.
 struct ValueReach {
     double lo = 1e300, hi = -1e300;
     void add(double value)

@@ -16,7 +16,7 @@
 namespace trivar {
 namespace {
 
-// Beside each other, from the left; each places ImGui's cursor for what comes.
+// A Transport places parts side by side, from the left; each places ImGui's cursor for the next.
 struct Transport {
     const ui::Theme& theme;
     ui::Rect bar;
