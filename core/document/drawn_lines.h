@@ -5,9 +5,8 @@
 
 namespace trivar {
 
-// How the meshes of an object are drawn in lines: as it is told; else, of volume data that are
-// fitted by tetrahedra, as the first of their levels with lines, whose ink all have. No value: they
-// are not.
+// Returns the object's line drawing; for fitted volume data without one, the ink of the first level
+// with lines, which all levels share. No value: its meshes are not drawn in lines.
 std::optional<LineDrawing> drawn_lines(const Object& object);
 
 } // namespace trivar

@@ -125,7 +125,8 @@ struct Object {
     Id parent = 0;
     bool hidden = false;
     bool locked = false; // hands cannot take it by accident; a command that names it may
-    // What laid it; its translation waits as long as it lies, its rotation and scale turn it first.
+    // The stroke that it lies on; its translation waits as long as it lies, its rotation and scale
+    // turn it first.
     std::optional<PlacementStep> stroke;
     // The steps that were done to its volume after it was laid, in their order.
     std::vector<Ref<VolumeEdit>> shaping = {};

@@ -131,7 +131,7 @@ private:
         }
         return out;
     }
-    // What a pencil leaves of the width at a point.
+    // Returns the share of the width that a pencil leaves at a point.
     float grain_at(const StrokePoint& p, std::uint64_t seed) const
     {
         const float grain = space_noise(p.p, octave(grain_wave), seed + 77);

@@ -7,18 +7,20 @@
 
 namespace trivar {
 
-// What the width of a line follows: nothing, how steep the field is there (steep: fine), how far
-// away it is (far: fine), or how sharply the surface turns away from sight (sharp: fine).
+// The quantity that the width of a line follows: nothing, how steep the field is there (steep:
+// fine), how far away it is (far: fine), or how sharply the surface turns away from sight (sharp:
+// fine).
 enum class LineWidth : std::uint8_t { even, by_slope, by_depth, by_bend };
 
-// What the colour of a line follows: nothing, the slope as a hue (red low, blue high), the depth as
-// a hue (red near, blue far: as ChromaDepth glasses want it), or the slope as a grey (steep: dark).
+// The quantity that the colour of a line follows: nothing, the slope as a hue (red low, blue high),
+// the depth as a hue (red near, blue far: as ChromaDepth glasses want it), or the slope as a grey
+// (steep: dark).
 enum class LineColor : std::uint8_t { plain, hue_by_slope, hue_by_depth, grey_by_slope };
 
-// How hidden lines are drawn.
+// The style of hidden lines.
 enum class HiddenLines : std::uint8_t { none, faint, dashed, as_seen };
 
-// How lines are inked. Lengths are in pixels.
+// A LineStyle says how lines are inked. Lengths are in pixels.
 struct LineStyle {
     float width = 1.8f;
     float finest = 0.35f; // share of the width to which it may go down

@@ -9,8 +9,8 @@ namespace trivar {
 // A LevelLines is what further lines of a level are found by. It belongs to no view: the surface
 // with its bends, and those lines that are the same in all views.
 struct LevelLines {
-    // From voxels to the space of the surface, which has the angles of the data and whose unit is
-    // the mean side of a voxel.
+    // Transforms voxels to the space of the surface, which has the angles of the data and whose
+    // unit is the mean side of a voxel.
     glm::dmat4 from_voxels{1};
     SurfaceShape shape;
     std::vector<KindLines> fixed; // in voxels, on the level

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array scout_sights{glm::dvec3(1, 0.3, 0.2), glm::dvec3(-0.2, 1, 0.3),
                                   glm::dvec3(0.3, -0.2, 1)};
-// Of the middle length of all values with lines: less is no plateau. The greatest length tells
-// nothing, since noise may have a hundred times that of a body.
+// The least length of lines on a plateau, as a share of the middle length of all values with lines.
+// The greatest length tells nothing, since noise may have a hundred times that of a body.
 constexpr double worth_a_look = 0.1;
 constexpr double hardly_changes = 0.25;     // of itself, among the values beside it
 constexpr std::size_t flat_beside = 2;      // values on each side, so that no peak counts as flat

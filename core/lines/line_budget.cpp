@@ -36,7 +36,8 @@ double importance(const Stroke& stroke, float median)
     return out;
 }
 
-// Which cells of an image have a point of a drawing, with sides as long as the reach.
+// NearCells marks the cells of an image that have a point of a drawing, with sides as long as the
+// reach.
 class NearCells {
 public:
     NearCells(std::span<const Stroke> strokes, float reach) : reach_(reach)

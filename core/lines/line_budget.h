@@ -9,8 +9,9 @@
 
 namespace trivar {
 
-// How much of each stroke stays when the level changes a little: the share of its points that have
-// one of the nearby drawings' points within the reach, the mean over these drawings. O(#points).
+// Returns how much of each stroke stays when the level changes a little: the share of its points
+// that have one of the nearby drawings' points within the reach, the mean over these drawings.
+// O(#points).
 std::vector<float> persistence(std::span<const Stroke> strokes,
                                std::span<const std::vector<Stroke>> nearby, float reach_px = 3);
 

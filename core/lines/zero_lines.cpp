@@ -165,7 +165,7 @@ private:
             while (begin < n && is_in(begin)) ++begin;
             if (begin == n) return add_piece(edges, strength, 0, n, true);
         }
-        // From a weak point on, so that no piece of a loop goes over its first point.
+        // The walk begins at a weak point, so that no piece of a loop goes over its first point.
         for (std::size_t i = begin; i < begin + n;) {
             if (!is_in(i)) {
                 ++i;

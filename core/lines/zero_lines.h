@@ -11,17 +11,16 @@ namespace trivar {
 // A ZeroFunction is what is 0 on lines of a surface.
 struct ZeroFunction {
     std::span<const float> values; // by vertex; 0 counts as above 0
-    // Where set, by vertex: unit directions whose sign means nothing, with which a value changes
-    // its sign too. No line goes through a triangle whose directions differ by more than 45
-    // degrees.
+    // Unit directions by vertex, if set, whose sign means nothing, with which a value changes its
+    // sign too. No line goes through a triangle whose directions differ by more than 45 degrees.
     std::span<const glm::vec3> directions = {};
-    // How strong a line is in a triangle with these values, whose signs agree with each other; 0
-    // or less: it is none there.
+    // Returns the strength of the line in a triangle with these values, whose signs agree with each
+    // other; <= 0: no line.
     std::function<float(std::size_t triangle, const std::array<float, 3>& values)> strength;
 };
 
-// From where on lines are drawn. A piece of a line is drawn where it is stronger than `weak` all
-// along and than `strong` somewhere, so that it does not fall into dots [Canny 1986].
+// LineThresholds decide which lines are drawn: a piece is drawn where it is stronger than `weak`
+// all along and than `strong` somewhere, so that it does not fall into dots [Canny 1986].
 struct LineThresholds {
     float weak = 0, strong = 0;
     int smoothing = 4;  // how often strengths are averaged along a line before that

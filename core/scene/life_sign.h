@@ -17,16 +17,16 @@ inline constexpr const char* reading_sign = " is read";     // after a path: not
 // known by the signs that those left, and loses its last steps until it can be opened.
 class LifeSign {
 public:
-    // Of the scene in a file, which has so many lines. Without a folder that can be
-    // written to, or where a living program has such a sign, there is none: nothing is known then.
+    // Leaves a sign of the scene in a file, which has so many lines. There is none without a folder
+    // that can be written to, or where a living program has such a sign: nothing is known then.
     LifeSign(const std::string& folder, std::string scene, std::size_t lines, bool at_work = false);
     ~LifeSign();
     LifeSign(const LifeSign&) = delete;
     LifeSign& operator=(const LifeSign&) = delete;
 
     const std::string& scene() const { return scene_; }
-    // How many steps the scene does without: none until two programs ended at work on its present
-    // state, then 1, and with each program that ends at work on what is left 2, 4, 8 more.
+    // Returns the number of steps to leave out: none until two programs ended at work on its
+    // present state, then 1, and with each program that ends at work on the rest 2, 4, 8 more.
     std::size_t steps_too_many() const;
     void take_back(std::size_t lines); // they were undone: now the scene has so many lines
 

@@ -49,7 +49,7 @@ public:
     const std::vector<std::string>& lines() const;
     const Document& document() const { return history().document(); }
 
-    // As in History, for commands that are given now: see check_new().
+    // Work as in History, for commands that are given now: see check_new().
     void propose(Command command);
     bool commit();
     void cancel();
@@ -76,7 +76,7 @@ public:
     void save_copy(const std::string& path) const;
     void write_missing(); // tries again to write what an append could not write
 
-    // From its next step on, a scene without a name is kept in the folder, which is made where it
+    // Keeps a scene without a name in the folder from its next step on; the folder is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
     void keep_in(const std::string& folder);
 

@@ -18,7 +18,7 @@ struct SampleBody {
     bool above = true;
 };
 
-// How a drawing looks at a volume, by directions in the volume's own space.
+// A SilhouetteAim says how a drawing looks at a volume, by directions in the volume's own space.
 struct SilhouetteAim {
     std::vector<double> view, up; // up: none: Z, or Y where one looks along Z
     double fov_deg = 0;           // 0: parallel

@@ -66,7 +66,7 @@ double dragged_along(const Camera& camera, const glm::dvec3& pivot_world,
     const glm::dvec3 up = view_axes(camera)[1];
     const glm::dvec3 flat =
         direction - view_axes(camera)[2] * glm::dot(direction, view_axes(camera)[2]);
-    // What is left of the line in the picture, or straight up where nothing is.
+    // The line as projected into the picture, or straight up if it has no length there.
     return glm::length(flat) > 0.2 ? glm::dot(across, flat) / glm::dot(flat, flat)
                                    : glm::dot(across, up);
 }

@@ -29,7 +29,8 @@ struct LaidStand {
     Stand stand() const;
 };
 
-// Of the selected object, if it is the only one and its stroke lies on something; else nothing.
+// Returns the stand of the selected object, if it is the only one and its stroke lies on something;
+// else nothing.
 std::optional<LaidStand> laid_stand(const Session& session);
 
 // The command for a motion with the axes of `of`: its offset slides the stroke over the surface,

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What is shown of the volume data of an object; null: it has none, or is not evaluated.
+// Returns the shown volume data of an object; null: it has none, or is not evaluated.
 const ShownVolume* shown_volume_of(const Session& session, Id id);
 
 // The level, by its number in the document, of which a line goes by a point of the picture at most

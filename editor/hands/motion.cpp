@@ -21,7 +21,7 @@ glm::dmat3 turned_about(const glm::dvec3& axis, double angle_deg)
     return glm::dmat3(c) + s * cross + (1 - c) * glm::outerProduct(a, a);
 }
 
-// What rounding left of a number that was meant.
+// Removes the noise of rounding from a number that was meant to be short.
 double cleaned(double value)
 {
     const double near = std::round(value * 1e6) / 1e6;

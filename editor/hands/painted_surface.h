@@ -21,8 +21,8 @@ class PaintedSurface {
 public:
     // Nothing: the object shows no surface, or the ray misses it.
     std::optional<SurfaceHit> hit(const Session& session, Id object, const Ray& ray);
-    // Where points of the object at rest are seen, moved onto its surface; nothing where it has no
-    // surface at most `reach` away along their normals. About 2 microseconds each.
+    // Moves points of the object at rest onto its surface as seen; nothing where it has no surface
+    // at most `reach` away along their normals. About 2 microseconds each.
     std::vector<std::optional<SurfaceHit>>
     seen(const Session& session, Id object, std::span<const SurfacePoint> at_rest, double reach);
 

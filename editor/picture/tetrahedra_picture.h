@@ -28,8 +28,8 @@ private:
     Recent<Key, std::vector<gpu::Line>> known_{8};
 };
 
-// What moves with a pull: the edges of the cells that a function of a control point in the ball
-// reaches, of one layer.
+// Returns the edges that move with a pull: those of the cells that a function of a control point in
+// the ball reaches, of one layer.
 std::vector<gpu::Line> support_lines(const TetrahedraEffects& volume, const TetrahedraPull& pull,
                                      const ui::Palette& color, float line_px);
 

@@ -8,7 +8,8 @@
 
 namespace trivar {
 
-// What of an object is cast; nothing for what is no volume data, or shows none of them as a whole.
+// Returns the volume of an object that is cast; nothing if it is no volume data, or shows none of
+// them as a whole.
 std::optional<gpu::CastVolume> cast_volume_of(const EvaluatedObject& object);
 
 } // namespace trivar

@@ -149,7 +149,7 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
         const auto own = document.objects.find(id);
         if (!each->placement || own == document.objects.end()) continue; // or deleted since
         const Lattice& volume = each->placement->volume;
-        // Those that lie in one behind the other show it once.
+        // Objects that lie in one volume, one behind the other, show it once.
         if (std::ranges::any_of(drawn, [&](const Lattice* other) { return *other == volume; }))
             continue;
         drawn.push_back(&volume);

@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Of 20 displacements each, as many as a field may hold.
+// Each cell has 20 displacements; a field may hold that many cells.
 constexpr double most_cells_of_lattice = 5000;
 
 void check_count(const std::array<Knots, 3>& axes, const ConvertLattice& command)

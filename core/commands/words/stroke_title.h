@@ -8,10 +8,10 @@
 
 namespace trivar {
 
-// What a history says of a stroke that was carried as a whole, with its camera: moved, turned,
-// scaled or lifted. It turns where its ends go further about its middle than the middle goes: by
-// where its samples met what they belong to, else the ground. Empty: the stroke did not change, or
-// was drawn anew. O(number of samples).
+// Describes a stroke that was carried as a whole, with its camera: moved, turned, scaled or lifted.
+// It was turned if its ends go further about its middle than the middle goes, measured at its
+// samples' hits on its hosts, else on the ground. Empty: the stroke did not change, or was drawn
+// anew. O(number of samples).
 std::optional<StepTitle> stroke_title(const PlacementStep& before, const PlacementStep& after,
                                       const std::string& name);
 

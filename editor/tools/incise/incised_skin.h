@@ -21,17 +21,16 @@ public:
     bool empty() const { return parts_.empty(); }
     double diagonal() const; // of the model at rest, metres there
 
-    // Where a ray meets the skin that is seen, and the place of that on the shut skin. Nothing: it
-    // misses, or meets a wall.
+    // Finds the place where a ray meets the skin as seen, and its place on the shut skin. Nothing:
+    // it misses, or meets a wall.
     std::optional<SurfaceHit> hit(const Ray& ray) const;
-    // Where it would meet the skin if nothing stood open.
+    // Finds the place where a ray would meet the skin if nothing stood open.
     std::optional<SurfaceHit> shut_hit(const Ray& ray) const;
-    // Where it meets a wall or a floor that is seen; its place on the shut skin is that of the
-    // incision above it. Nothing: it meets something else first, or misses.
+    // Finds the place where a ray meets a wall or a floor as seen; its place on the shut skin is
+    // that of the incision above it. Nothing: it meets something else first, or misses.
     std::optional<SurfaceHit> wall_hit(const Ray& ray) const;
-    // Where points of the shut skin are seen, as if nothing stood open, moved onto the skin;
-    // nothing where there is none at most `reach` away along their normals. About 3 microseconds
-    // each.
+    // Moves points of the shut skin, as if nothing stood open, onto the skin as seen; nothing where
+    // there is none at most `reach` away along their normals. About 3 microseconds each.
     std::vector<std::optional<SurfaceHit>> seen(std::span<const SurfacePoint> at_rest,
                                                 double reach) const;
     // The lines through a point of the shut skin along which u, and v, stay, each with the number
@@ -41,7 +40,8 @@ public:
         std::size_t start = 0;
     };
     std::array<SeenUvLine, 2> uv_lines(const SurfacePoint& at_rest) const;
-    // How thick the body is below points of the shut skin, metres on the model; 0: it is open.
+    // Returns the thickness of the body below points of the shut skin, metres on the model; 0: it
+    // is open.
     std::vector<double> thickness(std::span<const SurfacePoint> at_rest) const;
 
 private:

@@ -18,7 +18,8 @@ struct SeenCut {
     AtSteps<glm::dvec3> across{}; // to the right of each, world, unit; 0: in the air
     AtSteps<bool> on_skin{};
     std::size_t first = 0, last = steps; // of the longest part that is on the skin
-    // How far the skin gives way, lifted off it a little: both rims along it, and rungs over it.
+    // Lines that show how far the skin gives way, lifted off it a little: both rims along it, and
+    // rungs over it.
     std::vector<std::vector<glm::dvec3>> rims, rungs;
     double length = 0, length_world = 0; // metres
     double widest = 1;                   // share of its width that its walls let open

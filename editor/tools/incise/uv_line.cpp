@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_places = 20'000;
 
-// By how much a coordinate at the corners of a triangle is above that of the line; nothing: the
+// Returns how far a coordinate at the corners of a triangle is above that of the line; nothing: the
 // mesh has no coordinates.
 std::optional<glm::dvec3> above_line(const TileBase& base, std::uint32_t t, int coordinate,
                                      double level)

@@ -18,9 +18,9 @@ bool has_round_way(const Document& document, Id id);
 // model, flat planes, groups and lattices.
 std::vector<Id> bodies_to_go_round(const Session& session, Id model);
 
-// What the selection says about going round: of two objects the model and the body, which is the
-// one that has a round way, else the active one; of one the model, and the only body with a round
-// way that there is. Nothing: it does not say.
+// A RoundWish is read from the selection: of two objects the model and the body, which is the one
+// that has a round way, else the active one; of one the model, and the only body with a round way
+// that there is. Nothing: it does not say.
 struct RoundWish {
     Id model = 0, around = 0;
     RoundAxis axis = RoundAxis::z;
@@ -28,7 +28,7 @@ struct RoundWish {
 };
 std::optional<RoundWish> round_wish(const Session& session);
 
-// How an object lies round a body now; nothing: it does not.
+// Returns how an object lies round a body now; nothing: it does not.
 std::optional<RoundWish> round_now(const Document& document, Id id);
 
 // The command that lays the model round the body. It lies as it lay, or with its length along the

@@ -9,13 +9,13 @@
 
 namespace trivar {
 
-// What a hand drew over an object, to cut it there.
+// A DrawnWay is the line that a hand drew over an object, to cut it there.
 struct DrawnWay {
     std::vector<glm::dvec2> points_px; // of the picture
     Camera camera;
     glm::dmat4 own_to_world{1}; // of the object
     glm::dvec3 middle{0};       // of the object, in the world: where the stroke is taken to lie
-    // What it was drawn over, as in PlainCut.
+    // The state of the object that it was drawn over, as in PlainCut.
     std::vector<glm::dvec3> opened = {};
     bool parted = false;
 };

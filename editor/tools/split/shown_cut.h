@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// Where a cut is seen, amid the pieces that gaps have moved. World. O(#V): the box of what is cut
-// is asked.
+// A ShownCut is the place at which a cut is seen, amid the pieces that gaps have moved. World.
+// O(#V): the box of the cut object is asked.
 struct ShownCut {
     std::array<glm::dvec3, 2> faces; // a point of the cut on what is below it, and above
     glm::dvec3 middle{0};            // amid those that stay

@@ -22,7 +22,7 @@ struct Triangles {
     std::vector<std::array<int, 3>> triangles;
 };
 
-// Those of objects in the space of a group, less a way; of curves the points alone.
+// Returns the triangles of objects in the space of a group, less a way; of curves the points alone.
 Triangles triangles_of(const Session& session, const std::vector<Id>& ids, Id parent,
                        const glm::dvec3& less)
 {

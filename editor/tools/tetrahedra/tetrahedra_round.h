@@ -8,7 +8,7 @@ namespace trivar {
 inline constexpr const char* tetrahedra_action = "Tetrahedra round selection";
 inline constexpr const char* fitted_tetrahedra_action = "Tetrahedra fitted to selection";
 
-// What the tetrahedra round objects are like: a box; about 2,000 that follow their shape, or fill
+// The shape of the tetrahedra round objects: a box; about 2,000 that follow their shape, or fill
 // their convex hull; or those that fill the active object, a closed mesh, exactly. That one then
 // bends with them if it is alone, else it is hidden and the others do.
 enum class Around { box, fitted, hull, cage };

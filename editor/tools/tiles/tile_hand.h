@@ -47,7 +47,7 @@ public:
         bool snap = false, fine = false;
     };
     void go_on(const Camera& camera, glm::dvec2 mouse_px, Steps held);
-    // Where its first tile is to be sought, pixels, while it moves.
+    // Returns the place at which its first tile is to be sought, pixels, while it moves.
     glm::dvec2 goal_px(const Camera& camera) const;
     // The stroke of what it has done so far; `goal`: where its first tile goes. Nothing: none yet.
     std::optional<TileStroke> stroke(const std::optional<SurfaceHit>& goal) const;

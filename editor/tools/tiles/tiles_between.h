@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What the tool Tiles remembers between strokes.
+// This header holds what the tool Tiles keeps between strokes.
 
 namespace trivar {
 

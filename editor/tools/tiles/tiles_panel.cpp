@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// As the option bar lists them; after Fill comes the cover, which is no brush of strokes.
+// The order of the option bar; after Fill comes the cover, which is no brush of strokes.
 constexpr std::array brushes_in_order{TileBrush::scatter, TileBrush::line,  TileBrush::strand,
                                       TileBrush::fill,    TileBrush::erase, TileBrush::comb,
                                       TileBrush::resize,  TileBrush::raise, TileBrush::color,
