@@ -12,8 +12,8 @@ namespace trivar {
 //
 //             (0,0,2)
 //             /     \          Bezier point b of a polynomial rests at the barycentric
-//        (1,0,1)--(0,1,1)      coordinates b / 2
-//         /   \    /   \
+//        (1,0,1)--(0,1,1)      coordinates b / 2,
+//         /   \    /   \       b = (i, j, k)
 //   (2,0,0)--(1,1,0)--(0,2,0)
 template <int S> using MultiIndex = std::array<int, S + 1>;
 

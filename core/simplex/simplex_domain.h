@@ -14,7 +14,7 @@ inline constexpr int max_simplex_degree = 3;
 //
 //            2.
 //           1. C              degree 2: knots 0 (the vertex), 1 and 2 at each corner
-//             / \
+//             / \            a corner is a vertex of the cell
 //        2   /   \            function (2, 0, 0) of the cell: knots A, A1, A2, B and C
 //      1. . A-----B .1        function (1, 1, 0): knots A, A1, B, B1 and C
 //                   .2

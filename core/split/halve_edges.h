@@ -11,8 +11,8 @@ Mesh triangulated(Mesh mesh);
 
 // Splits edges of a mesh of triangles at their middles, for all triangles beside them:
 //
-//       /|\             /\               /\
-//      / | \           /__\             /__\      a triangle becomes two, three
+//       /|\             /\               /\       a triangle
+//      / | \           /__\             /__\      becomes two, three
 //     /  |  \         / `. \           /\  /\     (along the shorter diagonal)
 //    /___|___\       /____`.\         /__\/__\    or four
 //

@@ -19,8 +19,8 @@ struct ChartRules {
 // [1]:
 //
 //        chart
-//       /     \
-//     left   right        both are disks: a chart that is stretched too much is
+//       /     \          both are disks:
+//     left   right        a chart that is stretched too much is
 //     /  \   /   \        divided into these two
 //    f1  f2 f3   ...
 //
