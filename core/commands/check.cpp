@@ -4,6 +4,8 @@
 #include "core/base/text.h"
 #include "core/base/utf8.h"
 #include "core/commands/command.h"
+#include "core/commands/every_command.h"
+#include "core/document/field.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +82,7 @@ template <class T> void check_value(const std::string& name, const T& value, con
 
 void check(const Command& command)
 {
-    std::visit(
+    visit(
         [](const auto& c) {
             each_field(c, [](std::string_view name, const auto& value, std::string_view,
                              Rule rule = {}) { check_value(std::string(name), value, rule); });

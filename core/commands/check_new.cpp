@@ -2,6 +2,8 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/every_command.h"
+#include "core/commands/objects/shape.h"
 #include "core/placement/placement.h"
 
 #include <algorithm>
@@ -98,11 +100,11 @@ void check_effect(const Document& document, const CoarsenVolume& command)
 void check_new(const Document& document, const Command& command)
 {
     check(command);
-    std::visit(
+    visit(
         [&](const auto& c) {
             if constexpr (requires { check_effect(document, c); }) check_effect(document, c);
         },
-        static_cast<const AnyCommand&>(command));
+        command);
 }
 
 } // namespace trivar

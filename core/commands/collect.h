@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/objects/import.h"
+#include "core/document/asset_store.h"
 
 #include <optional>
 #include <string>

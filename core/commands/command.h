@@ -1,90 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/bind.h"
-#include "core/commands/cutting/cut.h"
-#include "core/commands/cutting/incise.h"
-#include "core/commands/cutting/peel.h"
-#include "core/commands/cutting/split.h"
-#include "core/commands/objects/animate.h"
-#include "core/commands/objects/arrange.h"
-#include "core/commands/objects/group.h"
-#include "core/commands/objects/import.h"
-#include "core/commands/objects/keep_shape.h"
-#include "core/commands/objects/line_drawing.h"
-#include "core/commands/objects/material.h"
-#include "core/commands/objects/play.h"
-#include "core/commands/objects/primitives.h"
-#include "core/commands/objects/refine.h"
-#include "core/commands/objects/shade.h"
-#include "core/commands/objects/shape.h"
-#include "core/commands/objects/simplify.h"
-#include "core/commands/objects/text.h"
-#include "core/commands/objects/unwrap.h"
-#include "core/commands/objects/view.h"
-#include "core/commands/objects/voxels.h"
-#include "core/commands/paste.h"
-#include "core/commands/placement/apply_shape.h"
-#include "core/commands/placement/place.h"
-#include "core/commands/placement/travel.h"
-#include "core/commands/tiles/heights.h"
-#include "core/commands/tiles/mask_tiles.h"
-#include "core/commands/tiles/mix_tiles.h"
-#include "core/commands/tiles/tiles.h"
-#include "core/commands/volumes/convert_lattice.h"
-#include "core/commands/volumes/lattice.h"
-#include "core/commands/volumes/tetrahedra.h"
-#include "core/commands/volumes/warp.h"
-#include "core/document/asset_store.h"
+#include "core/base/mistake.h"
+#include "core/base/progress.h"
+#include "core/commands/words/command_nature.h"
+#include "core/commands/words/step_title.h"
+#include "core/document/document.h"
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace trivar {
 
-template <class T, class Variant> inline constexpr bool is_one_of = false;
-template <class T, class... All>
-inline constexpr bool is_one_of<T, std::variant<All...>> = (std::is_same_v<T, All> || ...);
+class AssetStore;
+template <class Shape> struct AddShape;
 
-using AnyCommand = std::variant<
-    ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus, AddMoebius,
-    AddTeapot, AddText, SetText, SetTransform, Arrange, SetMaterial, ClearMaterial, Rename, Hide,
-    Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder, Place, PlaceRound,
-    EditPlacement, Unplace, SetTravel, PlayClip, Animate, Refine, ClearRefine, PressVolume,
-    MovePoints, InsertKnots, CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView,
-    ForgetView, SetRender, SetTime, AddLattice, SetLattice, ConvertLattice, AddTetrahedra,
-    SetTetrahedra, EditTetrahedra, RemoveTetrahedraEdit, AddSimplexSheet, SetSimplexSheet,
-    WarpVolume, KeepShape, Simplify, ClearSimplify, SetWarp, Attach, SetParent, ApplyShape,
-    PaintTiles, EditTileStroke, RemoveTileStrokes, SetTiles, ClearTiles, MixTiles, MorphTiles,
-    CoverWithTiles, MaskTiles, RemoveTileMasks, AddHeights, SetHeights, Displace, AddVoxels,
-    SetVoxels, Unwrap, ClearUnwrap, Shade, Split, ClearSplit, CutThrough, RemoveCut, ClearCuts,
-    Incise, EditIncision, LayerIncisions, RemoveIncision, ClearIncisions, SwapIncisions, PeelFlap,
-    LayFlap, SetLineDrawing, ClearLineDrawing, Bind>;
+// A list of types with their numbers, 0, 1, ... The types need not be known.
+template <class... All> struct Types {
+    static constexpr std::size_t count = sizeof...(All);
+    template <class T> static constexpr bool has = (std::is_same_v<T, All> || ...);
+    template <class T> static constexpr std::size_t number()
+    {
+        std::size_t before = 0;
+        (void)((std::is_same_v<T, All> || (++before, false)) || ...);
+        return before;
+    }
+};
 
-// A Command is everything that a person can do to a document, by value. It is a variant and is
-// visited as one; copying and comparing it is compiled once, and not wherever a command is copied.
-struct Command : AnyCommand {
+// The kinds of commands.
+using CommandKinds = Types<
+    struct ImportModel, struct EditImport, struct Relink, AddShape<PlaneShape>, AddShape<BoxShape>,
+    AddShape<SphereShape>, AddShape<CylinderShape>, AddShape<TorusShape>, AddShape<MoebiusShape>,
+    AddShape<TeapotShape>, AddShape<TextShape>, struct SetText, struct SetTransform, struct Arrange,
+    struct SetMaterial, struct ClearMaterial, struct Rename, struct Hide, struct Show, struct Lock,
+    struct Unlock, struct Delete, struct Duplicate, struct Group, struct Ungroup, struct Reorder,
+    struct Place, struct PlaceRound, struct EditPlacement, struct Unplace, struct SetTravel,
+    struct PlayClip, struct Animate, struct Refine, struct ClearRefine, struct PressVolume,
+    struct MovePoints, struct InsertKnots, struct CoarsenVolume, struct MendVolume,
+    struct AllowFolds, struct Unshape, struct Paste, struct KeepView, struct ForgetView,
+    struct SetRender, struct SetTime, struct AddLattice, struct SetLattice, struct ConvertLattice,
+    struct AddTetrahedra, struct SetTetrahedra, struct EditTetrahedra, struct RemoveTetrahedraEdit,
+    AddShape<SimplexSheetShape>, struct SetSimplexSheet, struct WarpVolume, struct KeepShape,
+    struct Simplify, struct ClearSimplify, struct SetWarp, struct Attach, struct SetParent,
+    struct ApplyShape, struct PaintTiles, struct EditTileStroke, struct RemoveTileStrokes,
+    struct SetTiles, struct ClearTiles, struct MixTiles, struct MorphTiles, struct CoverWithTiles,
+    struct MaskTiles, struct RemoveTileMasks, AddShape<HeightShape>, struct SetHeights,
+    struct Displace, AddShape<VoxelShape>, struct SetVoxels, struct Unwrap, struct ClearUnwrap,
+    struct Shade, struct Split, struct ClearSplit, struct CutThrough, struct RemoveCut,
+    struct ClearCuts, struct Incise, struct EditIncision, struct LayerIncisions,
+    struct RemoveIncision, struct ClearIncisions, struct SwapIncisions, struct PeelFlap,
+    struct LayFlap, struct SetLineDrawing, struct ClearLineDrawing, struct Bind>;
+
+// A Command is everything that a person can do to a document, by value: a value of one of the
+// kinds above. Copies share that value. Who names a kind includes the header of that kind alone;
+// who does the same to all kinds includes every_command.h.
+class Command {
+public:
     template <class C>
-    requires is_one_of<std::remove_cvref_t<C>, AnyCommand> Command(C&& command)
-        : AnyCommand(std::in_place_type<std::remove_cvref_t<C>>, std::forward<C>(command))
+    requires(CommandKinds::has<std::remove_cvref_t<C>>) Command(C&& command)
+        : kind_(CommandKinds::number<std::remove_cvref_t<C>>()),
+          value_(std::make_shared<std::remove_cvref_t<C>>(std::forward<C>(command)))
     {
     }
-    Command();
-    Command(const Command&);
-    Command(Command&&) noexcept;
-    Command& operator=(const Command&);
-    Command& operator=(Command&&) noexcept;
-    ~Command();
-    bool operator==(const Command&) const;
-};
-constexpr std::size_t command_count = std::variant_size_v<AnyCommand>;
-template <std::size_t I> using CommandAt = std::variant_alternative_t<I, AnyCommand>;
+    Command(); // of the first kind
+    bool operator==(const Command& other) const;
 
-// One command of each kind in the variant's order, with default fields.
+    std::size_t kind() const { return kind_; }
+    template <class C> bool is() const { return kind_ == CommandKinds::number<C>(); }
+    // The value of that kind; null: the command is of another kind.
+    template <class C> const C* as() const
+    {
+        return is<C>() ? static_cast<const C*>(value_.get()) : nullptr;
+    }
+    // The same, to be changed; no other Command shares it then. The pointer holds until the command
+    // is copied.
+    template <class C> C* edit()
+    {
+        if (!is<C>()) return nullptr;
+        if (value_.use_count() != 1) value_ = std::make_shared<C>(*as<C>());
+        return static_cast<C*>(value_.get());
+    }
+    // The value of that kind. Throws Mistake where the command is of another kind.
+    template <class C> const C& get() const
+    {
+        ensure(is<C>(), "a command of this kind");
+        return *as<C>();
+    }
+
+private:
+    std::size_t kind_;
+    std::shared_ptr<void> value_;
+};
+
+// One command of each kind, in their order, with default fields.
 std::vector<Command> every_command();
 
 // Throws Rejected, naming the field, unless every number is finite and within its rule, every text

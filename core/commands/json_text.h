@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/document/field.h"
 
 #include <cmath>
 

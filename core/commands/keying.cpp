@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/keying.h"
 
+#include "core/commands/objects/animate.h"
 #include "core/document/parameters.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ bool same_scene_but_for_objects(const Document& a, const Document& b)
 
 Command keyed(const Document& document, const Command& command, double frame, bool always)
 {
-    if (std::holds_alternative<Animate>(command)) return command;
+    if (command.is<Animate>()) return command;
     const Document now = document_at(document, frame), made = after(now, command);
     if (!same_scene_but_for_objects(now, made)) return command;
     Animate out;

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/every_command.h"
+#include "core/commands/objects/keep_shape.h"
+#include "core/commands/paste.h"
+#include "core/commands/placement/apply_shape.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/document/asset_store.h"
+#include "core/document/fields/view_fields.h"
 #include "core/text/installed_fonts.h"
 #include "core/voxels/usual_level.h"
 
@@ -96,42 +103,42 @@ void prepare_tiles(std::vector<TileFile>& files, const AssetStore& assets, const
 
 Command prepare(Command command, const AssetStore& assets, const Progress& progress)
 {
-    if (auto* import = std::get_if<ImportModel>(&command)) {
+    if (auto* import = command.edit<ImportModel>()) {
         import->file = prepared(std::move(import->file), assets, progress);
         if (import->name.empty())
             import->name = std::filesystem::path(import->file.path).stem().string();
-    } else if (auto* edit = std::get_if<EditImport>(&command)) {
+    } else if (auto* edit = command.edit<EditImport>()) {
         edit->file = prepared(std::move(edit->file), assets, progress);
-    } else if (auto* kept = std::get_if<KeepShape>(&command)) {
+    } else if (auto* kept = command.edit<KeepShape>()) {
         for (ImportedFile& file : kept->files) file = prepared(std::move(file), assets, progress);
-    } else if (auto* final_shape = std::get_if<ApplyShape>(&command)) {
+    } else if (auto* final_shape = command.edit<ApplyShape>()) {
         final_shape->file = prepared(std::move(final_shape->file), assets, progress);
-    } else if (auto* text = std::get_if<AddText>(&command)) {
+    } else if (auto* text = command.edit<AddText>()) {
         prepare_font(text->shape, assets);
-    } else if (auto* letters = std::get_if<SetText>(&command)) {
+    } else if (auto* letters = command.edit<SetText>()) {
         prepare_font(letters->shape, assets);
-    } else if (auto* mask = std::get_if<MaskTiles>(&command)) {
+    } else if (auto* mask = command.edit<MaskTiles>()) {
         if (mask->mask.from == MaskFrom::image)
             prepare_image(mask->mask.image, mask->mask.image_hash, assets);
-    } else if (auto* sheet = std::get_if<AddHeights>(&command)) {
+    } else if (auto* sheet = command.edit<AddHeights>()) {
         prepare_image(sheet->shape, assets);
-    } else if (auto* other = std::get_if<SetHeights>(&command)) {
+    } else if (auto* other = command.edit<SetHeights>()) {
         prepare_image(other->shape, assets);
-    } else if (auto* displace = std::get_if<Displace>(&command)) {
+    } else if (auto* displace = command.edit<Displace>()) {
         prepare_image(displace->shape, assets);
-    } else if (auto* voxels = std::get_if<AddVoxels>(&command)) {
+    } else if (auto* voxels = command.edit<AddVoxels>()) {
         prepare_voxels(voxels->shape, assets, progress);
         if (voxels->name.empty() || voxels->name == FieldsOf<VoxelShape>::name)
             voxels->name = std::filesystem::path(voxels->shape.path).stem().string();
-    } else if (auto* changed = std::get_if<SetVoxels>(&command)) {
+    } else if (auto* changed = command.edit<SetVoxels>()) {
         prepare_voxels(changed->shape, assets, progress);
-    } else if (auto* paint = std::get_if<PaintTiles>(&command)) {
+    } else if (auto* paint = command.edit<PaintTiles>()) {
         prepare_tiles(paint->files, assets, progress);
-    } else if (auto* cover = std::get_if<CoverWithTiles>(&command)) {
+    } else if (auto* cover = command.edit<CoverWithTiles>()) {
         prepare_tiles(cover->files, assets, progress);
-    } else if (auto* mix = std::get_if<MixTiles>(&command)) {
+    } else if (auto* mix = command.edit<MixTiles>()) {
         prepare_tiles(mix->files, assets, progress);
-    } else if (auto* paste = std::get_if<Paste>(&command)) {
+    } else if (auto* paste = command.edit<Paste>()) {
         const auto in_log = [&](std::string& path) {
             if (!path.empty()) path = path_in_log(path, assets.folder());
         };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/read_json.h"
+#include "core/document/field.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/commands/command.h"
+#include "core/commands/every_command.h"
 
 #include <algorithm>
 #include <array>
@@ -199,11 +200,9 @@ Command command_named(std::string_view verb, const json& object)
         std::string_view verb;
         Command (*read)(const json& object);
     };
-    static constexpr auto all = []<std::size_t... I>(std::index_sequence<I...>)
-    {
-        return std::array{NamedCommand{CommandAt<I>::verb, command_of<CommandAt<I>>}...};
-    }
-    (std::make_index_sequence<command_count>{});
+    static const std::array all = EachOf<CommandKinds>::results([]<class C>() {
+        return NamedCommand{C::verb, command_of<C>};
+    });
     for (const NamedCommand& each : all)
         if (each.verb == verb) return each.read(object);
     throw Rejected(

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/commands/copied_object.h"
+#include "core/commands/every_command.h"
 #include "core/commands/json_text.h"
 #include "core/commands/words/field_words.h"
+#include "core/document/fields/view_fields.h"
 
 #include <fmt/format.h>
 #include <utility>
@@ -142,14 +145,10 @@ struct ToldCommand {
 // Lists every command, in the order of the variant.
 std::vector<ToldCommand> told_commands()
 {
-    return []<std::size_t... I>(std::index_sequence<I...>)
-    {
-        const auto told = []<class C>(const C& c) {
-            return ToldCommand{C::verb, C::summary, fields_of(c)};
-        };
-        return std::vector<ToldCommand>{told(CommandAt<I>{})...};
-    }
-    (std::make_index_sequence<command_count>{});
+    const std::array all = EachOf<CommandKinds>::results([]<class C>() {
+        return ToldCommand{C::verb, C::summary, fields_of(C{})};
+    });
+    return {all.begin(), all.end()};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/commands/every_command.h"
 #include "core/commands/json_text.h"
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ void append_field(std::string& text, std::string_view& separator, std::string_vi
 
 std::string to_json_line(const Command& command)
 {
-    return std::visit(
+    return visit(
         []<class C>(const C& c) {
             return "{\"do\":" + json_text(C::verb) + fields_json(c, ",") + "}";
         },

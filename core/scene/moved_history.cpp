@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/moved_history.h"
 
+#include "core/commands/every_command.h"
+#include "core/commands/objects/keep_shape.h"
+#include "core/commands/paste.h"
+#include "core/commands/placement/apply_shape.h"
+#include "core/commands/tiles/mask_tiles.h"
 #include "core/scene/kept_scenes.h"
 
 #include <algorithm>
@@ -10,37 +15,36 @@
 namespace trivar {
 namespace {
 
-// Returns the names of the files that a command names, which can be changed if the command can.
-template <class C> auto files_of(C& command)
+// Returns the names of the files that a command names, to be read or changed.
+std::vector<std::string*> files_of(Command& command)
 {
-    using Name = std::conditional_t<std::is_const_v<C>, const std::string, std::string>;
-    std::vector<Name*> files;
+    std::vector<std::string*> files;
     const auto add = [&](auto& name) {
         if (!name.empty()) files.push_back(&name);
     };
-    if (auto* import = std::get_if<ImportModel>(&command)) add(import->file.path);
-    if (auto* edit = std::get_if<EditImport>(&command)) add(edit->file.path);
-    if (auto* relink = std::get_if<Relink>(&command)) {
+    if (auto* import = command.edit<ImportModel>()) add(import->file.path);
+    if (auto* edit = command.edit<EditImport>()) add(edit->file.path);
+    if (auto* relink = command.edit<Relink>()) {
         for (auto& file : relink->files) add(file.path);
         for (auto& picture : relink->pictures) add(picture.image);
         for (auto& volume : relink->volumes) add(volume.path);
     }
-    if (auto* kept = std::get_if<KeepShape>(&command))
+    if (auto* kept = command.edit<KeepShape>())
         for (auto& file : kept->files) add(file.path);
-    if (auto* final_shape = std::get_if<ApplyShape>(&command)) add(final_shape->file.path);
-    if (auto* mask = std::get_if<MaskTiles>(&command)) add(mask->mask.image);
-    if (auto* heights = std::get_if<AddHeights>(&command)) add(heights->shape.image);
-    if (auto* heights = std::get_if<SetHeights>(&command)) add(heights->shape.image);
-    if (auto* heights = std::get_if<Displace>(&command)) add(heights->shape.image);
-    if (auto* voxels = std::get_if<AddVoxels>(&command)) add(voxels->shape.path);
-    if (auto* voxels = std::get_if<SetVoxels>(&command)) add(voxels->shape.path);
+    if (auto* final_shape = command.edit<ApplyShape>()) add(final_shape->file.path);
+    if (auto* mask = command.edit<MaskTiles>()) add(mask->mask.image);
+    if (auto* heights = command.edit<AddHeights>()) add(heights->shape.image);
+    if (auto* heights = command.edit<SetHeights>()) add(heights->shape.image);
+    if (auto* heights = command.edit<Displace>()) add(heights->shape.image);
+    if (auto* voxels = command.edit<AddVoxels>()) add(voxels->shape.path);
+    if (auto* voxels = command.edit<SetVoxels>()) add(voxels->shape.path);
     const auto add_tiles = [&](auto& tile_files) {
         for (auto& each : tile_files) add(each.file.path);
     };
-    if (auto* paint = std::get_if<PaintTiles>(&command)) add_tiles(paint->files);
-    if (auto* cover = std::get_if<CoverWithTiles>(&command)) add_tiles(cover->files);
-    if (auto* mix = std::get_if<MixTiles>(&command)) add_tiles(mix->files);
-    if (auto* paste = std::get_if<Paste>(&command))
+    if (auto* paint = command.edit<PaintTiles>()) add_tiles(paint->files);
+    if (auto* cover = command.edit<CoverWithTiles>()) add_tiles(cover->files);
+    if (auto* mix = command.edit<MixTiles>()) add_tiles(mix->files);
+    if (auto* paste = command.edit<Paste>())
         for (auto& copy : paste->copies) {
             if (copy.file) add(copy.file->path);
             if (copy.heights) add(copy.heights->image);
@@ -92,7 +96,8 @@ NewPaths shapes_brought(const History& history, const std::filesystem::path& fro
     };
     history.retell(
         [&](const History::Step& step) {
-            for (const std::string* file : files_of(step.command)) bring(*file);
+            Command command = step.command;
+            for (const std::string* file : files_of(command)) bring(*file);
         },
         [] {});
     return brought;
@@ -125,7 +130,8 @@ bool imports_by_relative_path(const History& history)
     bool found = false;
     history.retell(
         [&](const History::Step& step) {
-            found = found || std::ranges::any_of(files_of(step.command), is_relative);
+            Command command = step.command;
+            found = found || std::ranges::any_of(files_of(command), is_relative);
         },
         [] {});
     return found;

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/tries.h"
 
+#include "core/commands/every_command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/volumes/warp.h"
+
 namespace trivar {
 namespace {
 
@@ -11,10 +17,10 @@ template <class Shape> inline constexpr bool adds_shape<AddShape<Shape>> = true;
 
 bool differ_in_numbers_only(const Command& a, const Command& b)
 {
-    if (a.index() != b.index()) return false;
-    return std::visit(
+    if (a.kind() != b.kind()) return false;
+    return visit(
         [&]<class C>(const C& c) {
-            [[maybe_unused]] const C& d = std::get<C>(b);
+            [[maybe_unused]] const C& d = b.get<C>();
             if constexpr (adds_shape<C>)
                 return c.name == d.name;
             else if constexpr (std::is_same_v<C, SetTransform>)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/all_actions.h"
 
+#include "core/commands/objects/shape.h"
+#include "core/commands/objects/text.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/chords.h"
 #include "editor/actions/edit_actions.h"

@@ -2,6 +2,7 @@
 #include "editor/actions/command_filling.h"
 
 #include "core/base/rejected.h"
+#include "core/commands/placement/place.h"
 #include "editor/editor.h"
 
 namespace trivar {
@@ -10,8 +11,7 @@ namespace {
 // Files are not read while a path is typed.
 bool can_be_shown(const Command& command)
 {
-    return !std::holds_alternative<ImportModel>(command) &&
-           !std::holds_alternative<EditImport>(command);
+    return !command.is<ImportModel>() && !command.is<EditImport>();
 }
 
 void select_again(Session& session, const std::vector<Id>& ids)
@@ -118,7 +118,7 @@ bool run_filled(Editor& editor)
     }
     select_again(session, filling.selected);
     if (session.committed().next_id > first) session.select_new(first);
-    if (const auto* place = std::get_if<Place>(&session.scene().history().steps().back().command))
+    if (const auto* place = session.scene().history().steps().back().command.as<Place>())
         session.selected = place->object;
     if (empty) session.view.frame_all_when_evaluated = true;
     editor.palette.filling.reset();

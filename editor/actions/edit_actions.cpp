@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/edit_actions.h"
 
+#include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
 #include "core/steps/laying/attaching.h"
 #include "editor/actions/chords.h"
 #include "editor/actions/left_behind.h"

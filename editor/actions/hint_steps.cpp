@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/hint_steps.h"
 
+#include "core/commands/placement/place.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/file_actions.h"
 #include "editor/actions/model_actions.h"
@@ -28,7 +29,7 @@ bool closed(const Editor& editor, const std::string& name)
 bool draws(const Editor& editor)
 {
     const auto& proposal = editor.session.scene().history().proposal();
-    return proposal && !editor.palette.open && std::holds_alternative<Place>(proposal->command);
+    return proposal && !editor.palette.open && proposal->command.is<Place>();
 }
 
 // Some of the models that come with the program, and files.
@@ -125,7 +126,7 @@ void follow_hints(Editor& editor)
     followed = {editor.session.scenes(), now};
     if (!made) return;
     const Command& command = history.steps().back().command;
-    if (std::holds_alternative<Place>(command)) {
+    if (command.is<Place>()) {
         close_hint(editor, draw_hint);
         close_hint(editor, let_go_hint);
     } else if (closed(editor, let_go_hint)) {

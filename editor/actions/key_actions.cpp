@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/key_actions.h"
 
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/view.h"
 #include "editor/editor.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/topics.h"
@@ -110,7 +112,7 @@ bool key_view(Editor& e)
         return false;
     const Command view = KeepView{"picture", camera_for_pictures(e.session)};
     const Command keys = keyed(e.session.committed(), view, e.session.frame(), true);
-    return std::holds_alternative<Animate>(keys) && e.session.run(keys);
+    return keys.is<Animate>() && e.session.run(keys);
 }
 
 using Change = std::optional<Command> (*)(const Session&, const std::vector<Id>&,
@@ -120,7 +122,7 @@ void change_keys(Editor& e, Change change)
     Animate all;
     for (const KeyTarget& target : targets(e))
         if (const auto one = change(e.session, target.ids, target.names))
-            for (const ObjectTracks& of : std::get<Animate>(*one).of) all.of.push_back(of);
+            for (const ObjectTracks& of : one->get<Animate>().of) all.of.push_back(of);
     if (!all.of.empty() && !e.session.proposing()) e.session.run(all);
 }
 

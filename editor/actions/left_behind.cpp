@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/left_behind.h"
 
+#include "core/commands/bind.h"
 #include "core/commands/edits/edits.h"
+#include "core/commands/objects/arrange.h"
 #include "core/document/bases.h"
 #include "core/placement/attachment.h"
 #include "core/steps/laying/attaching.h"
@@ -45,8 +47,7 @@ bool lost_what_it_was_on(const Document& document, Id id)
 bool deletion_is_last(const Session& session, std::size_t step)
 {
     const History& history = session.scene().history();
-    return step > 0 && history.position() == step &&
-           std::holds_alternative<Delete>(history.steps()[step - 1].command);
+    return step > 0 && history.position() == step && history.steps()[step - 1].command.is<Delete>();
 }
 
 void say_too_late(Session& session)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/palette_entries.h"
 
+#include "core/commands/every_command.h"
+#include "core/commands/objects/view.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/menus_beside.h"
 #include "editor/actions/model_actions.h"
@@ -46,13 +48,13 @@ Command about_selection(const Command& command, const Editor& editor)
     const Document& document = session.document();
     Command ready = as_it_is(command, session.selected, document).value_or(command);
     ready = about(ready, topmost(document, session.selected.ids()));
-    if (auto* c = std::get_if<Place>(&ready)) { // in the present view
+    if (auto* c = ready.edit<Place>()) { // in the present view
         c->sketch.camera = session.view.camera;
         c->object = model_to_place(session, 0);
         c->onto = bases_for_stroke(session, c->object);
     }
-    if (auto* c = std::get_if<KeepView>(&ready)) *c = {"View", session.view.camera};
-    if (auto* c = std::get_if<ForgetView>(&ready); c && !document.kept_views.empty())
+    if (auto* c = ready.edit<KeepView>()) *c = {"View", session.view.camera};
+    if (auto* c = ready.edit<ForgetView>(); c && !document.kept_views.empty())
         c->name = document.kept_views.begin()->first;
     return ready;
 }
@@ -64,8 +66,7 @@ constexpr const char* empty_scene = "the scene is empty";
 std::string why_not(const Command& command, const Editor& editor)
 {
     const Document& document = editor.session.document();
-    if (std::holds_alternative<ForgetView>(command) && document.kept_views.empty())
-        return "there is no bookmark";
+    if (command.is<ForgetView>() && document.kept_views.empty()) return "there is no bookmark";
     if (!is_about_objects(command)) return {};
     if (document.objects.empty()) return empty_scene;
     return nature_of(command).asked == Invocation::at_once && editor.session.selected == 0
@@ -129,9 +130,9 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
     for (const Command& each : commands) {
         if (nature_of(each).asked == Invocation::by_actions) continue;
         const Command ready = about_selection(each, editor);
-        const bool written = std::holds_alternative<Relink>(each);
+        const bool written = each.is<Relink>();
         const std::string missing = why_not(each, editor);
-        const auto summary = std::visit([](const auto& c) { return c.summary; }, each);
+        const auto summary = visit([](const auto& c) { return c.summary; }, each);
         entries.push_back({words_of(verb(each)),
                            std::string(summary),
                            ui::icon::log,

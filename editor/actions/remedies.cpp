@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/remedies.h"
 
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/objects/unwrap.h"
 #include "core/steps/bending/refining.h"
 #include "core/steps/tiles/covers.h"
 #include "core/tiles/cell_counts.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/selection_actions.h"
 
+#include "core/commands/objects/arrange.h"
 #include "editor/editor.h"
 #include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/time_actions.h"
 
+#include "core/commands/objects/play.h"
+#include "core/commands/objects/view.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"

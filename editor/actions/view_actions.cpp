@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/view_actions.h"
 
+#include "core/commands/objects/view.h"
 #include "editor/actions/chords.h"
 #include "editor/editor.h"
 #include "editor/session/session_facts.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/commands/adjustment.h"
 
+#include "core/commands/every_command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/tries.h"
 #include "editor/hands/motion.h"
 
@@ -109,7 +112,7 @@ std::optional<Command> repeated(const Session& session)
             return std::nullopt;
         }
     };
-    return std::visit(again, history.steps()[now - 1].command);
+    return visit(again, history.steps()[now - 1].command);
 }
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/commands/paste.h"
 #include "core/scene/log.h"
 #include "editor/commands/run_lines.h"
 #include "editor/session/scene_facts.h"
@@ -124,7 +125,7 @@ void paste_copies(Session& session, Paste paste)
     bool aside = false;
     try {
         command = prepare(std::move(paste), *session.assets());
-        aside = step_aside(std::get<Paste>(command), session);
+        aside = step_aside(*command.edit<Paste>(), session);
     } catch (const Rejected& why) {
         session.notices.say(ui::NoticeKind::warning, "Nothing was pasted", ui::sentence(why.what()),
                             of_clipboard);
@@ -134,7 +135,7 @@ void paste_copies(Session& session, Paste paste)
     session.select_new(before.next_id);
     if (before.objects.empty()) session.view.frame_all_when_evaluated = true;
     const std::vector<Id>& ids = session.selected.ids();
-    std::string words = placed_words(before, session.committed(), std::get<Paste>(command));
+    std::string words = placed_words(before, session.committed(), command.get<Paste>());
     if (words.empty() && aside) words = "It was moved aside, because its place is taken.";
     session.notices.say(ui::NoticeKind::good,
                         said_of(session.document(), ids) +
@@ -167,7 +168,7 @@ void paste_text(Session& session, std::string_view text)
     }
     if (commands.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pasted", why, of_clipboard);
-    else if (auto* paste = std::get_if<Paste>(&commands.front()); paste && commands.size() == 1)
+    else if (auto* paste = commands.front().edit<Paste>(); paste && commands.size() == 1)
         paste_copies(session, std::move(*paste));
     else
         run_lines(session, text);

@@ -3,6 +3,7 @@
 
 #include "core/base/expression.h"
 #include "core/base/text.h"
+#include "core/commands/placement/place.h"
 #include "editor/commands/typed_command.h"
 #include "editor/words/field_words.h"
 #include "editor/words/ranked.h"
@@ -307,7 +308,7 @@ std::optional<CommandForm> form_of(const Command& ready, std::string title,
         if (each["do"] == verb(ready) && !add_fields(form.fields, each["fields"], ""))
             return std::nullopt;
     if (form.fields.empty()) return std::nullopt;
-    if (const auto* place = std::get_if<Place>(&ready)) ask_for_stroke(form, place->sketch);
+    if (const auto* place = ready.as<Place>()) ask_for_stroke(form, place->sketch);
     show_present(form, ready, document);
     return form;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/every_command.h"
 #include "core/document/field.h"
 #include "editor/commands/typed_command.h"
 
@@ -18,7 +19,7 @@ std::vector<std::string> fields_of(std::string_view name)
     std::vector<std::string> words;
     for (const Command& each : every_command())
         if (verb(each) == name)
-            std::visit(
+            visit(
                 [&](const auto& command) {
                     each_field(command, [&](std::string_view field, auto&&...) {
                         words.emplace_back(field);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/import.h"
 #include "editor/files/volume_imports.h"
 #include "editor/session/recovery.h"
 #include "ui/dialog.h"

@@ -4,6 +4,8 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/refine.h"
 #include "core/commands/placement/apply_shape.h"
 #include "core/document/parameters.h"
 #include "core/files/write_model.h"

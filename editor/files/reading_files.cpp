@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes in: scenes that are opened, models that are imported, files that are dropped.
 #include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
 #include "core/commands/objects/shade.h"
 #include "core/files/file_bytes.h"
 #include "core/mesh/shading.h"
@@ -137,7 +138,7 @@ void Files::read_in_background(const std::string& path, const std::string& name,
              ImportModel import;
              import.file.path = fs::absolute(path).string();
              import.name = name;
-             const ImportModel ready = std::get<ImportModel>(prepare(import, *store, progress));
+             const ImportModel ready = prepare(import, *store, progress).get<ImportModel>();
              const AssetStore::LoadedModel loaded = store->load(ready.file, progress);
              if (!loaded.model)
                  throw Rejected(loaded.notices.empty() ? "It cannot be read."

@@ -2,6 +2,10 @@
 #include "editor/files/relink.h"
 
 #include "core/base/rejected.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/voxels.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
 #include "core/files/sample_models.h"
 
 #include <algorithm>

@@ -86,7 +86,7 @@ void VolumeImports::add()
     session_->jobs().start(
         {"Reading " + file_name(offer.path),
          [this, command, store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             const auto ready = std::get<AddVoxels>(prepare(command, *store, progress));
+             const auto ready = prepare(command, *store, progress).get<AddVoxels>();
              return [this, ready] { run(ready); };
          },
          [this, path = offer.path](const std::string& why) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/voxels.h"
 #include "editor/files/volume_offer.h"
 #include "editor/session/session.h"
 

@@ -164,7 +164,7 @@ VolumeOffer offer_of(const std::string& path, const VolumeReading& reading,
     out.command = asked;
     try {
         choose_keeping(out, asked.shape.reading, progress);
-        out.command = std::get<AddVoxels>(prepare(asked, *assets, progress));
+        out.command = prepare(asked, *assets, progress).get<AddVoxels>();
         const AssetStore::LoadedVolume loaded = assets->load_volume(
             out.command.shape.path, out.command.shape.hash, progress, out.command.shape.reading);
         if (!loaded.grid)

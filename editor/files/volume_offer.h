@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/objects/voxels.h"
+#include "core/document/asset_store.h"
 #include "core/mesh/model.h"
 #include "core/voxels/raw_layout.h"
 #include "core/voxels/volume_options.h"

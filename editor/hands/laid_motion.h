@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/placement/place.h"
 #include "core/placement/sliding.h"
 #include "editor/hands/motion.h"
 #include "editor/session/session.h"

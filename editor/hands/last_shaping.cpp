@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/last_shaping.h"
 
+#include "core/commands/objects/shape.h"
 #include "editor/session/topics.h"
 #include "ui/widgets.h"
 

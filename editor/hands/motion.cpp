@@ -2,6 +2,7 @@
 #include "editor/hands/motion.h"
 
 #include "core/commands/edits/edits.h"
+#include "core/commands/objects/arrange.h"
 #include "editor/session/selection.h"
 
 #include <cmath>

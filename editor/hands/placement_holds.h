@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/placement/place.h"
 #include "core/evaluation/evaluate.h"
 #include "core/placement/placement.h"
 

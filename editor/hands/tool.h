@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/tiles/tile_files.h"
 #include "editor/hands/motion.h"
 #include "editor/session/session.h"
 #include "gpu/picture.h"

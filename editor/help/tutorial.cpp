@@ -2,6 +2,10 @@
 #include "editor/help/tutorial.h"
 
 #include "core/base/smooth_step.h"
+#include "core/commands/every_command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -18,8 +22,8 @@ constexpr std::size_t fewest_samples = 3; // that make a stroke
 
 const Sketch* sketch_of(const Command& command)
 {
-    if (const auto* place = std::get_if<Place>(&command)) return &place->sketch;
-    const auto* edit = std::get_if<EditPlacement>(&command);
+    if (const auto* place = command.as<Place>()) return &place->sketch;
+    const auto* edit = command.as<EditPlacement>();
     return edit && edit->sketch ? &*edit->sketch : nullptr;
 }
 
@@ -27,7 +31,7 @@ const Sketch* sketch_of(const Command& command)
 const Camera* camera_of(const Command& command)
 {
     if (const Sketch* sketch = sketch_of(command)) return &sketch->camera;
-    const auto* kept = std::get_if<KeepView>(&command);
+    const auto* kept = command.as<KeepView>();
     return kept ? &kept->camera : nullptr;
 }
 
@@ -72,7 +76,7 @@ void select_what_was_done(Session& session, std::size_t step)
     const History::Step& done = history.steps()[step - 1];
     const Document& before = step == 1 ? history.start() : history.steps()[step - 2].result;
     if (done.result.next_id > before.next_id) return session.select_new(before.next_id);
-    std::visit(
+    visit(
         [&](const auto& c) {
             if constexpr (requires { c.object; })
                 session.selected = c.object;
@@ -90,15 +94,15 @@ std::optional<Command> part_of(const Command& command, const Document& before, d
     const double t = smooth_step(done);
     if (const Sketch* sketch = sketch_of(command)) {
         Command part = command;
-        if (auto* place = std::get_if<Place>(&part))
+        if (auto* place = part.edit<Place>())
             place->sketch = begun(*sketch, done);
         else
-            std::get<EditPlacement>(part).sketch = begun(*sketch, done);
+            part.edit<EditPlacement>()->sketch = begun(*sketch, done);
         return part;
     }
-    if (const auto* c = std::get_if<SetTransform>(&command))
+    if (const auto* c = command.as<SetTransform>())
         return SetTransform{c->object, mixed(transform_of(c->object), c->transform, t)};
-    if (const auto* c = std::get_if<Arrange>(&command)) {
+    if (const auto* c = command.as<Arrange>()) {
         Arrange part = *c;
         for (std::size_t i = 0; i < part.objects.size() && i < part.transforms.size(); ++i)
             part.transforms[i] = mixed(transform_of(part.objects[i]), c->transforms[i], t);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/menu_bar.h"
 
+#include "core/commands/objects/view.h"
 #include "editor/actions/menu_letters.h"
 #include "editor/actions/menus_beside.h"
 #include "editor/panels/panels.h"

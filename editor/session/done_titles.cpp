@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/done_titles.h"
 
+#include "core/commands/every_command.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/warp.h"
 #include "editor/words/volume_words.h"
 
 #include <algorithm>
@@ -67,7 +70,7 @@ StepTitle done_title(const Session& session, const Command& command, const Docum
                 take_done(c, as_done(*edit, *outcome));
         }
     };
-    std::visit(limit, static_cast<AnyCommand&>(done));
+    change(done, limit);
     return step_title(done, before, after);
 }
 

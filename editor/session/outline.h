@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/objects/group.h"
 
 #include <set>
 #include <string>

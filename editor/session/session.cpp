@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/keying.h"
+#include "core/commands/placement/place.h"
 #include "core/document/parameters.h"
 #include "core/placement/placement.h"
 #include "core/steps/laying/attaching.h"
@@ -165,9 +166,9 @@ void Session::attach_proposal(const EvaluatedObject& laid)
     const std::optional<History::Step>& proposal = scene_.history().proposal();
     if (!proposal) return;
     Command command = proposal->command;
-    if (auto* place = std::get_if<Place>(&command))
+    if (auto* place = command.edit<Place>())
         place->attach = attachment_of(laid, place->sketch, place->parameters.skip_back_faces);
-    else if (auto* edit = std::get_if<EditPlacement>(&command); edit && edit->sketch)
+    else if (auto* edit = command.edit<EditPlacement>(); edit && edit->sketch)
         edit->attach = attachment_of(laid, *edit->sketch, edit->parameters.skip_back_faces);
     else
         return;
@@ -195,7 +196,7 @@ void Session::finish_check()
         return;
     }
     const Ref<EvaluatedObject> object_now = found->second;
-    const bool laid = std::holds_alternative<Place>(scene_.history().proposal()->command);
+    const bool laid = scene_.history().proposal()->command.is<Place>();
     attach_proposal(*object_now);
     const Document& proposed = scene_.document();
     if (committed().objects.contains(check.object) && proposed.next_id == committed().next_id &&

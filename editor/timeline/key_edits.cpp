@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_edits.h"
 
+#include "core/commands/objects/animate.h"
 #include "core/document/parameters.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_target.h"
 
+#include "core/commands/objects/animate.h"
 #include "core/placement/placement.h"
 #include "editor/session/session.h"
 
@@ -71,7 +72,7 @@ std::optional<Command> keys_as_shown(const Session& session, const std::vector<I
 {
     std::optional<Command> keys = keys_of(session.document(), ids, names, session.frame());
     if (!keys) return keys;
-    for (ObjectTracks& of : std::get<Animate>(*keys).of)
+    for (ObjectTracks& of : keys->edit<Animate>()->of)
         for (Track& track : of.tracks)
             for (Key& key : track.keys)
                 if (key.frame == session.frame() && key.value == 0)

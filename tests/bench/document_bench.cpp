@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/log.h"
 #include "core/scene/scene_file.h"
 #include "tests/support/fixtures.h"

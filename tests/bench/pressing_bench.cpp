@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/placement/place.h"
 #include "core/evaluation/evaluate.h"
 #include "core/placement/pressing.h"
 #include "core/placement/shaper.h"

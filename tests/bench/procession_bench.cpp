@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/document/asset_store.h"
 #include "core/evaluation/evaluate.h"
 #include "core/scene/scene_file.h"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
 #include "core/document/asset_store.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/evaluate.h"

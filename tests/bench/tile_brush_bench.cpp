@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/evaluation/evaluate.h"
 #include "editor/picture/picture.h"
 #include "gpu/renderer.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/certificate/film_check.h"
 #include "core/certificate/keyed_volume.h"
+#include "core/commands/objects/shape.h"
 #include "tests/export/scenes.h"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/paste.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "tests/support/scenes/commands.h"

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/placement/apply_shape.h"
+#include "core/commands/placement/place.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>

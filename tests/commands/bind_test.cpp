@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/bind.h"
 #include "core/commands/command.h"
+#include "core/commands/cutting/split.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/tiles/tiles.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>

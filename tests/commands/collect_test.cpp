@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/collect.h"
+#include "core/commands/objects/voxels.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/tiles.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"

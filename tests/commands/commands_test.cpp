@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
 #include "tests/support/scenes/commands.h"
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/convert_lattice.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "core/evaluation/evaluate.h"
 #include "core/simplex/simplex_volume.h"
 #include "core/tetrahedra/from_lattice.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/every_command.h"
 #include "core/document/document_digest.h"
+#include "core/document/field.h"
 #include "core/scene/log.h"
 #include "tests/support/scenes/commands.h"
 
@@ -76,7 +78,7 @@ TEST(EveryCommand, ReplaysFromTheLogToTheSameDigest)
 TEST(EveryCommand, HasASummaryAndAHelpForEachField)
 {
     for (const Command& command : fitting_commands()) {
-        std::visit(
+        visit(
             [](const auto& c) {
                 EXPECT_FALSE(c.summary.empty());
                 each_field(c, [&](std::string_view name, const auto&, std::string_view help,

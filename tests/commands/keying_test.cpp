@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/keying.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/material.h"
+#include "core/commands/objects/view.h"
 
 #include "core/document/parameters.h"
 #include "tests/support/scenes/commands.h"
@@ -30,7 +35,7 @@ TEST(Keying, MakesAKeyOfWhatIsAnimatedAndOfNothingElse)
     const Document document = moving_ball();
     const Command move = SetTransform{2, moved_to({3, 0, 0})};
     const Command key = keyed(document, move, 6, false);
-    ASSERT_TRUE(std::holds_alternative<Animate>(key));
+    ASSERT_TRUE(key.is<Animate>());
     const Document keyed_document = after(document, key);
     EXPECT_EQ(object(document_at(keyed_document, 6), 2).transform.translation, glm::dvec3(3, 0, 0));
     EXPECT_EQ(tracks_of(keyed_document, 2).front().keys.size(), 3u);
@@ -43,14 +48,14 @@ TEST(Keying, MakesAKeyOfWhatIsAnimatedAndOfNothingElse)
 TEST(Keying, KeysEveryChangeWhereThatIsWanted)
 {
     const Command key = keyed(small_document(), SetRender{{.exposure = 2}}, 5, true);
-    ASSERT_TRUE(std::holds_alternative<Animate>(key));
-    EXPECT_EQ(std::get<Animate>(key), (Animate{{{0, {{"render.exposure", {{5, 2}}}}}}}));
+    ASSERT_TRUE(key.is<Animate>());
+    EXPECT_EQ(key.get<Animate>(), (Animate{{{0, {{"render.exposure", {{5, 2}}}}}}}));
     const Command look =
         keyed(small_document(), SetRender{{.look = "clay", .exposure = 1}}, 5, true);
-    EXPECT_EQ(std::get<Animate>(look),
+    EXPECT_EQ(look.get<Animate>(),
               (Animate{{{0, {{"render.look", {{5, 1}}}, {"render.exposure", {{5, 1}}}}}}}));
     const Command hide = keyed(small_document(), Hide{{2}}, 9, true);
-    EXPECT_EQ(std::get<Animate>(hide), (Animate{{{2, {{"hidden", {{9, 1}}}}}}}));
+    EXPECT_EQ(hide.get<Animate>(), (Animate{{{2, {{"hidden", {{9, 1}}}}}}}));
 }
 
 TEST(Keying, LeavesWhatIsMoreThanNumbersAsItIs)
@@ -67,8 +72,8 @@ TEST(Keying, OfSeveralObjectsIsOneCommand)
     Document document = small_document();
     const Command both = Arrange{{2, 1}, {moved_to({1, 0, 0}), moved_to({0, 2, 0})}};
     const Command key = keyed(document, both, 4, true);
-    ASSERT_TRUE(std::holds_alternative<Animate>(key));
-    EXPECT_EQ(std::get<Animate>(key).of.size(), 2u);
+    ASSERT_TRUE(key.is<Animate>());
+    EXPECT_EQ(key.get<Animate>().of.size(), 2u);
     document = after(document, key);
     EXPECT_THAT(animated_ids(document), ::testing::UnorderedElementsAre(1, 2));
 }

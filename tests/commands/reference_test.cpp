@@ -17,7 +17,7 @@ TEST(Reference, InDocsIsTheOneThatTheProgramWrites)
 TEST(Reference, AsJsonHoldsEveryCommand)
 {
     const nlohmann::json all = nlohmann::json::parse(commands_json());
-    EXPECT_EQ(all.size(), command_count);
+    EXPECT_EQ(all.size(), CommandKinds::count);
     for (const auto& command : all) {
         EXPECT_TRUE(command.at("do").is_string());
         EXPECT_FALSE(command.at("fields").empty());

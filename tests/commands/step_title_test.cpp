@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/tiles.h"
 
 #include "core/base/rejected.h"
 #include "tests/support/scenes/commands.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/import.h"
 #include "core/document/asset_store.h"
 
 #include "core/base/rejected.h"
@@ -80,7 +81,7 @@ TEST(Prepare, FillsInHashNameAndARelativePath)
     const AssetStore assets(folder.path().string());
     ImportModel import;
     import.file.path = folder.file("models/snail.obj");
-    const auto prepared = std::get<ImportModel>(prepare(import, assets));
+    const auto prepared = prepare(import, assets).get<ImportModel>();
     EXPECT_EQ(prepared.file.path, "models/snail.obj");
     EXPECT_EQ(prepared.file.hash, file_hash(folder.file("models/snail.obj")));
     EXPECT_EQ(prepared.name, "snail");

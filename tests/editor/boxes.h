@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/command.h"
+#include "core/commands/objects/primitives.h"
 #include "tests/editor/rig.h"
 
 namespace trivar::testing {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/primitives.h"
 #include "editor/actions/all_actions.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/scene/log.h"
 #include "core/scene/scene_file.h"
 

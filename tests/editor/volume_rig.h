@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/voxels.h"
 #include "core/files/pictures/image.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
+#include "core/commands/volumes/lattice.h"
 #include "core/evaluation/evaluate.h"
 #include "core/files/write_model.h"
 #include "core/placement/shaper.h"

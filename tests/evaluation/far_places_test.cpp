@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene gives far from the origin is what it gives near it, moved.
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
 #include "core/evaluation/far_places.h"
 #include "core/placement/placement.h"
 

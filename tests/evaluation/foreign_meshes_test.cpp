@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes of other programs, as objects of a scene.
+#include "core/commands/cutting/cut.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/simplify.h"
 #include "core/files/write_model.h"
 #include "core/mesh/primitives.h"
 #include "tests/mesh/edges.h"

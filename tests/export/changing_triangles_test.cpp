@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/certificate/film_check.h"
+#include "core/commands/cutting/cut.h"
 #include "core/commands/objects/text.h"
 #include "core/export/animated_files.h"
 #include "core/mesh/closed_body.h"

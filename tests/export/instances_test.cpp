@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes with tiles and copies, written as instances and read again.
 #include "core/base/text.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/export/animated_files.h"
 #include "core/export/still_export.h"
 #include "core/export/usd_instances.h"

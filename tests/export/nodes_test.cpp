@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is a node of a file: objects, their parts, and the render camera.
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/view.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/evaluate.h"
 #include "core/export/still_export.h"

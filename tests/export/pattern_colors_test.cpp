@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patterns that fill objects, in files that know only colours of vertices.
 #include "core/base/text.h"
+#include "core/commands/cutting/split.h"
 #include "core/commands/edits/edits.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/lattice.h"
 #include "core/export/animated_files.h"
 #include "core/export/still_export.h"
 #include "core/files/formats.h"

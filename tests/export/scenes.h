@@ -2,6 +2,11 @@
 #pragma once
 
 #include "core/certificate/film_check.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/play.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/export/animated_model.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/certificate/film_check.h"
+#include "core/commands/placement/travel.h"
 #include "core/document/parameters.h"
 #include "core/export/animated_model.h"
 #include "core/placement/view.h"

@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 #include "core/certificate/film_check.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/play.h"
 #include "core/evaluation/evaluate.h"
 #include "core/export/animated_model.h"
 #include "core/files/formats.h"

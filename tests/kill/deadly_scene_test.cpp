@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Windows that end at work on a scene, and others that are killed while they wait.
 #include "core/base/text.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/simplify.h"
 #include "core/scene/scene_file.h"
 #include "tests/kill/screen.h"
 #include "tests/kill/watched_program.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/log.h"
 #include "tests/kill/killed_scene.h"
 #include "tests/kill/left_file.h"

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/scene_file.h"
 #include "tests/kill/left_file.h"
 

@@ -3,6 +3,7 @@
 // without a screen. Without arguments all of them, else those of the files that are named.
 
 #include "core/commands/command.h"
+#include "core/commands/objects/import.h"
 #include "core/files/pictures/image.h"
 #include "editor/actions/model_actions.h"
 #include "editor/picture/picture.h"

@@ -2,6 +2,12 @@
 // Draws the pictures of docs/manual anew: each is the editor, without a screen, in the state that
 // the page speaks of. Without arguments all of them, else those that are named.
 
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/files/pictures/image.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/help/welcome.h"

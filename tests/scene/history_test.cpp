@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/history.h"
 
 #include "core/base/rejected.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/primitives.h"
 #include "core/scene/scene_file.h"
 
 #include "core/base/rejected.h"

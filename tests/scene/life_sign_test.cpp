@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/primitives.h"
 #include "core/scene/life_sign.h"
 
 #include "core/scene/kept_scenes.h"

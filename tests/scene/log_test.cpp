@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/log.h"
 #include "tests/support/scenes/commands.h"
 
@@ -53,7 +55,7 @@ TEST(Log, WritesNumbersAsShortAsTheyReadBack)
     EXPECT_THAT(to_json_line(command), HasSubstr("\"base_color\":[0.1,0.2,0.7,1]"));
     const Command negative_zero = SetTransform{1, {.translation = {-0.0, 0.1, 1e-300}}};
     const auto back =
-        std::get<SetTransform>(command_from_json_line(to_json_line(negative_zero))).transform;
+        command_from_json_line(to_json_line(negative_zero)).get<SetTransform>().transform;
     EXPECT_TRUE(std::signbit(back.translation.x));
     EXPECT_EQ(back.translation.z, 1e-300);
 }

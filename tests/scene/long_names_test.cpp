@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of objects, fields and clips may have 4096 bytes and line ends; sentences about them not.
 #include "core/commands/command.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/play.h"
 #include "core/evaluation/evaluate.h"
 #include "core/scene/log.h"
 #include "tests/support/fixtures.h"

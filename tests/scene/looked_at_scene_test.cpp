@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/primitives.h"
 #include "core/document/document_digest.h"
 #include "core/scene/scene_file.h"
 #include "tests/support/fixtures.h"

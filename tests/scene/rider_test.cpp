@@ -2,6 +2,10 @@
 // A crocodile 3 on the back of a horse 2 that walks over hills 1, in assets/scenes/rider.trivar.
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/play.h"
+#include "core/commands/placement/place.h"
 #include "core/placement/placement.h"
 #include "core/scene/log.h"
 #include "tests/support/scenes/commands.h"

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/lattice.h"
 #include "core/document/document_digest.h"
 #include "core/scene/scene_file.h"
 
@@ -45,9 +49,8 @@ TEST(SceneFile, RefusesToBeGivenAStepAnewThatAnOlderSceneHoldsAndThatDoesNothing
     const std::string before = digest(scene.document());
     int refused = 0;
     for (const History::Step& step : steps) {
-        if (!std::holds_alternative<MovePoints>(step.command) &&
-            !std::holds_alternative<CoarsenVolume>(step.command) &&
-            !std::holds_alternative<InsertKnots>(step.command))
+        if (!step.command.is<MovePoints>() && !step.command.is<CoarsenVolume>() &&
+            !step.command.is<InsertKnots>())
             continue;
         EXPECT_THROW(scene.run(step.command), Rejected);
         EXPECT_THROW(scene.propose(step.command), Rejected);
@@ -85,7 +88,7 @@ TEST(SceneFile, RewritesThePathsOfABranchInAnotherFolder)
     const SceneFile again(folder.file("b/scene.trivar"));
     ASSERT_EQ(again.history().branches().size(), 1u);
     const History::Step& step = again.history().branches().front().steps.front();
-    EXPECT_EQ(std::get<ImportModel>(step.command).file.path, "../a/snail.obj");
+    EXPECT_EQ(step.command.get<ImportModel>().file.path, "../a/snail.obj");
 }
 
 TEST(SceneFile, KeepsTheUndoneBranchesWhenItGetsItsName)

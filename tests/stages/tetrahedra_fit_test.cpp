@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/objects/voxels.h"
 #include "core/document/document_digest.h"
 #include "core/document/drawn_lines.h"
 #include "core/evaluation/evaluate.h"

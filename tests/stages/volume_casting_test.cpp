@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/casting/casting.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/voxels.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/evaluate.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/voxels.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/level/voxel_field.h"

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/play.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/placement/placement.h"
 #include "core/stages/carriage.h"
 #include "core/steps/laying/attaching.h"

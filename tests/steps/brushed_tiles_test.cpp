@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/document/document_digest.h"
 #include "core/export/rigid_tiles.h"
 #include "tests/support/scenes/commands.h"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/mesh/closed_body.h"
 #include "tests/support/scenes/cut_ball.h"
 

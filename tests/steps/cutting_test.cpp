@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/cutting/split.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/lattice.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/mesh/closed_body.h"

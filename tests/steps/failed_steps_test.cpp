@@ -2,6 +2,12 @@
 // Steps of objects that end by an exception.
 #include "core/base/mistake.h"
 #include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/objects/unwrap.h"
+#include "core/commands/placement/place.h"
 #include "core/steps/lacking.h"
 #include "tests/support/scenes/commands.h"
 

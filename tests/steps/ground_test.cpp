@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/placement/place.h"
 #include "core/placement/placement.h"
 #include "core/steps/laying/ground_plane.h"
 

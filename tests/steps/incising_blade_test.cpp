@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/cutting/incise.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/incise/incised.h"
 #include "tests/support/scenes/incised_ball.h"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/cutting/peel.h"
+#include "core/commands/objects/animate.h"
 #include "core/document/document_digest.h"
 #include "tests/support/scenes/incised_ball.h"
 

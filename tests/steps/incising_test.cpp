@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/commands/cutting/incise.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/files/read_model.h"

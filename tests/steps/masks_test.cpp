@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/unwrap.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/files/pictures/image.h"
 #include "core/scene/moved_history.h"
 #include "tests/support/fixtures.h"
@@ -392,9 +399,9 @@ TEST(TileMasks, FindTheirPictureWhereTheSceneHasMoved)
     moved(history, "/scenes/old", "/scenes/new")
         .retell(
             [&](const History::Step& step) {
-                if (const auto* mask = std::get_if<MaskTiles>(&step.command))
+                if (const auto* mask = step.command.as<MaskTiles>())
                     files.push_back(mask->mask.image);
-                if (const auto* heights = std::get_if<AddHeights>(&step.command))
+                if (const auto* heights = step.command.as<AddHeights>())
                     files.push_back(heights->shape.image);
             },
             [] {});

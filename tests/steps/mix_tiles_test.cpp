@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/play.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/stages/walk.h"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/refinement/refine.h"

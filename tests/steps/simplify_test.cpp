@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/warp.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/support/fixtures.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/cutting/split.h"
 #include "core/commands/edits/edits.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/mesh/closed_body.h"
@@ -102,7 +106,7 @@ TEST(Splitting, ReadsTheSwitchOfOlderFiles)
         const Command command = command_from_json_line(
             R"({"do": "split", "objects": [1], "obstacles": [{"object": 2}], "capped": )" + value +
             "}");
-        return std::get<Split>(command).splitting.closing;
+        return command.get<Split>().splitting.closing;
     };
     EXPECT_EQ(closing("false"), SplitClosing::open);
     EXPECT_EQ(closing("true"), SplitClosing::capped);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/tiles/fold_limit.h"
 #include "tests/steps/strands.h"
 #include "tests/support/scenes/commands.h"

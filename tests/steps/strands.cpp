@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/steps/strands.h"
 
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/tiles.h"
 #include "tests/support/scenes/commands.h"
 
 #include <cstring>

@@ -2,6 +2,12 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/tiles/tiles.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/warp.h"
 #include "tests/steps/strands.h"
 #include "tests/support/scenes/commands.h"
 

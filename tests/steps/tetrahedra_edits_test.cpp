@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "core/evaluation/evaluate.h"
 #include "core/tetrahedra/pulled_layer.h"
 #include "core/tetrahedra/tetrahedra_shaper.h"

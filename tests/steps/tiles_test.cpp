@@ -2,6 +2,10 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/tiles/tiles.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/objects/unwrap.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/unwrap/unwrap.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
+#include "core/commands/every_command.h"
+#include "core/commands/placement/place.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/inspector/field_cells.h"
 #include "editor/panels/inspector/field_rows.h"
@@ -123,16 +125,13 @@ private:
 
 const PlacementReport* report_of(const Session& session, const Command& command)
 {
-    return std::visit(
-        [&]<class C>([[maybe_unused]] const C& c) -> const PlacementReport* {
-            if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>) {
-                const auto found = session.evaluated().objects.find(c.object);
-                if (found != session.evaluated().objects.end() && found->second->placement)
-                    return &found->second->stroke_placement()->report;
-            }
-            return nullptr;
-        },
-        command);
+    const auto* laid = command.as<Place>();
+    const auto* laid_again = command.as<EditPlacement>();
+    if (!laid && !laid_again) return nullptr;
+    const auto found = session.evaluated().objects.find(laid ? laid->object : laid_again->object);
+    return found != session.evaluated().objects.end() && found->second->placement
+               ? &found->second->stroke_placement()->report
+               : nullptr;
 }
 
 } // namespace
@@ -184,7 +183,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& fo
     ImGui::PopStyleVar();
     const float top = ImGui::GetCursorScreenPos().y;
     CardRows rows(theme, report_of(session, command));
-    std::visit([&](auto& c) { each_field(c, rows); }, command);
+    change(command, [&](auto& c) { each_field(c, rows); });
     a.height_px = ImGui::GetCursorScreenPos().y - top;
     ImGui::EndChild();
     if (rows.edit == ui::Edit::changed) propose_instead(a, session, command);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/view.h"
 #include "core/commands/words/number_words.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/number_rows.h"

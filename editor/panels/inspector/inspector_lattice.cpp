@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/warp.h"
 #include "editor/panels/inspector/inspect.h"
 
 #include "editor/actions/lattice_actions.h"

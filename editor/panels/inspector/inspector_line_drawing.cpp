@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_line_drawing.h"
 
+#include "core/commands/objects/line_drawing.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/ink_rows.h"
 #include "editor/panels/inspector/inspect.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/commands/placement/place.h"
 #include "core/commands/words/step_title.h"
 #include "core/placement/embed.h"
 #include "editor/actions/edit_actions.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
+#include "core/commands/objects/shape.h"
 #include "core/ffd/resolution.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"

@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/inspector_simplify.h"
 
 #include "core/base/number_text.h"
+#include "core/commands/objects/simplify.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/tiles/tiles.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/session/scene_facts.h"

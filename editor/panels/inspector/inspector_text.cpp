@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/text.h"
 #include "core/text/installed_fonts.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
@@ -66,7 +67,7 @@ void font_row(Editor& editor, ValueRows& rows, TextShape& s)
         ui::label_row(rows.theme, "Font", false, facts_of(&TextShape::font).help).width));
     if (chosen == shown) return;
     s.font = words[static_cast<std::size_t>(chosen)];
-    s = std::get<SetText>(prepare(SetText{0, s}, *editor.session.assets())).shape;
+    s = prepare(SetText{0, s}, *editor.session.assets()).get<SetText>().shape;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/commands/placement/travel.h"
 #include "core/placement/journey.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"

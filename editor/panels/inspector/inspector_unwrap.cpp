@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/inspector_unwrap.h"
 
 #include "core/base/number_text.h"
+#include "core/commands/objects/unwrap.h"
 #include "core/unwrap/unwrap.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/timeline/timeline.h"
 
+#include "core/commands/objects/view.h"
 #include "editor/actions/key_actions.h"
 #include "editor/actions/time_actions.h"
 #include "editor/panels/inspector/inspect.h"

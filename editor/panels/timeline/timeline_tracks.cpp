@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/placement/travel.h"
 #include "core/placement/journey.h"
 #include "editor/panels/timeline/timeline.h"
 #include "editor/session/scene_facts.h"

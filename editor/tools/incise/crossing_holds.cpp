@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
+#include "core/commands/cutting/peel.h"
 #include "ui/widgets.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the tool of incisions drags handles, by the mouse or by a key, and takes typed numbers.
+#include "core/commands/cutting/peel.h"
 #include "editor/tools/incise/incise.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 // A flap that a hand has laid back leaves no number behind, unless it has keys. Nothing: it lay.
 std::optional<Command> without_flat_flap(const Document& before, const Command& command)
 {
-    const auto* peel = std::get_if<PeelFlap>(&command);
+    const auto* peel = command.as<PeelFlap>();
     if (!peel || peel->flap.lift > 0) return command;
     const Object& of = object(before, peel->object);
     const std::vector<PeeledFlap>& flaps = of.incising->flaps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/shape.h"
 #include "editor/hands/gesture.h"
 #include "editor/hands/proportional.h"
 #include "editor/hands/tool.h"

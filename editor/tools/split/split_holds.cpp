@@ -3,6 +3,8 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounded.h"
+#include "core/commands/cutting/cut.h"
+#include "core/commands/cutting/split.h"
 #include "core/split/split_field.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/tools/split/shown_cut.h"

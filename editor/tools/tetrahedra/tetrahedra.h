@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/placement/place.h"
 #include "core/commands/volumes/tetrahedra.h"
 #include "editor/tools/tetrahedra/tetrahedra_clouds.h"
 #include "editor/tools/tetrahedra/tetrahedra_points.h"

@@ -2,6 +2,7 @@
 #include "editor/tools/tiles/tiles.h"
 
 #include "core/base/rounded.h"
+#include "core/commands/tiles/mix_tiles.h"
 #include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/text.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/volumes/lattice.h"
 #include "editor/actions/hint_steps.h"
 
 #include "editor/actions/actions.h"

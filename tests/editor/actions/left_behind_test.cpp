@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/cutting/incise.h"
+#include "core/commands/cutting/split.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
+#include "core/commands/volumes/lattice.h"
 #include "editor/actions/left_behind.h"
 
 #include "core/commands/command.h"

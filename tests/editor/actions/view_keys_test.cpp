@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys change of the window's picture alone.
+#include "core/commands/placement/place.h"
 #include "core/files/pictures/image.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/palette_entries.h"
@@ -161,7 +162,7 @@ TEST(Isolate, LeavesWhatIsNotShownOutOfStrokes)
     rig.editor.session.selected = 2;
     for (const PaletteEntry& each : palette_commands(rig.editor))
         if (each.name == "Place") {
-            EXPECT_THAT(std::get<Place>(*each.fill).onto, ElementsAre(1));
+            EXPECT_THAT(each.fill->get<Place>().onto, ElementsAre(1));
         }
     rig.key({'D'});
     rig.draw(rig.stroke());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/tetrahedra.h"
 #include "editor/command_line/command_line.h"
 
 #include "core/base/text.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that move, exported and verified by the command line.
 #include "core/base/text.h"
+#include "core/commands/objects/play.h"
 #include "core/files/gltf/glb_chunks.h"
 #include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/files/read_model.h"
 #include "editor/command_line/command_line.h"
 #include "editor/files/export_plan.h"

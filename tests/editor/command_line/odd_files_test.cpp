@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every option that opens a file refuses what is none, at once: a pipe would wait for ever, a
 // device may never end.
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/text.h"
 #include "core/scene/log.h"
 #include "editor/command_line/command_line.h"
 #include "tests/support/fixtures.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sequences of pictures by the command line.
 #include "core/base/text.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/text.h"
 #include "core/files/pictures/image.h"
 #include "editor/command_line/command_line.h"
 #include "editor/record/sequence.h"

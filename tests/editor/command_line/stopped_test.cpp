@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signals that come while the program works: what it writes is whole or not there.
 #include "core/base/text.h"
+#include "core/commands/objects/primitives.h"
 #include "core/files/read_model.h"
 #include "core/scene/log.h"
 #include "editor/command_line/interrupts.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What replay, render and export do with a scene that is not all there, and with their own sources.
 #include "core/base/text.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/text.h"
 #include "core/files/write_model.h"
 #include "core/mesh/primitives.h"
 #include "core/scene/log.h"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
 #include "editor/commands/command_form.h"
 
 #include "core/base/rejected.h"
@@ -69,13 +72,13 @@ TEST(CommandForm, ReadsNumbersAsPeopleTypeThem)
 {
     const Command ready = *as_it_is(SetTransform{}, 2, scene());
     const auto moved = [&](const std::string& typed) {
-        return std::get<SetTransform>(with(ready, "translation", typed)).transform.translation;
+        return with(ready, "translation", typed).get<SetTransform>().transform.translation;
     };
     EXPECT_EQ(moved("12 mm, 5 mm, 0"), glm::dvec3(0.012, 0.005, 0));
     EXPECT_EQ(moved("12 mm 5 mm 0"), glm::dvec3(0.012, 0.005, 0));
     EXPECT_EQ(moved("[1,2,4]"), glm::dvec3(1, 2, 4));
     EXPECT_EQ(moved("+=1 2 max(1, 3)"), glm::dvec3(2, 2, 3));
-    EXPECT_EQ(std::get<SetRender>(with(SetRender{}, "exposure", "1 + 1/2")).settings.exposure, 1.5);
+    EXPECT_EQ(with(SetRender{}, "exposure", "1 + 1/2").get<SetRender>().settings.exposure, 1.5);
 }
 
 TEST(CommandForm, ReadsPointsAsPairsBetweenCommas)
@@ -92,7 +95,7 @@ TEST(CommandForm, ReadsPointsAsPairsBetweenCommas)
         place.fields[1].typed = typed;
         std::vector<glm::dvec2> all;
         const Command command = filled(place, scene());
-        for (const StrokeSample& each : std::get<Place>(command).sketch.samples)
+        for (const StrokeSample& each : command.get<Place>().sketch.samples)
             all.push_back(each.p_px);
         return all;
     };

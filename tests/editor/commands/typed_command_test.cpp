@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/placement/place.h"
 #include "editor/commands/typed_command.h"
 
 #include "core/base/rejected.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/commands/objects/animate.h"
 #include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/boxes.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of work that is let go, and what the window says of it.
+#include "core/commands/objects/arrange.h"
 #include "core/files/write_model.h"
 #include "core/mesh/primitives.h"
 #include "core/scene/log.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
 #include "editor/files/plain_mesh.h"
 
 #include "core/commands/placement/apply_shape.h"
@@ -68,7 +69,7 @@ TEST(PlainMesh, ApplyPutsTheCertifiedShapeInItsPlaceInOneStep)
     EXPECT_EQ(std::get<ImportedFile>(now.source).path, "Box plain_001.glb");
     expect_alike(rig.bounds(2), before, 4e-3);
     const auto& steps_done = rig.editor.session.scene().history().steps();
-    EXPECT_EQ(std::get<ApplyShape>(AnyCommand(steps_done.back().command)).tolerance, 2e-3);
+    EXPECT_EQ(steps_done.back().command.get<ApplyShape>().tolerance, 2e-3);
     EXPECT_NE(rig.editor.session.notices.all().back().body.find("certified"), std::string::npos);
     // Its origin is in its middle, so that it turns and grows about itself.
     EXPECT_LT(glm::distance(now.transform.translation, rig.bounds(2).center()), 1e-3);
@@ -142,7 +143,7 @@ TEST(PlainMesh, SaysWhatIsNotCertifiedWhereTheTrianglesDoNotSuffice)
     make_plain_mesh(rig.editor.session, {2, {.tolerance = 1e-5, .budget = 2000}, true});
     rig.wait();
     const auto& steps_done = rig.editor.session.scene().history().steps();
-    EXPECT_EQ(std::get<ApplyShape>(AnyCommand(steps_done.back().command)).tolerance, 0);
+    EXPECT_EQ(steps_done.back().command.get<ApplyShape>().tolerance, 0);
     EXPECT_EQ(rig.editor.session.notices.all().back().kind, ui::NoticeKind::warning);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
 #include "editor/files/relink.h"
 
 #include "core/files/pictures/image.h"

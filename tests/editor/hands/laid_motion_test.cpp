@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/volumes/lattice.h"
 #include "core/steps/laying/attaching.h"
 #include "tests/editor/laid.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
 #include "editor/help/tutorial.h"
 
 #include "core/base/text.h"
@@ -164,7 +166,7 @@ TEST(Tutorial, AStrokeGrowsFromItsBeginningAndEndsAsItWas)
     Place place{1, {}, {}, {}};
     for (int i = 0; i < 50; ++i) place.sketch.samples.push_back({{i, 0}, i * 0.01, 1});
     const auto samples = [&](double done) {
-        return std::get<Place>(*part_of(place, {}, done)).sketch.samples.size();
+        return part_of(place, {}, done)->get<Place>().sketch.samples.size();
     };
     EXPECT_EQ(samples(0), 3u);
     EXPECT_EQ(samples(0.5), 25u);

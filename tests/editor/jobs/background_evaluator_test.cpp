@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/primitives.h"
+#include "core/commands/objects/simplify.h"
 #include "editor/jobs/background_evaluator.h"
 
 #include "core/commands/command.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/cutting/incise.h"
+#include "core/commands/cutting/peel.h"
 #include "editor/panels/inspector/incision_rows.h"
 #include "editor/panels/inspector/wound_section.h"
 #include "tests/editor/panels/number_rows.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/primitives.h"
+#include "core/commands/volumes/lattice.h"
 #include "tests/editor/panels/number_rows.h"
 
 namespace trivar::testing {

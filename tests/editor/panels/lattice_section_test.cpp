@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/volumes/warp.h"
 #include "editor/panels/inspector/field_cells.h"
 #include "editor/session/done_titles.h"
 #include "tests/editor/panels/lattice_rig.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inspector's section for numbers that only keys change.
 #include "core/commands/keying.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/warp.h"
 #include "editor/panels/inspector/number_rows.h"
 #include "tests/editor/panels/lattice_rig.h"
 

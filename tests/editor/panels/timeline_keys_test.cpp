@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/view.h"
 #include "editor/actions/key_actions.h"
 #include "editor/panels/timeline/curve_scale.h"
 #include "tests/editor/rig.h"

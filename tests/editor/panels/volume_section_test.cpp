@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
 #include "core/stages/shown_volume.h"
 #include "editor/panels/inspector/transfer_rows.h"
 #include "editor/session/volume_levels.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/view.h"
 #include "core/refinement/refine.h"
 #include "editor/picture/captions.h"
 

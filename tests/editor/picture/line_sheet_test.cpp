@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/line_drawing.h"
 #include "editor/picture/line_sheet.h"
 
 #include "core/base/text.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/volumes/lattice.h"
 #include "editor/picture/volume_picture.h"
 
 #include "editor/session/session_facts.h"

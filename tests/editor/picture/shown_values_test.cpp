@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/view.h"
 #include "editor/picture/picture.h"
 #include "tests/editor/rig.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/view.h"
 #include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/boxes.h"

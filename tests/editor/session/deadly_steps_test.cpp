@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that ended the programs that worked on them.
 #include "core/base/text.h"
+#include "core/commands/objects/primitives.h"
 #include "core/scene/log.h"
 #include "editor/session/recovery.h"
 #include "tests/support/dying.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/keying.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

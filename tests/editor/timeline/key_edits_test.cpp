@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/animate.h"
 #include "editor/timeline/key_edits.h"
 
 #include "core/commands/words/number_words.h"

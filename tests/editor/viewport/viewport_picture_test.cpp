@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/view.h"
 #include "core/document/document_digest.h"
 #include "core/files/pictures/image.h"
 #include "core/scene/log.h"

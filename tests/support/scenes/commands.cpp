@@ -1,6 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes/commands.h"
 
+#include "core/commands/bind.h"
+#include "core/commands/cutting/cut.h"
+#include "core/commands/cutting/peel.h"
+#include "core/commands/cutting/split.h"
+#include "core/commands/every_command.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/import.h"
+#include "core/commands/objects/keep_shape.h"
+#include "core/commands/objects/line_drawing.h"
+#include "core/commands/objects/play.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/shade.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/objects/simplify.h"
+#include "core/commands/objects/text.h"
+#include "core/commands/objects/unwrap.h"
+#include "core/commands/objects/view.h"
+#include "core/commands/objects/voxels.h"
+#include "core/commands/placement/apply_shape.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
+#include "core/commands/tiles/heights.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
+#include "core/commands/volumes/convert_lattice.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/tetrahedra.h"
+#include "core/commands/volumes/warp.h"
+
 #include <limits>
 
 namespace trivar::testing {
@@ -284,13 +315,11 @@ Command random_command(std::mt19937& random)
 {
     const std::vector<Command> all = every_command();
     Command command = all[random() % all.size()];
-    std::visit(
-        [&](auto& c) {
-            each_field(c, [&](std::string_view, auto& value, std::string_view, Rule rule = {}) {
-                if (random() % 4 != 0) randomize(random, value, rule);
-            });
-        },
-        command);
+    change(command, [&](auto& c) {
+        each_field(c, [&](std::string_view, auto& value, std::string_view, Rule rule = {}) {
+            if (random() % 4 != 0) randomize(random, value, rule);
+        });
+    });
     return command;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/cutting/cut.h"
 #include "core/commands/edits/edits.h"
+#include "core/commands/objects/primitives.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/scenes/commands.h"

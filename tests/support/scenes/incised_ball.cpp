@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes/incised_ball.h"
 
+#include "core/commands/cutting/incise.h"
+#include "core/commands/objects/primitives.h"
 #include "core/document/document_digest.h"
 #include "tests/support/fixtures.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
 #include "core/document/document_digest.h"
 #include "tests/editor/tools/incise/incise_rig.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/cutting/incise.h"
+#include "core/commands/objects/primitives.h"
 #include "editor/tools/incise/incise.h"
 #include "tests/editor/rig.h"
 

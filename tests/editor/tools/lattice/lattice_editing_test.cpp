@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/keying.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/warp.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
 #include "tests/editor/laid.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
 #include "editor/tools/place/place_round.h"
 
 #include "editor/actions/actions.h"

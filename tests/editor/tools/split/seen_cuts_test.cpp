@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/cutting/incise.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/lattice.h"
 #include "editor/tools/split/split.h"
 #include "tests/editor/laid.h"
 #include "tests/editor/tools/incise/incise_rig.h"

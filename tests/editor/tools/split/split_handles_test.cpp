@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/animate.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/view.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/split/split_field.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/view.h"
 #include "editor/tools/split/split.h"
 
 #include "core/commands/objects/animate.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/arrange.h"
 #include "core/commands/tiles/tiles.h"
 #include "core/files/pictures/image.h"
 #include "editor/actions/actions.h"
