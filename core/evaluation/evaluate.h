@@ -3,17 +3,13 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
+#include "core/evaluation/on_failure.h"
 #include "core/stages/evaluated.h"
 #include "core/stages/step.h"
 
 #include <memory>
 
 namespace trivar {
-
-// The treatment of an exception, other than Cancelled, in a step of one object: the evaluation
-// passes it on, so that a test stops at it; or the object is shown without the step, and its
-// notices say so.
-enum class OnFailure : std::uint8_t { pass_on, leave_out };
 
 // An Evaluator evaluates documents one after another and keeps what is still true. Results are
 // cached by the identity of what they came from, so a drag computes only what it touches, and the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/file_actions.h"
 
+#include "core/files/pictures/image.h"
 #include "editor/actions/chords.h"
 #include "editor/editor.h"
 #include "editor/files/relink.h"

@@ -6,6 +6,7 @@
 #include "editor/actions/file_actions.h"
 #include "editor/actions/model_actions.h"
 #include "editor/editor.h"
+#include "editor/jobs/background_evaluator.h"
 
 #include <algorithm>
 

@@ -3,8 +3,10 @@
 
 #include "core/base/rejected.h"
 #include "core/document/named_files.h"
+#include "core/export/animated_files.h"
 #include "core/files/copies.h"
 #include "core/files/file_bytes.h"
+#include "editor/files/export_wish.h"
 #include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/objects/import.h"
 #include "editor/files/volume_imports.h"
 #include "editor/session/recovery.h"
 #include "ui/dialog.h"

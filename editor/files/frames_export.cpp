@@ -2,7 +2,9 @@
 #include "editor/files/frames_export.h"
 
 #include "core/base/rejected.h"
+#include "core/export/animated_files.h"
 #include "core/scene/files_read.h"
+#include "editor/files/export_wish.h"
 #include "editor/words/file_words.h"
 
 #include <fmt/format.h>

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/animated_files.h"
 #include "editor/jobs/job.h"
 #include "ui/notices.h"
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace trivar {
 
-// An ExportWish is frames that are to be written as one file for other programs.
-struct ExportWish {
-    AnimatedScene scene;
-    Ref<AssetStore> assets;
-    std::string path; // its ending decides what it is
-};
+struct AnimatedFile;
+struct ExportWish;
 
 // A FramesExport writes frames of the scene as it was at the beginning, while work on it continues:
 // the files of `trivar export`. Later requests wait for it.

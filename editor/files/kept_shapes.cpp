@@ -2,6 +2,7 @@
 #include "editor/files/kept_shapes.h"
 
 #include "core/commands/objects/group.h"
+#include "core/evaluation/evaluate.h"
 #include "core/files/copies.h"
 #include "core/files/write_model.h"
 #include "editor/session/scene_facts.h"

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/files/copies.h"
 #include "core/files/pictures/image.h"
+#include "editor/picture/still.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
@@ -43,6 +44,9 @@ void tell_failed(Session& session, const std::string& path, const std::string& w
 }
 
 } // namespace
+
+PictureToFile::PictureToFile() = default;
+PictureToFile::~PictureToFile() = default;
 
 void PictureToFile::begin(const Session& session, glm::ivec2 size_px)
 {

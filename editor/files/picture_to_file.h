@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/picture/still.h"
 #include "editor/session/session.h"
+#include "gpu/shader_source.h"
 #include "ui/frame.h"
 
 #include <glm/glm.hpp>
@@ -12,11 +12,15 @@
 
 namespace trivar {
 
+class Still;
+
 // A PictureToFile draws the present view as the scene asks for it, in full quality, and writes it
 // beside the scene's file under the next free number. It draws one piece per frame, so the window
 // stays responsive.
 class PictureToFile {
 public:
+    PictureToFile();
+    ~PictureToFile();
     bool running() const { return wanted_px_ || still_; }
     const std::string& path() const { return path_; }
     // Begins a picture of that size as soon as the scene is evaluated and nothing else is read or

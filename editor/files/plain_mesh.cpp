@@ -8,6 +8,7 @@
 #include "core/commands/objects/refine.h"
 #include "core/commands/placement/apply_shape.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/evaluate.h"
 #include "core/files/write_model.h"
 #include "core/steps/bending/refining.h"
 #include "core/steps/laying/attaching.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/volume_imports.h"
 
+#include "core/commands/objects/voxels.h"
+#include "editor/files/volume_offer.h"
 #include "editor/files/volume_slices.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
@@ -22,27 +24,40 @@ std::string absolute_path(const std::string& path)
 
 } // namespace
 
+VolumeImports::VolumeImports(Session& session) : memory_bytes(volume_memory()), session_(&session)
+{
+}
+
+VolumeImports::~VolumeImports() = default;
+
+void VolumeImports::leave()
+{
+    offers_.pop_front();
+    ++number_;
+}
+
 void VolumeImports::read(const std::string& path, std::function<void(const std::string& why)> done)
 {
     const std::string file = absolute_path(path);
-    session_->jobs().start({"Reading " + file_name(file),
-                            [this, file, done, store = session_->assets(),
-                             memory = memory_bytes](const Progress& progress) -> Jobs::Finish {
-                                auto offer = std::make_shared<VolumeOffer>(
-                                    offer_of(file, {}, store, memory, progress));
-                                return [this, offer, done] {
-                                    offers_.push_back(std::move(*offer));
-                                    ++number_;
-                                    done({});
-                                };
-                            },
-                            [file, done](const std::string& why) { done(reason(why, file)); }});
+    session_->jobs().start(
+        {"Reading " + file_name(file),
+         [this, file, done, store = session_->assets(),
+          memory = memory_bytes](const Progress& progress) -> Jobs::Finish {
+             auto offer =
+                 std::make_shared<VolumeOffer>(offer_of(file, {}, store, memory, progress));
+             return [this, offer, done] {
+                 offers_.push_back(std::make_unique<VolumeOffer>(std::move(*offer)));
+                 ++number_;
+                 done({});
+             };
+         },
+         [file, done](const std::string& why) { done(reason(why, file)); }});
 }
 
 void VolumeImports::read_again()
 {
     if (offers_.empty()) return;
-    const VolumeOffer& now = offers_.front();
+    const VolumeOffer& now = *offers_.front();
     now.assets->forget(now.path);
     again_ = true;
     session_->jobs().start(
@@ -53,31 +68,31 @@ void VolumeImports::read_again()
                  std::make_shared<VolumeOffer>(offer_of(file, reading, store, memory, progress));
              return [this, offer, reading] {
                  again_ = false;
-                 if (offers_.empty() || offers_.front().path != offer->path) return;
-                 const VolumeOffer& was = offers_.front();
+                 if (offers_.empty() || offers_.front()->path != offer->path) return;
+                 const VolumeOffer& was = *offers_.front();
                  // The person went on typing meanwhile.
                  if (was.command.shape.reading != reading) return read_again();
                  offer->up = was.up;
                  offer->scale = was.scale;
                  offer->centered = was.centered;
                  if (offer->grid) offer->slices = turned_slices(*offer);
-                 offers_.front() = std::move(*offer);
+                 *offers_.front() = std::move(*offer);
                  ++number_;
              };
          },
          [this](const std::string& why) {
              again_ = false;
              if (offers_.empty()) return;
-             offers_.front().grid = nullptr;
-             offers_.front().trouble = why;
+             offers_.front()->grid = nullptr;
+             offers_.front()->trouble = why;
              ++number_;
          }});
 }
 
 void VolumeImports::add()
 {
-    if (offers_.empty() || !offers_.front().grid) return;
-    const VolumeOffer offer = std::move(offers_.front());
+    if (offers_.empty() || !offers_.front()->grid) return;
+    const VolumeOffer offer = std::move(*offers_.front());
     leave();
     AddVoxels command = command_of(offer);
     if (session_->assets() == offer.assets) return run(command);

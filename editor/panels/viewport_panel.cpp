@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
 #include "editor/panels/panels.h"
+#include "editor/picture/volume_facts.h"
+#include "editor/picture/volume_lines.h"
+#include "editor/viewport/certified_lines.h"
+#include "editor/viewport/refined_view.h"
+#include "editor/viewport/way_comparison.h"
+#include "gpu/renderer.h"
 
 #include "core/base/memory.h"
 #include "core/base/text.h"

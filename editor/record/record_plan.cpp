@@ -3,6 +3,8 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "editor/record/recording_wish.h"
+#include "editor/record/sequence.h"
 #include "editor/record/video.h"
 #include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"

@@ -3,12 +3,16 @@
 
 #include "editor/record/recording.h"
 #include "editor/session/session.h"
+#include "gpu/level.h"
 #include "ui/file_dialog.h"
 
 #include <optional>
 #include <utility>
 
 namespace trivar {
+
+struct FrameNames;
+struct RecordingWish;
 
 // A RecordPlan holds a person's choices for a recording, before it begins.
 struct RecordPlan {

@@ -7,6 +7,8 @@
 #include "core/scene/files_read.h"
 #include "editor/picture/picture.h"
 #include "editor/picture/stored_pictures.h"
+#include "editor/record/recording_wish.h"
+#include "editor/record/sequence.h"
 #include "editor/record/video.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
@@ -56,6 +58,14 @@ std::string frames_words(std::size_t count)
 }
 
 } // namespace
+
+Recording::Recording(std::function<void()> wake, ui::Notices& notices)
+    : notices_(notices),
+      jobs_(std::move(wake))
+{
+}
+
+Recording::~Recording() = default;
 
 void Recording::begin(RecordingWish wish)
 {

@@ -2,25 +2,20 @@
 #pragma once
 
 #include "editor/jobs/job.h"
-#include "editor/record/sequence.h"
+#include "gpu/shader_source.h"
 #include "gpu/texture.h"
 #include "ui/frame.h"
 #include "ui/notices.h"
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace trivar {
 
-// A RecordingWish is the input of a recording.
-struct RecordingWish {
-    Document document;
-    Ref<AssetStore> assets;
-    Sequence sequence; // its settings are added
-    std::vector<int> frames;
-    gpu::Level level = gpu::Level::standard;
-    std::optional<Camera> camera; // none: the view that is kept for pictures
-    std::string video;            // file; empty: none
-};
+class Still;
+struct RecordingWish;
 
 // Frames of a scene, as it was when this began, drawn into files while work on it goes on: each is
 // evaluated on another thread, drawn a piece a frame of the window, and written as `trivar render`
@@ -29,11 +24,8 @@ struct RecordingWish {
 class Recording {
 public:
     // How it ended is told by a notice.
-    Recording(std::function<void()> wake, ui::Notices& notices)
-        : notices_(notices),
-          jobs_(std::move(wake))
-    {
-    }
+    Recording(std::function<void()> wake, ui::Notices& notices);
+    ~Recording();
     bool running() const { return run_ != nullptr; }
     void begin(RecordingWish wish); // in place of one that runs
     void stop();

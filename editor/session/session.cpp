@@ -7,6 +7,7 @@
 #include "core/document/parameters.h"
 #include "core/placement/placement.h"
 #include "core/steps/laying/attaching.h"
+#include "editor/jobs/background_evaluator.h"
 #include "editor/picture/picture.h"
 #include "editor/session/level_draft.h"
 #include "editor/session/scene_facts.h"
@@ -32,6 +33,8 @@ Session::Session(std::function<void()> wake, std::string unnamed_folder, OnFailu
     scene_.keep_in(unnamed_folder_);
     meet_document();
 }
+
+Session::~Session() = default;
 
 void Session::meet_document()
 {
@@ -156,7 +159,8 @@ bool Session::commit()
 void Session::commit_if_placed(Id object)
 {
     if (!proposing()) return;
-    check_ = Check{asked_ticket_, object};
+    check_ = asked_ticket_;
+    checked_ = object;
     finish_check();
 }
 
@@ -182,10 +186,10 @@ void Session::attach_proposal(const EvaluatedObject& laid)
 
 void Session::finish_check()
 {
-    if (!check_ || evaluated_ticket_ < check_->ticket) return;
-    const Check check = *check_;
+    if (!check_ || evaluated_ticket_ < *check_) return;
     check_.reset();
-    const auto found = evaluated_.objects.find(check.object);
+    const Id object_id = checked_;
+    const auto found = evaluated_.objects.find(object_id);
     if (found == evaluated_.objects.end() || !found->second->placement) {
         std::string why = "The stroke could not be used.";
         if (found != evaluated_.objects.end() && !found->second->notices.empty())
@@ -199,16 +203,16 @@ void Session::finish_check()
     const bool laid = scene_.history().proposal()->command.is<Place>();
     attach_proposal(*object_now);
     const Document& proposed = scene_.document();
-    if (committed().objects.contains(check.object) && proposed.next_id == committed().next_id &&
-        object(proposed, check.object) == object(committed(), check.object))
+    if (committed().objects.contains(object_id) && proposed.next_id == committed().next_id &&
+        object(proposed, object_id) == object(committed(), object_id))
         return cancel(); // a drag that came back to where it began is no step
     if (!commit()) return;
     notices.forget(of_a_step);
-    if (warnings_beside && selected == check.object) return;
+    if (warnings_beside && selected == object_id) return;
     const std::vector<std::string> lines = object_now->stroke_placement()->report.all_notices();
     if (!lines.empty())
         notices.say_all(ui::NoticeKind::warning,
-                        name_of(document(), check.object) + (laid ? " was placed" : " was changed"),
+                        name_of(document(), object_id) + (laid ? " was placed" : " was changed"),
                         lines, of_a_step);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluation/on_failure.h"
 #include "core/scene/life_sign.h"
 #include "core/scene/scene_file.h"
-#include "editor/jobs/background_evaluator.h"
+#include "core/stages/evaluated.h"
 #include "editor/jobs/job.h"
 #include "editor/session/chosen_incision.h"
 #include "editor/session/chosen_level.h"
@@ -18,12 +19,15 @@
 
 namespace trivar {
 
+class BackgroundEvaluator;
+
 // A Session is the open scene with its proposal, its latest evaluation, the selection and the point
 // of view. Frame thread only.
 class Session {
 public:
     // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.
     Session(std::function<void()> wake, std::string unnamed_folder, OnFailure on_failure = {});
+    ~Session();
 
     const SceneFile& scene() const { return scene_; }
     // The proposal's or else the committed one, with its values at the present frame.
@@ -106,10 +110,6 @@ public:
     ui::Notices notices;
 
 private:
-    struct Check {
-        long ticket = 0;
-        Id object = 0;
-    };
     void refresh();
     long submit(const Document& document);
     void look_at_frame();
@@ -140,7 +140,8 @@ private:
     Evaluation evaluated_;
     Timings timings_;
     long scenes_ = 0, evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
-    std::optional<Check> check_;
+    std::optional<long> check_; // the ticket of a proposal that is committed if it is placed
+    Id checked_ = 0;            // the object that it places
     std::optional<Document> previewed_;
     int frame_ = Time{}.first_frame;
     Document now_;

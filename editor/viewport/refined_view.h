@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/jobs/background_evaluator.h"
 #include "editor/session/session.h"
 
 namespace trivar {

@@ -6,6 +6,7 @@
 #include "editor/picture/picture.h"
 #include "editor/session/volume_levels.h"
 #include "editor/viewport/picture_selection.h"
+#include "editor/viewport/viewport_drawn.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
 
@@ -73,6 +74,50 @@ DraftPace pace_of(double draft_ms)
 
 } // namespace
 
+Viewport::Viewport() : drawn_(std::make_unique<ViewportDrawn>()) {}
+Viewport::~Viewport() = default;
+
+unsigned Viewport::texture() const
+{
+    return drawn_->renderer ? drawn_->renderer->texture() : 0;
+}
+WayComparison& Viewport::ways()
+{
+    return drawn_->ways;
+}
+RefinedView& Viewport::refined()
+{
+    return drawn_->refined;
+}
+const CertifiedLines& Viewport::certified_lines() const
+{
+    return drawn_->certified;
+}
+VolumeFacts& Viewport::volume_facts()
+{
+    return drawn_->volume_facts;
+}
+const ui::TimingHistory& Viewport::drafts() const
+{
+    return drawn_->drafts;
+}
+double Viewport::draft_scale() const
+{
+    return drawn_->pace ? drawn_->pace->scale() : 1;
+}
+const Timings& Viewport::full_timings() const
+{
+    return drawn_->full_timings;
+}
+const gpu::Renderer* Viewport::renderer() const
+{
+    return drawn_->renderer.get();
+}
+long Viewport::pictures() const
+{
+    return drawn_->pictures;
+}
+
 ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
                                    const Tool& tool)
 {
@@ -96,19 +141,21 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
         left_down_ = input.pressed = true;
         constexpr double curve_reach_px = 6; // beside which a thin line is still meant
-        if (renderer_ && shown_)
-            input.under =
-                renderer_->pick_near(glm::ivec2(input.mouse), curve_reach_px * frame.theme.scale);
+        if (drawn_->renderer && drawn_->shown)
+            input.under = drawn_->renderer->pick_near(glm::ivec2(input.mouse),
+                                                      curve_reach_px * frame.theme.scale);
         if (!can_be_picked(session.document(), input.under)) input.under = 0;
     }
     input.seen_at = [this, &session](glm::dvec2 p_px) { // the picture may be behind the document
-        const Id id = renderer_ && shown_ ? renderer_->pick(glm::ivec2(glm::floor(p_px))) : 0;
+        const Id id = drawn_->renderer && drawn_->shown
+                          ? drawn_->renderer->pick(glm::ivec2(glm::floor(p_px)))
+                          : 0;
         return session.document().objects.contains(id) ? id : 0;
     };
     input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
-        if (!renderer_ || !shown_) return std::vector<Id>{};
+        if (!drawn_->renderer || !drawn_->shown) return std::vector<Id>{};
         const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
-        std::vector<Id> seen = renderer_->pick_in(first, last + 1);
+        std::vector<Id> seen = drawn_->renderer->pick_in(first, last + 1);
         std::erase_if(seen, [&](Id id) { return !can_be_picked(session.document(), id); });
         return seen;
     };
@@ -135,11 +182,11 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 
 void Viewport::forget_gpu()
 {
-    renderer_.reset();
-    ways_.forget_gpu();
-    pace_.reset();
-    shown_.reset();
-    begun_.reset();
+    drawn_->renderer.reset();
+    drawn_->ways.forget_gpu();
+    drawn_->pace.reset();
+    drawn_->shown.reset();
+    drawn_->begun.reset();
 }
 
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
@@ -150,61 +197,62 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
-    certified_.follow(
-        {refined_.seen(), session.document(), session.view.camera, session.hidden_here},
-        moving || move_ != Move::none, frame.time_s, values_.volume_lines);
-    if (const std::optional<double> soon = certified_.again_in_s()) frame.again_in(*soon);
-    PictureState wanted{session.view.camera,
-                        refined_.number(),
-                        certified_.number(),
-                        session.selected,
-                        session.hidden_here,
-                        size_px,
-                        state,
-                        false,
-                        session.shown().render.get(),
-                        style_,
-                        shaders_};
+    drawn_->certified.follow(
+        {drawn_->refined.seen(), session.document(), session.view.camera, session.hidden_here},
+        moving || move_ != Move::none, frame.time_s, drawn_->values.volume_lines);
+    if (const std::optional<double> soon = drawn_->certified.again_in_s()) frame.again_in(*soon);
+    PictureInputs wanted{session.view.camera,
+                         drawn_->refined.number(),
+                         drawn_->certified.number(),
+                         session.selected,
+                         session.hidden_here,
+                         size_px,
+                         state,
+                         false,
+                         session.shown().render.get(),
+                         style_,
+                         shaders_};
     const bool held = moving; // what ends that makes a frame of its own
-    if (shown_) {             // what was drawn as a draft is compared without that
-        PictureState before = *shown_;
+    if (drawn_->shown) {      // what was drawn as a draft is compared without that
+        PictureInputs before = *drawn_->shown;
         before.draft = false;
         before.lines = wanted.lines; // which come while all rests
         if (before != wanted) moving = true;
     }
-    if (moving || move_ != Move::none) moved_s_ = frame.time_s;
-    wanted.draft = !shown_ || frame.time_s - moved_s_ < rest_s;
-    if (wanted.draft && !held) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
+    if (moving || move_ != Move::none) drawn_->moved_s = frame.time_s;
+    wanted.draft = !drawn_->shown || frame.time_s - drawn_->moved_s < rest_s;
+    if (wanted.draft && !held) frame.again_in(rest_s - (frame.time_s - drawn_->moved_s) + 0.01);
     // A full picture of the same thing does for a draft.
-    PictureState as_full = wanted;
+    PictureInputs as_full = wanted;
     as_full.draft = false;
-    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture();
+    if (drawn_->shown && (*drawn_->shown == wanted || *drawn_->shown == as_full)) return texture();
 
     try {
-        trouble_.clear();
+        drawn_->trouble.clear();
         draw_wanted(wanted, session, frame, helpers);
     } catch (const std::exception& error) {
-        begun_.reset();
-        shown_ = wanted; // it is not tried again till something is another
+        drawn_->begun.reset();
+        drawn_->shown = wanted; // it is not tried again till something is another
         if (is_mistake(error)) throw;
-        trouble_ = words_of(error);
+        drawn_->trouble = words_of(error);
     }
     return texture();
 }
 
-void Viewport::draw_wanted(const PictureState& wanted, const Session& session, ui::Frame& frame,
+void Viewport::draw_wanted(const PictureInputs& wanted, const Session& session, ui::Frame& frame,
                            const std::function<Helpers()>& helpers)
 {
     constexpr double budget_ms = 40; // in one frame, of a full picture: the mouse must not wait
-    if (!renderer_) {
-        renderer_ = std::make_unique<gpu::Renderer>();
-        pace_.reset();
+    if (!drawn_->renderer) {
+        drawn_->renderer = std::make_unique<gpu::Renderer>();
+        drawn_->pace.reset();
     }
-    if (!pace_) pace_ = pace_of(style_.draft_ms);
-    if (wanted.draft || begun_ != wanted) {
-        gpu::Picture picture = picture_of(
-            session, refined_.seen(),
-            wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_, values_);
+    if (!drawn_->pace) drawn_->pace = pace_of(style_.draft_ms);
+    if (wanted.draft || drawn_->begun != wanted) {
+        gpu::Picture picture =
+            picture_of(session, drawn_->refined.seen(),
+                       wanted.draft ? std::min(drawn_->pace->level(), style_.level) : style_.level,
+                       style_, drawn_->values);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = outline_for(picture, style_.outline);
@@ -212,25 +260,26 @@ void Viewport::draw_wanted(const PictureState& wanted, const Session& session, u
         Helpers shown = helpers();
         std::ranges::move(shown.lines, std::back_inserter(picture.lines));
         std::ranges::move(shown.veils, std::back_inserter(picture.translucent));
-        ++pictures_;
-        begun_.reset();
+        ++drawn_->pictures;
+        drawn_->begun.reset();
         if (wanted.draft) {
-            if (picture.draft) picture.scale = pace_->scale();
-            renderer_->draw(picture, wanted.size_px);
-            const bool first =
-                std::exchange(timed_evaluation_, session.evaluation()) != session.evaluation();
-            drafts_.add({first ? session.evaluated().timings : Timings{}, renderer_->timings()});
-            pace_->drew(ui::total_ms(renderer_->timings()), frame.time_s);
-            shown_ = wanted;
+            if (picture.draft) picture.scale = drawn_->pace->scale();
+            drawn_->renderer->draw(picture, wanted.size_px);
+            const bool first = std::exchange(drawn_->timed_evaluation, session.evaluation()) !=
+                               session.evaluation();
+            drawn_->drafts.add(
+                {first ? session.evaluated().timings : Timings{}, drawn_->renderer->timings()});
+            drawn_->pace->drew(ui::total_ms(drawn_->renderer->timings()), frame.time_s);
+            drawn_->shown = wanted;
             return;
         }
-        renderer_->begin(picture, wanted.size_px);
-        begun_ = wanted;
+        drawn_->renderer->begin(picture, wanted.size_px);
+        drawn_->begun = wanted;
     }
-    if (renderer_->advance(budget_ms)) {
-        full_timings_ = renderer_->timings();
-        begun_.reset();
-        shown_ = wanted;
+    if (drawn_->renderer->advance(budget_ms)) {
+        drawn_->full_timings = drawn_->renderer->timings();
+        drawn_->begun.reset();
+        drawn_->shown = wanted;
     } else {
         frame.again_in(0);
     }
@@ -238,24 +287,25 @@ void Viewport::draw_wanted(const PictureState& wanted, const Session& session, u
 
 void Viewport::set_style(const ViewportStyle& style)
 {
-    if (style.draft_ms != style_.draft_ms) pace_.reset();
+    if (style.draft_ms != style_.draft_ms) drawn_->pace.reset();
     style_ = style;
 }
 
 std::string Viewport::new_notice()
 {
-    const std::string now = renderer_ ? renderer_->notice() : "";
-    return std::exchange(said_, now) == now ? "" : now;
+    const std::string now = drawn_->renderer ? drawn_->renderer->notice() : "";
+    return std::exchange(drawn_->said, now) == now ? "" : now;
 }
 
 std::optional<std::string> Viewport::new_trouble()
 {
-    return news(said_of_trouble_, trouble_);
+    return news(drawn_->said_of_trouble, drawn_->trouble);
 }
 
 std::optional<std::string> Viewport::new_shader_trouble()
 {
-    return news(said_of_shaders_, renderer_ ? renderer_->shader_trouble() : "");
+    return news(drawn_->said_of_shaders,
+                drawn_->renderer ? drawn_->renderer->shader_trouble() : "");
 }
 
 } // namespace trivar

@@ -2,22 +2,28 @@
 #pragma once
 
 #include "editor/hands/tool.h"
-#include "editor/picture/shown_values.h"
-#include "editor/picture/volume_facts.h"
 #include "editor/preferences/mouse_manners.h"
-#include "editor/viewport/certified_lines.h"
-#include "editor/viewport/draft_pace.h"
-#include "editor/viewport/refined_view.h"
 #include "editor/viewport/viewport_style.h"
-#include "editor/viewport/way_comparison.h"
-#include "gpu/renderer.h"
 #include "gpu/shader_folder.h"
-#include "ui/timing_history.h"
 
 #include <memory>
 #include <optional>
 
+namespace trivar::gpu {
+class Renderer;
+}
+namespace trivar::ui {
+class TimingHistory;
+}
+
 namespace trivar {
+
+class CertifiedLines;
+class RefinedView;
+class VolumeFacts;
+struct PictureInputs;
+struct ViewportDrawn;
+class WayComparison;
 
 // Helpers are drawn over the scene to work on it.
 struct Helpers {
@@ -29,6 +35,11 @@ struct Helpers {
 // changed, and tells what lies under the mouse. Needs the window's OpenGL context.
 class Viewport {
 public:
+    Viewport();
+    ~Viewport();
+    Viewport(const Viewport&) = delete;
+    Viewport& operator=(const Viewport&) = delete;
+
     // Takes the mouse over `rect` (ImGui's last item is the area): it uses the camera's share and
     // returns the rest for the tool.
     ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
@@ -46,16 +57,16 @@ public:
     // Draws with a developer's shaders from now on, and follows changes of their files.
     void follow(gpu::ShaderFolder folder) { shader_folder_ = std::move(folder); }
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
-    unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
-    WayComparison& ways() { return ways_; }
-    RefinedView& refined() { return refined_; } // what is drawn of the session's effects
-    const CertifiedLines& certified_lines() const { return certified_; } // of volume data
-    VolumeFacts& volume_facts() { return volume_facts_; } // of the volume that is shown
-    const ui::TimingHistory& drafts() const { return drafts_; }
-    double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
-    const Timings& full_timings() const { return full_timings_; }     // of the last one
-    const gpu::Renderer* renderer() const { return renderer_.get(); } // null: nothing was drawn
-    long pictures() const { return pictures_; }                       // begun so far
+    unsigned texture() const; // the picture that is shown
+    WayComparison& ways();
+    RefinedView& refined();                        // the effects of the session as they are drawn
+    const CertifiedLines& certified_lines() const; // of volume data
+    VolumeFacts& volume_facts();                   // of the volume that is shown
+    const ui::TimingHistory& drafts() const;
+    double draft_scale() const;            // of the next draft's size
+    const Timings& full_timings() const;   // of the last full picture
+    const gpu::Renderer* renderer() const; // null: nothing was drawn
+    long pictures() const;                 // begun so far
     // Returns what the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();
     // Return why the present scene has no picture, and the renderer's shader_trouble(), if they
@@ -64,21 +75,7 @@ public:
     std::optional<std::string> new_shader_trouble();
 
 private:
-    struct PictureState { // what the present picture was drawn from
-        Camera camera;
-        long effects = 0; // number of the refined view
-        long lines = 0;   // number of the certified ones
-        Selection selected;
-        std::vector<Id> hidden_here;
-        glm::ivec2 size_px{0};
-        int state = 0;
-        bool draft = false;
-        const RenderSettings* settings = nullptr;
-        ViewportStyle style;
-        Ref<gpu::ShaderTexts> shaders;
-        bool operator==(const PictureState&) const = default;
-    };
-    void draw_wanted(const PictureState& wanted, const Session& session, ui::Frame& frame,
+    void draw_wanted(const PictureInputs& wanted, const Session& session, ui::Frame& frame,
                      const std::function<Helpers()>& helpers);
     enum class Move { none, orbit, pan, zoom };
     void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
@@ -92,21 +89,7 @@ private:
     ViewportStyle style_;
     std::optional<gpu::ShaderFolder> shader_folder_;
     Ref<gpu::ShaderTexts> shaders_;
-    ShownValues values_;
-    WayComparison ways_;
-    RefinedView refined_;
-    CertifiedLines certified_;
-    VolumeFacts volume_facts_;
-    std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
-    std::optional<DraftPace> pace_;           // as well
-    std::optional<PictureState> shown_;
-    std::optional<PictureState> begun_; // the full picture that is being drawn
-    ui::TimingHistory drafts_;
-    long timed_evaluation_ = 0; // the last one that is in the history
-    Timings full_timings_;
-    long pictures_ = 0;
-    std::string trouble_, said_, said_of_trouble_, said_of_shaders_;
-    double moved_s_ = -1e9;
+    std::unique_ptr<ViewportDrawn> drawn_;
 
     MouseManners manners_;
     double fine_scroll_s_ = -1e9; // when the wheel last turned as no wheel of a mouse does

@@ -4,6 +4,8 @@
 #include "core/rays/nearest_face.h"
 #include "editor/session/session_facts.h"
 #include "editor/viewport/viewport.h"
+
+#include "editor/viewport/viewport_drawn.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -44,8 +46,8 @@ std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ra
 
 std::optional<glm::dvec3> Viewport::anchor_under(const Session& session, glm::dvec2 p_px)
 {
-    if (!renderer_ || !shown_) return std::nullopt;
-    const auto found = session.evaluated().objects.find(renderer_->pick(glm::ivec2(p_px)));
+    if (!drawn_->renderer || !drawn_->shown) return std::nullopt;
+    const auto found = session.evaluated().objects.find(drawn_->renderer->pick(glm::ivec2(p_px)));
     if (found == session.evaluated().objects.end()) return std::nullopt;
     return first_hit(*found->second, ray_through(session.view.camera, p_px));
 }

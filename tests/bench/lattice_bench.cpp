@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/volumes/lattice.h"
+#include "core/commands/volumes/warp.h"
 #include "core/evaluation/evaluate.h"
 
 #include <benchmark/benchmark.h>

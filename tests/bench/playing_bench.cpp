@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
+#include "editor/jobs/background_evaluator.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>

@@ -94,7 +94,7 @@ TEST(FarPlaces, GiveForEveryCommandWhatItGivesNearTheOrigin)
     for (const Command& command : fitting_commands()) {
         const Document near = after(fitting_document(), command);
         const Document far = at_another_place(near, utm);
-        SCOPED_TRACE(command.index());
+        SCOPED_TRACE(command.kind());
         expect_same(new_evaluator()(near), new_evaluator()(far), utm, 2e-5);
     }
 }

@@ -2,6 +2,7 @@
 #include "tests/fuzz/sound_pictures.h"
 
 #include "core/files/pictures/image.h"
+#include "editor/viewport/way_comparison.h"
 
 #include <algorithm>
 #include <map>

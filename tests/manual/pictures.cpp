@@ -9,9 +9,11 @@
 #include "core/commands/placement/place.h"
 #include "core/commands/placement/travel.h"
 #include "core/files/pictures/image.h"
+#include "core/placement/placement.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/help/welcome.h"
 #include "editor/panels/inspector/profile_rows.h"
+#include "editor/picture/volume_surface.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>

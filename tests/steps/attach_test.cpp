@@ -5,6 +5,7 @@
 #include "core/commands/objects/play.h"
 #include "core/commands/objects/primitives.h"
 #include "core/commands/objects/shape.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/placement/travel.h"
 #include "core/placement/placement.h"

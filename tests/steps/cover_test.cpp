@@ -6,6 +6,7 @@
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/import.h"
 #include "core/commands/objects/primitives.h"
+#include "core/commands/paste.h"
 #include "core/commands/tiles/mix_tiles.h"
 #include "core/commands/tiles/tiles.h"
 #include "core/commands/volumes/lattice.h"

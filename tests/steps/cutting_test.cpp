@@ -4,6 +4,7 @@
 #include "core/commands/objects/animate.h"
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/shape.h"
+#include "core/commands/paste.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"

@@ -7,6 +7,7 @@
 #include "core/commands/objects/import.h"
 #include "core/commands/objects/play.h"
 #include "core/commands/objects/primitives.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/tiles/tiles.h"
 #include "core/commands/volumes/lattice.h"

@@ -7,6 +7,7 @@
 #include "core/commands/objects/primitives.h"
 #include "core/commands/objects/refine.h"
 #include "core/commands/objects/shape.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/warp.h"

@@ -5,6 +5,7 @@
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/import.h"
 #include "core/commands/objects/unwrap.h"
+#include "core/commands/paste.h"
 #include "core/commands/tiles/heights.h"
 #include "core/commands/tiles/mask_tiles.h"
 #include "core/commands/tiles/tiles.h"

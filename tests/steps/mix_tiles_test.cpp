@@ -3,6 +3,7 @@
 #include "core/commands/command.h"
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/primitives.h"
+#include "core/commands/paste.h"
 #include "core/commands/tiles/mask_tiles.h"
 #include "core/commands/tiles/mix_tiles.h"
 #include "core/commands/tiles/tiles.h"

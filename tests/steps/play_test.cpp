@@ -3,6 +3,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/objects/import.h"
 #include "core/commands/objects/play.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/placement/travel.h"
 #include "core/document/document_digest.h"

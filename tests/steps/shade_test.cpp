@@ -7,6 +7,7 @@
 #include "core/commands/objects/shade.h"
 #include "core/commands/objects/simplify.h"
 #include "core/commands/objects/unwrap.h"
+#include "core/commands/paste.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/warp.h"
 #include "core/document/document_digest.h"

@@ -3,6 +3,7 @@
 #include "core/commands/objects/group.h"
 #include "core/commands/objects/primitives.h"
 #include "core/commands/objects/simplify.h"
+#include "core/commands/paste.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/warp.h"
 #include "core/document/document_digest.h"

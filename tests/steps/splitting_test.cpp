@@ -4,6 +4,7 @@
 #include "core/commands/edits/edits.h"
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/primitives.h"
+#include "core/commands/paste.h"
 #include "core/commands/tiles/tiles.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"

@@ -3,6 +3,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/objects/animate.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/paste.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/tetrahedra.h"
 #include "core/commands/volumes/warp.h"

@@ -4,6 +4,7 @@
 #include "core/commands/command.h"
 #include "core/commands/objects/animate.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/tiles/tiles.h"
 #include "tests/support/scenes/commands.h"

@@ -5,6 +5,7 @@
 #include "core/commands/objects/arrange.h"
 #include "core/commands/objects/primitives.h"
 #include "core/commands/objects/view.h"
+#include "core/commands/paste.h"
 #include "core/commands/placement/place.h"
 #include "core/commands/placement/travel.h"
 #include "core/document/document_digest.h"

@@ -6,6 +6,7 @@
 #include "core/commands/objects/primitives.h"
 #include "core/commands/objects/simplify.h"
 #include "core/commands/objects/unwrap.h"
+#include "core/commands/paste.h"
 #include "core/commands/tiles/tiles.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"

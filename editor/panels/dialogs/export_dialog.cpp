@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files/export_wish.h"
 #include "editor/panels/dialogs/plan_dialog.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"

@@ -4,6 +4,8 @@
 #include "editor/panels/dialogs/plan_dialog.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
+#include "editor/record/recording_wish.h"
+#include "editor/record/sequence.h"
 #include "editor/words/file_words.h"
 #include "ui/widgets.h"
 

@@ -2,6 +2,7 @@
 #include "core/commands/command.h"
 #include "core/commands/every_command.h"
 #include "core/commands/placement/place.h"
+#include "core/placement/placement.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/inspector/field_cells.h"
 #include "editor/panels/inspector/field_rows.h"

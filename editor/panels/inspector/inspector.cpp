@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/bind.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/objects/material.h"
 #include "core/commands/objects/view.h"
 #include "editor/panels/inspector/inspect.h"
 

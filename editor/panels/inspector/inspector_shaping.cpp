@@ -5,6 +5,7 @@
 #include "core/ffd/resolution.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
+#include "editor/picture/volume_facts.h"
 #include "editor/words/volume_words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"

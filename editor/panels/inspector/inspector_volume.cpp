@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/voxels.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/ink_rows.h"
 #include "editor/panels/inspector/inspect.h"

@@ -246,8 +246,7 @@ void zoom(Editor& editor, const ui::Rect& ruler, const ui::Rect& tracks, const F
     if (!editor.timeline.hovered || (!over && !tracks.contains(mouse))) return;
     const glm::dvec2 before(scale.first, scale.last);
     glm::dvec2 shown = before;
-    const double up = static_cast<double>(io.MouseWheel),
-                 aside = static_cast<double>(io.MouseWheelH);
+    const double up{io.MouseWheel}, aside{io.MouseWheelH};
     if (up == 0 && aside == 0) return;
     if (io.KeyShift || aside != 0)
         shown = rolled_frames(shown, scale.all, io.KeyShift ? up : aside);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/shape.h"
+#include "core/evaluation/evaluate.h"
 #include "editor/actions/lattice_actions.h"
 
 #include "core/base/text.h"

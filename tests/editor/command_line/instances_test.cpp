@@ -4,6 +4,7 @@
 #include "core/files/read_model.h"
 #include "editor/command_line/command_line.h"
 #include "editor/files/export_plan.h"
+#include "editor/files/export_wish.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

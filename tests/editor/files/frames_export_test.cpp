@@ -3,6 +3,7 @@
 #include "core/commands/objects/animate.h"
 #include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"
+#include "editor/files/export_wish.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -4,6 +4,7 @@
 #include "core/files/write_model.h"
 #include "core/mesh/primitives.h"
 #include "core/scene/log.h"
+#include "editor/files/volume_offer.h"
 #include "editor/session/recovery.h"
 #include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/arrange.h"
+#include "core/evaluation/evaluate.h"
 #include "editor/files/plain_mesh.h"
 
 #include "core/commands/placement/apply_shape.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/placement.h"
 #include "editor/panels/inspector/key_gutter.h"
 
 #include "core/document/parameters.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/command.h"
+#include "core/commands/every_command.h"
 #include "core/commands/words/field_words.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "ui/headless.h"

@@ -3,6 +3,7 @@
 #include "core/commands/objects/view.h"
 #include "editor/actions/key_actions.h"
 #include "editor/panels/timeline/curve_scale.h"
+#include "editor/record/sequence.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

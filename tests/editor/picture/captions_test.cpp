@@ -4,6 +4,7 @@
 #include "core/commands/objects/view.h"
 #include "core/refinement/refine.h"
 #include "editor/picture/captions.h"
+#include "editor/viewport/refined_view.h"
 
 #include "core/files/pictures/image.h"
 #include "editor/command_line/replay.h"

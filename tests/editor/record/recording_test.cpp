@@ -5,6 +5,7 @@
 #include "core/commands/objects/view.h"
 #include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"
+#include "editor/record/recording_wish.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 

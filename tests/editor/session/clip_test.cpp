@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/play.h"
+#include "core/evaluation/evaluate.h"
 #include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long work on the scene that is stopped, and what can be done then.
 #include "core/refinement/refine.h"
+#include "editor/jobs/background_evaluator.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/animate.h"
+#include "core/commands/paste.h"
 #include "editor/timeline/key_edits.h"
 
 #include "core/commands/words/number_words.h"

@@ -5,6 +5,7 @@
 #include "editor/jobs/newest_work.h"
 #include "editor/picture/line_sheet.h"
 #include "editor/picture/picture.h"
+#include "editor/viewport/certified_lines.h"
 #include "tests/editor/volume_rig.h"
 
 #include <gmock/gmock.h>

@@ -2,6 +2,7 @@
 #include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
 #include "editor/actions/actions.h"
+#include "editor/viewport/refined_view.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

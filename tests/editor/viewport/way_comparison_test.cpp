@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/viewport/way_comparison.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/hands/hand.h"
 
+#include "editor/jobs/background_evaluator.h"
 #include "tests/fuzz/campaign.h"
 
 #include <algorithm>

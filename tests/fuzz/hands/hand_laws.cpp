@@ -4,6 +4,7 @@
 #include "core/base/finite.h"
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
+#include "core/evaluation/evaluate.h"
 #include "core/scene/log.h"
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/hands/closed_bodies.h"

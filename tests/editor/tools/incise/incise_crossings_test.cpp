@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/arrange.h"
 #include "core/document/document_digest.h"
+#include "core/evaluation/evaluate.h"
 #include "tests/editor/tools/incise/incise_rig.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/document_digest.h"
+#include "core/evaluation/evaluate.h"
 #include "tests/editor/tools/incise/incise_rig.h"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "core/commands/placement/place.h"
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/warp.h"
+#include "core/placement/placement.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

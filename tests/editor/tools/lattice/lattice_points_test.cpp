@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/placement/place.h"
 #include "editor/hands/last_shaping.h"
+#include "editor/picture/volume_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/ffd/folds.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/placement.h"
 #include "tests/editor/rig.h"
 #include "tests/ffd/folds.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/parameters.h"
+#include "core/placement/placement.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/arrange.h"
 #include "core/commands/placement/place.h"
+#include "core/placement/placement.h"
 #include "editor/tools/place/place_round.h"
 
 #include "editor/actions/actions.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/silhouette/silhouettes.h"
 #include "editor/hands/level_under.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/volume_levels.h"

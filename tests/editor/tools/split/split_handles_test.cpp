@@ -4,6 +4,7 @@
 #include "core/commands/objects/view.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/evaluate.h"
 #include "core/split/split_field.h"
 #include "editor/tools/split/split.h"
 #include "tests/editor/rig.h"

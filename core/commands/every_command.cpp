@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/command.h"
 #include "core/commands/every_command.h"
+#include "core/commands/command.h"
 #include "core/commands/objects/import.h"
 
 namespace trivar {
