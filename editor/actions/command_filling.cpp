@@ -2,6 +2,7 @@
 #include "editor/actions/command_filling.h"
 
 #include "core/base/rejected.h"
+#include "core/commands/objects/import.h"
 #include "core/commands/placement/place.h"
 #include "editor/editor.h"
 

@@ -2,6 +2,7 @@
 // What comes in: scenes that are opened, models that are imported, files that are dropped.
 #include "core/base/rejected.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/objects/import.h"
 #include "core/commands/objects/shade.h"
 #include "core/files/file_bytes.h"
 #include "core/mesh/shading.h"

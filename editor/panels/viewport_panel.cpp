@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/commands/objects/import.h"
 #include "editor/panels/panels.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/picture/volume_lines.h"

@@ -48,8 +48,7 @@ public:
     bool propose(Command command);
     bool propose_quietly(Command command); // without the notice: more of the gesture is to come
     bool commit();
-    // Commits if the proposal was evaluated and the object could be placed; else cancels it and
-    // says why. A stroke is checked this way, because only its evaluation knows what it hits.
+    // Commits if the evaluation of the proposal placed the object; else cancels it and says why.
     void commit_if_placed(Id object);
     void cancel();
     bool run(const Command& command); // propose and commit

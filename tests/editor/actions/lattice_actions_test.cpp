@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/import.h"
 #include "core/commands/objects/shape.h"
 #include "core/evaluation/evaluate.h"
 #include "editor/actions/lattice_actions.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/import.h"
 #include "editor/actions/remedies.h"
 
 #include "core/commands/tiles/tiles.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/import.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
