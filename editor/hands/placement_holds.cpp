@@ -56,7 +56,7 @@ bool end_on(const HoldPoint& point, const Camera& camera, double scale)
                          project(camera, point.base_world).p_px) < end_on_px * scale;
 }
 
-// How many times longer the way from its base to the hold has become.
+// Returns how many times longer the way from its base to the hold has become.
 double growth(const HoldDrag& drag, glm::dvec2 by_px)
 {
     const PicturePoint base = project(drag.camera, drag.held.base_world);
@@ -79,7 +79,7 @@ void raise(std::vector<glm::dvec2>& profile, std::size_t point, double wanted, b
     const double u = profile[point].x, before = ShareCurve(profile).at(u);
     std::vector<glm::dvec2> higher = profile;
     higher[point].y += 1;
-    // What the point's height counts for on the curve.
+    // The weight of the point's height on the curve.
     const double weight = ShareCurve(higher).at(u) - before;
     profile[point].y = handy(profile[point].y + (wanted - before) / std::max(0.1, weight), snap);
 }

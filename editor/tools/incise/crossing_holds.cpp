@@ -47,7 +47,7 @@ PeeledFlap flap_in(const Incising& incising, PeeledFlap place)
     return place;
 }
 
-// How far all other incisions near a crossing move a flap there, in the world.
+// Returns how far all other incisions near a crossing move a flap there, in the world.
 glm::dvec3 moved_by_others(const SeenIncising& seen, const CutCrossing& crossing,
                            const glm::dvec3& flap_world)
 {

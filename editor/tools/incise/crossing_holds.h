@@ -18,7 +18,8 @@ struct CrossingHold {
     double highest = 0;             // metres on the model: about the length of the flap
 };
 
-// What is seen of an object's incisions, by number; nothing of those that are hidden.
+// SeenIncising is the visible part of an object's incisions, by number; nothing of those that are
+// hidden.
 struct SeenIncising {
     const Incising& incising;
     const std::vector<std::optional<SeenCut>>& cuts;
@@ -28,7 +29,7 @@ struct SeenIncising {
 // nearest to a pixel, where it is near.
 std::vector<CrossingHold> crossing_holds(const SeenIncising& seen, int number, const Camera& camera,
                                          glm::dvec2 near_px, double scale);
-// Which of them is under a pixel; nothing: none is.
+// Returns which of them is under a pixel; nothing: none is.
 std::optional<std::size_t> crossing_hold_at(const std::vector<CrossingHold>& holds, glm::dvec2 p_px,
                                             double scale);
 
@@ -46,8 +47,8 @@ struct CrossingDrag {
 };
 // The command for a hand at `to_px`; with `snap` in round steps. Pure.
 Command dragged(const CrossingDrag& drag, glm::dvec2 to_px, bool snap);
-// For a typed number, in the unit that words_of() shows: percent of the chosen incision, or metres
-// in the world.
+// Returns the command for a typed number, in the unit that words_of() shows: percent of the chosen
+// incision, or metres in the world.
 Command typed_in(const CrossingDrag& drag, double number);
 
 // "Crosses at 40 %, Incision 2 below", "Peeled 0.02 m", with the lift or place as it is.

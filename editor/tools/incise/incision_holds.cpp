@@ -63,7 +63,7 @@ std::size_t step_of_opening(const SeenCut& seen, std::span<const double> crossed
     return step_away_from(seen, crossed, {k, k - off, k + off, k - least, k + least});
 }
 
-// What of the width the lips are apart at a step, as a share, when it is quite open.
+// Returns the distance of the lips at a step when it is fully open, as a share of the width.
 double full_share(const NamedIncision& incision, const SeenCut& seen, std::size_t step)
 {
     constexpr double least = 0.15; // nearer to an end a small drag would be a large opening
@@ -174,8 +174,8 @@ std::vector<IncisionHoldPoint> incision_holds(const NamedIncision& incision, con
                 project(camera, base + way_world * px).p_px - *from; // per pixel of length
             const bool hidden = glm::length(seen_way) < opening_end_on;
             if (hidden && hold != IncisionHold::depth) return;
-            // What points at the eye is drawn and dragged downward, or to the right beside a cut
-            // that goes down itself
+            // A handle that points at the eye is drawn and dragged downward, or to the right beside
+            // a cut that goes down itself
             const glm::dvec2 along =
                 project(camera, seen.line[std::min(step + 2, SeenCut::steps)].p_world).p_px -
                 project(camera, seen.line[step > 2 ? step - 2 : 0].p_world).p_px;

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// What a handle of an incision changes: where an end lies, how far it stands open, how deep it is,
-// up to where it is open, where all of it lies.
+// The value that a handle of an incision changes: where an end lies, how far it stands open, how
+// deep it is, up to where it is open, where all of it lies.
 enum class IncisionHold { none, start, end, open_left, open_right, depth, zip, place };
 
 struct IncisionHoldPoint {
@@ -45,7 +45,7 @@ struct IncisionDrag {
 // The command for a hand at `to_px`; with `snap` in round steps. Pure.
 EditIncision dragged(const IncisionDrag& drag, glm::dvec2 to_px, bool snap);
 
-// What a typed number says of a handle, in the unit that words_of() shows: percent or metres in the
+// Returns the edit for a typed number, in the unit that words_of() shows: percent or metres in the
 // world. Nothing: its handle has no number.
 std::optional<EditIncision> typed_in(const IncisionDrag& drag, double number);
 // Whether a typed number is a length; else it is plain.
