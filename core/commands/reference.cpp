@@ -253,7 +253,7 @@ std::string commands_markdown()
     text += "## surface point\n\nA point of the stroke of an incision.\n\n" +
             field_table(fields_of(SurfacePoint{}));
     text += "## profile\n\nHow a number goes along an incision.\n\n" +
-            field_table(fields_of(CutProfile{}));
+            field_table(fields_of(IncisionProfile{}));
     text += "## tile mask\n\nWhere a layer has more tiles, larger or higher ones.\n\n" +
             field_table(fields_of(TileMask{}));
     text +=

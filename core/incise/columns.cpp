@@ -5,20 +5,20 @@
 
 namespace trivar {
 
-glm::dvec3 CutColumns::outward(std::uint32_t point) const
+glm::dvec3 SlitColumns::outward(std::uint32_t point) const
 {
     const std::uint32_t n = number_.find(point);
     return n != KeyNumbers::none ? outward_[n] : inward_->outward(drawing_->point(point));
 }
 
-void CutColumns::turn(std::uint32_t point, const glm::dvec3& outward)
+void SlitColumns::turn(std::uint32_t point, const glm::dvec3& outward)
 {
     const auto [n, fresh] = number_.number(point);
     if (fresh) outward_.emplace_back();
     outward_[n] = outward;
 }
 
-double CutColumns::sound_depth(std::uint32_t a, std::uint32_t b, double wanted, double share) const
+double SlitColumns::sound_depth(std::uint32_t a, std::uint32_t b, double wanted, double share) const
 {
     if (!number_.contains(a) && !number_.contains(b)) return wanted;
     const glm::dvec3 way = drawing_->position(b) - drawing_->position(a);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_drawing.h"
 #include "core/incise/inward.h"
+#include "core/incise/slit_drawing.h"
 
 namespace trivar {
 
-// CutColumns hold the direction of the wall below each point of a drawing: inward, unless the cut
+// SlitColumns hold the direction of the wall below each point of a drawing: inward, unless the cut
 // leans or goes through the body. At a depth w a column is at position(point) - w outward(point):
 //
 //      a        b        c       points of the drawing on the skin, w = 0
@@ -15,9 +15,9 @@ namespace trivar {
 //        o      o      o         w = depth / 2
 //         \     |     /
 //          o    o    o           w = depth of the floor
-class CutColumns {
+class SlitColumns {
 public:
-    CutColumns(const CutDrawing& drawing, const Inward& inward)
+    SlitColumns(const SlitDrawing& drawing, const Inward& inward)
         : drawing_(&drawing),
           inward_(&inward)
     {
@@ -30,7 +30,7 @@ public:
     double sound_depth(std::uint32_t a, std::uint32_t b, double wanted, double share) const;
 
 private:
-    const CutDrawing* drawing_;
+    const SlitDrawing* drawing_;
     const Inward* inward_;
     KeyNumbers number_;
     std::vector<glm::dvec3> outward_;

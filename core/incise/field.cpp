@@ -2,7 +2,7 @@
 #include "core/incise/field.h"
 
 #include "core/base/parallel.h"
-#include "core/incise/cut_curve.h"
+#include "core/incise/slit_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,14 +101,14 @@ double share_of_bevel(const Incision& incision, double depth)
 }
 
 struct FieldOfPiece {
-    const CutDrawing& drawing;
-    const CutPatch& patch;
+    const SlitDrawing& drawing;
+    const SlitPatch& patch;
     const SlitGraph& graph;
     const Neighbours& neighbours;
     const std::vector<Passage>& passages;
-    const CutRun& run;
-    const CutCurve& curve;
-    const CutPiece& piece;
+    const SlitRun& run;
+    const SlitCurve& curve;
+    const SlitPiece& piece;
     const Incision& incision;
     double reach;
     std::vector<double> room = {}; // by point of the run: how far below the skin it gives way
@@ -119,10 +119,10 @@ struct FieldOfPiece {
         double s;
         glm::dvec3 way;
     };
-    std::vector<CutTerm> terms = {};
+    std::vector<SlitTerm> terms = {};
     std::vector<AtNode> others = {};
 
-    void operator()(const CutWalls& walls, double step)
+    void operator()(const SlitWalls& walls, double step)
     {
         flood();
         const auto first_made = static_cast<std::uint32_t>(drawing.point_count());
@@ -154,7 +154,7 @@ private:
     // The way of the field at p, on a side of the cut, of length 1 at the cut: less with the
     // distance, and none as far below it as the other side of a thin body. It turns with the skin,
     // whose tangents turn by twice the angle of a chord.
-    glm::dvec3 way_at(const glm::dvec3& p, const CutCurve::Foot& foot, int side) const
+    glm::dvec3 way_at(const glm::dvec3& p, const SlitCurve::Foot& foot, int side) const
     {
         const auto bump = [](double x) { return x < 1 ? (1 - x * x) * (1 - x * x) : 0; };
         const double near = bump(foot.distance / reach);
@@ -182,8 +182,8 @@ private:
     double bevel(double s) const
     {
         if (!(incision.bevel > 0)) return 0;
-        return run.kind == CutRun::Kind::far_side ? far_bevel(incision, depth_at(run, s))
-                                                  : bevel_at(run, incision, s);
+        return run.kind == SlitRun::Kind::far_side ? far_bevel(incision, depth_at(run, s))
+                                                   : bevel_at(run, incision, s);
     }
     void add(std::uint32_t vertex, const glm::dvec3& way, double s, double depth)
     {
@@ -202,7 +202,7 @@ private:
 
     void flood()
     {
-        const CutSkin& skin = drawing.skin();
+        const SlitSkin& skin = drawing.skin();
         std::size_t first = 0, last = curve.segment_count() - 1;
         while (first < last && curve.s(first + 1) <= piece.begin) ++first;
         while (last > first && curve.s(last) >= piece.end) --last;
@@ -217,7 +217,7 @@ private:
         const auto accept = [&](std::uint32_t point, std::size_t near, int side, bool at_slit) {
             if (seen.contains(point)) return;
             const glm::dvec3 p = drawing.position(point);
-            const CutCurve::Foot foot = curve.foot(p, near, first, last);
+            const SlitCurve::Foot foot = curve.foot(p, near, first, last);
             const glm::dvec3 way = way_at(p, foot, side);
             if (!(way != glm::dvec3(0))) return;
             if (!at_slit && foot.s > piece.begin + slack && foot.s < piece.end - slack &&
@@ -249,12 +249,12 @@ private:
             if (at.point >= skin.point_count()) continue;
             // All round a point the end of a triangle is the beginning of the next one
             const bool all_round =
-                local == KeyNumbers::none && skin.soundness(at.point) == CutSkin::Soundness::sound;
+                local == KeyNumbers::none && skin.soundness(at.point) == SlitSkin::Soundness::sound;
             skin.around(at.point, [&](std::uint32_t side) {
                 if (local != KeyNumbers::none && patch.replaces(side / 3)) return;
                 accept(skin.to(side), at.segment, at.side, false);
                 if (!all_round)
-                    accept(skin.from(CutSkin::previous(side)), at.segment, at.side, false);
+                    accept(skin.from(SlitSkin::previous(side)), at.segment, at.side, false);
             });
         }
     }
@@ -291,19 +291,20 @@ private:
 
 } // namespace
 
-std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
-                              const SlitGraph& graph, const CutWalls& walls,
-                              const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                              std::span<const Incision> incisions, const Inward& inward,
-                              double step)
+std::vector<SlitTerm> field_of(const SlitDrawing& drawing, const SlitPatch& patch,
+                               const SlitGraph& graph, const SlitWalls& walls,
+                               const std::vector<SlitRun>& runs,
+                               const std::vector<SlitPiece>& pieces,
+                               std::span<const Incision> incisions, const Inward& inward,
+                               double step)
 {
-    std::vector<CutCurve> curves;
-    for (const CutRun& run : runs) curves.emplace_back(run, drawing, inward);
+    std::vector<SlitCurve> curves;
+    for (const SlitRun& run : runs) curves.emplace_back(run, drawing, inward);
     const std::vector<std::vector<Passage>> passages = passages_of(graph, pieces.size());
     const Neighbours neighbours(patch.triangles);
-    std::vector<std::vector<CutTerm>> terms(pieces.size());
+    std::vector<std::vector<SlitTerm>> terms(pieces.size());
     parallel_blocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
-        const CutRun& run = runs[pieces[p].run];
+        const SlitRun& run = runs[pieces[p].run];
         FieldOfPiece field{drawing,
                            patch,
                            graph,
@@ -314,15 +315,15 @@ std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
                            pieces[p],
                            incisions[run.incision],
                            reach_of(incisions[run.incision], run.length)};
-        for (const CutRun::At& at : run.at)
+        for (const SlitRun::At& at : run.at)
             field.room.push_back(
                 std::min(reach_of_room * field.reach, thickness_of_room * at.thickness));
         smooth_room(run, room_smoothed_over * field.reach, field.room);
         field(walls, step);
         terms[p] = std::move(field.terms);
     });
-    std::vector<CutTerm> all;
-    for (const std::vector<CutTerm>& each : terms) all.insert(all.end(), each.begin(), each.end());
+    std::vector<SlitTerm> all;
+    for (const std::vector<SlitTerm>& each : terms) all.insert(all.end(), each.begin(), each.end());
     return all;
 }
 

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A CutTerm is the move of a vertex by one fully open incision; the terms of a vertex add up.
-struct CutTerm {
+// A SlitTerm is the move of a vertex by one fully open incision; the terms of a vertex add up.
+struct SlitTerm {
     std::uint32_t vertex; // of the drawing, or made by cutting
     std::uint32_t incision;
     float share;    // of the incision's length, at which the vertex stands
@@ -22,10 +22,11 @@ struct CutTerm {
 //   pieces   of the runs; worked on in parallel
 //   step     depth of one of depth_steps, units of the mesh
 // The same terms for any number of threads.
-std::vector<CutTerm> field_of(const CutDrawing& drawing, const CutPatch& patch,
-                              const SlitGraph& graph, const CutWalls& walls,
-                              const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                              std::span<const Incision> incisions, const Inward& inward,
-                              double step);
+std::vector<SlitTerm> field_of(const SlitDrawing& drawing, const SlitPatch& patch,
+                               const SlitGraph& graph, const SlitWalls& walls,
+                               const std::vector<SlitRun>& runs,
+                               const std::vector<SlitPiece>& pieces,
+                               std::span<const Incision> incisions, const Inward& inward,
+                               double step);
 
 } // namespace trivar

@@ -84,9 +84,9 @@ private:
 
 } // namespace
 
-std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triangle)
+std::vector<SkinTriangle> filled(const SlitDrawing& drawing, std::uint32_t triangle)
 {
-    const CutSkin& skin = drawing.skin();
+    const SlitSkin& skin = drawing.skin();
     Triangulation plane;
     std::vector<std::uint32_t> numbers; // of the drawing, by point of the plane
     KeyNumbers known;
@@ -106,10 +106,10 @@ std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triang
         const std::uint32_t side = 3 * triangle + i;
         int last = static_cast<int>(i);
         if (const auto* on = drawing.on_edge(skin.edge(side))) {
-            std::vector<CutDrawing::OnEdge> row = *on;
+            std::vector<SlitDrawing::OnEdge> row = *on;
             std::ranges::sort(row);
             if (skin.from(side) > skin.to(side)) std::ranges::reverse(row);
-            for (const CutDrawing::OnEdge& each : row) {
+            for (const SlitDrawing::OnEdge& each : row) {
                 const int next = add(each.point);
                 rim.emplace_back(last, next);
                 last = next;
@@ -118,10 +118,10 @@ std::vector<SkinTriangle> filled(const CutDrawing& drawing, std::uint32_t triang
         rim.emplace_back(last, static_cast<int>((i + 1) % 3));
     }
     std::vector<std::pair<int, int>> lines;
-    if (const CutDrawing::OnTriangle* on = drawing.on_triangle(triangle)) {
+    if (const SlitDrawing::OnTriangle* on = drawing.on_triangle(triangle)) {
         for (const std::uint32_t p : on->points) add(p);
         for (const std::uint32_t s : on->segments) {
-            const CutDrawing::Segment& g = drawing.segments()[s];
+            const SlitDrawing::Segment& g = drawing.segments()[s];
             if (g.a != g.b)
                 lines.emplace_back(static_cast<int>(known.find(g.a)),
                                    static_cast<int>(known.find(g.b)));

@@ -15,9 +15,9 @@ constexpr int least_steps = 12;          // of the lattice, from a new point to 
 // OpenSkin tests the part of the skin that moves when all cuts are fully open.
 class OpenSkin {
 public:
-    explicit OpenSkin(const CutShape& shape) : shape_(shape)
+    explicit OpenSkin(const SlitShape& shape) : shape_(shape)
     {
-        for (const CutTerm& term : shape.terms) {
+        for (const SlitTerm& term : shape.terms) {
             const auto [n, fresh] = number_.number(term.vertex);
             if (fresh) {
                 vertices_.push_back(term.vertex);
@@ -30,7 +30,7 @@ public:
     // Calls visit(points, parent triangle) with the pieces of the skin that turn over.
     template <class Visit> void folded(const Visit& visit) const
     {
-        const CutSkin& skin = shape_.drawing.skin();
+        const SlitSkin& skin = shape_.drawing.skin();
         for (std::size_t i = 0; i < shape_.walls.skin.size(); ++i) {
             const SkinTriangle& piece = shape_.patch.triangles[i];
             if (!shape_.left_out.patch_piece(i) && folds(piece.points, shape_.walls.skin[i]))
@@ -68,7 +68,7 @@ private:
         return glm::dot(shut, open) < least_area_left * glm::dot(shut, shut);
     }
 
-    const CutShape& shape_;
+    const SlitShape& shape_;
     KeyNumbers number_; // by vertex
     std::vector<std::uint32_t> vertices_;
     std::vector<glm::dvec3> moves_;
@@ -76,7 +76,7 @@ private:
 
 class FoldPoints {
 public:
-    explicit FoldPoints(const CutShape& shape)
+    explicit FoldPoints(const SlitShape& shape)
         : shape_(shape),
           drawing_(shape.drawing),
           skin_(shape.drawing.skin())
@@ -130,7 +130,7 @@ private:
         if (at.on == On::point) return {};
         if (at.on == On::edge) {
             const std::uint32_t other = skin_.across(at.index);
-            if (other == CutSkin::none || !on_one_edge(*wa, *wb)) return {};
+            if (other == SlitSkin::none || !on_one_edge(*wa, *wb)) return {};
             return clear_of_cuts(at, parent) &&
                            clear_of_cuts(at, (at.index / 3 == parent ? other : at.index) / 3)
                        ? std::optional(at)
@@ -146,12 +146,12 @@ private:
     // Whether no segment of the drawing in a triangle runs so near that it would take the point.
     bool clear_of_cuts(const LatticePoint& at, std::uint32_t triangle) const
     {
-        const CutDrawing::OnTriangle* on = drawing_.on_triangle(triangle);
+        const SlitDrawing::OnTriangle* on = drawing_.on_triangle(triangle);
         const auto place = weights_in(skin_, at, triangle);
         if (!on || !place) return place.has_value();
         const glm::dvec2 p(*place);
         for (const std::uint32_t s : on->segments) {
-            const CutDrawing::Segment& g = drawing_.segments()[s];
+            const SlitDrawing::Segment& g = drawing_.segments()[s];
             const auto a = weights_in(skin_, drawing_.point(g.a), triangle);
             const auto b = weights_in(skin_, drawing_.point(g.b), triangle);
             if (!a || !b || g.a == g.b) continue;
@@ -166,16 +166,16 @@ private:
         return true;
     }
 
-    const CutShape& shape_;
-    const CutDrawing& drawing_;
-    const CutSkin& skin_;
+    const SlitShape& shape_;
+    const SlitDrawing& drawing_;
+    const SlitSkin& skin_;
     KeyNumbers slits_, halved_; // by ends
     std::vector<LatticePoint> points_;
 };
 
 } // namespace
 
-std::vector<LatticePoint> points_against_folds(const CutShape& shape)
+std::vector<LatticePoint> points_against_folds(const SlitShape& shape)
 {
     FoldPoints out(shape);
     OpenSkin(shape).folded([&](const std::array<std::uint32_t, 3>& points, std::uint32_t parent) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_shape.h"
+#include "core/incise/slit_shape.h"
 
 namespace trivar {
 
@@ -9,6 +9,6 @@ namespace trivar {
 // they are too long beside a rim to follow the field: each halves the longest side of such a piece
 // that is no cut, below the opposite corner. O(#terms). None: there is no such piece, or it is
 // small.
-std::vector<LatticePoint> points_against_folds(const CutShape& shape);
+std::vector<LatticePoint> points_against_folds(const SlitShape& shape);
 
 } // namespace trivar

@@ -28,12 +28,12 @@ std::vector<char> changed(const std::vector<glm::dvec3>& before,
 
 } // namespace
 
-CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
+SlitGuard::SlitGuard(const SlitShape& shape, std::span<const Incision> incisions)
     : incisions_(incisions),
       radius_(incisions.size(), 1),
       round_(incisions.size(), 0)
 {
-    const CutSkin& skin = shape.drawing.skin();
+    const SlitSkin& skin = shape.drawing.skin();
     KeyNumbers local(shape.terms.size() + shape.walls.skin.size()); // about
     std::vector<std::uint32_t> vertices;
     const auto number = [&](std::uint32_t vertex) {
@@ -58,11 +58,11 @@ CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
         walls_.push_back(i);
     }
     end_of_walls_ = triangles_.size();
-    for (const CutTerm& term : shape.terms) {
+    for (const SlitTerm& term : shape.terms) {
         terms_.push_back(term);
         terms_.back().vertex = number(term.vertex);
     }
-    std::ranges::stable_sort(terms_, {}, &CutTerm::vertex);
+    std::ranges::stable_sort(terms_, {}, &SlitTerm::vertex);
     KeyNumbers taken(2 * shape.terms.size()); // triangles of the skin round all these vertices
     const std::size_t inner = vertices.size();
     for (std::size_t i = 0; i < inner; ++i) {
@@ -76,21 +76,21 @@ CutGuard::CutGuard(const CutShape& shape, std::span<const Incision> incisions)
     }
     const double edge = skin.usual_edge();
     simple_ = shape.pieces.size() == 1;
-    for (const CutRun& run : shape.runs) {
+    for (const SlitRun& run : shape.runs) {
         const Incision& incision = incisions[run.incision];
         simple_ = simple_ && run.has_floor() && incision.lean_deg == 0 && incision.bevel == 0;
         radius_[run.incision] =
             run.as_share(std::max(edges_of_dent * edge, widths_of_dent * run.width));
         round_[run.incision] = run.goes_round();
-        if (run.kind != CutRun::Kind::far_side) parts_.push_back({run.incision, run.from, run.to});
+        if (run.kind != SlitRun::Kind::far_side) parts_.push_back({run.incision, run.from, run.to});
     }
 }
 
-std::vector<glm::dvec3> CutGuard::moves(std::span<const Admitted> admitted,
-                                        std::span<const char> open) const
+std::vector<glm::dvec3> SlitGuard::moves(std::span<const Admitted> admitted,
+                                         std::span<const char> open) const
 {
     std::vector<glm::dvec3> out(rest_.size(), glm::dvec3(0));
-    for (const CutTerm& term : terms_) {
+    for (const SlitTerm& term : terms_) {
         if (!open[term.incision]) continue;
         const auto let =
             static_cast<float>(admitted[term.incision].at(double{term.share}, double{term.below}));
@@ -99,7 +99,7 @@ std::vector<glm::dvec3> CutGuard::moves(std::span<const Admitted> admitted,
     return out;
 }
 
-bool CutGuard::pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const
+bool SlitGuard::pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& quite) const
 {
     glm::uvec3 second(3, 4, 5); // numbers of corners; a common one has its first
     for (std::uint32_t i = 0; i < 9; ++i)
@@ -112,17 +112,17 @@ bool CutGuard::pierces(const PiercingPair& pair, const std::vector<glm::dvec3>& 
     });
 }
 
-std::vector<char> CutGuard::moved_by(std::uint32_t incision) const
+std::vector<char> SlitGuard::moved_by(std::uint32_t incision) const
 {
     std::vector<char> out(rest_.size(), 0);
-    for (const CutTerm& term : terms_)
+    for (const SlitTerm& term : terms_)
         if (incision == any || term.incision == incision) out[term.vertex] = 1;
     return out;
 }
 
-std::vector<PiercingPair> CutGuard::piercings(const std::vector<glm::dvec3>& quite,
-                                              std::span<const double> shares,
-                                              std::span<const char> moving) const
+std::vector<PiercingPair> SlitGuard::piercings(const std::vector<glm::dvec3>& quite,
+                                               std::span<const double> shares,
+                                               std::span<const char> moving) const
 {
     std::vector<std::vector<glm::dvec3>> times(shares.size(), rest_);
     for (std::size_t i = 0; i < shares.size(); ++i)
@@ -138,7 +138,7 @@ std::vector<PiercingPair> CutGuard::piercings(const std::vector<glm::dvec3>& qui
     return out;
 }
 
-std::vector<CutGuard::Walls> CutGuard::walls_in_the_way() const
+std::vector<SlitGuard::Walls> SlitGuard::walls_in_the_way() const
 {
     std::vector<Walls> out;
     std::vector<char> walls(triangles_.size(), 0);
@@ -151,14 +151,14 @@ std::vector<CutGuard::Walls> CutGuard::walls_in_the_way() const
     return out;
 }
 
-double CutGuard::lack(std::span<const Admission> admitted) const
+double SlitGuard::lack(std::span<const Admission> admitted) const
 {
     double sum = 0;
     for (std::uint32_t k = 0; k < admitted.size(); ++k) sum += lack(k, admitted[k].with_others);
     return sum;
 }
 
-double CutGuard::lack(std::uint32_t incision, const Admitted& admitted) const
+double SlitGuard::lack(std::uint32_t incision, const Admitted& admitted) const
 {
     double sum = 0;
     for (const Part& part : parts_)
@@ -168,7 +168,7 @@ double CutGuard::lack(std::uint32_t incision, const Admitted& admitted) const
     return sum;
 }
 
-bool CutGuard::admits_all() const
+bool SlitGuard::admits_all() const
 {
     // Upright walls of one piece that are apart when quite and half open are so before
     const std::vector<Admitted> all(radius_.size());
@@ -178,7 +178,7 @@ bool CutGuard::admits_all() const
     return piercings(moves(all, open), shares, moved_by(any)).empty();
 }
 
-std::optional<std::vector<Admission>> CutGuard::admitted(double most) const
+std::optional<std::vector<Admission>> SlitGuard::admitted(double most) const
 {
     const auto count = static_cast<std::uint32_t>(radius_.size());
     std::vector<Admission> out(count);
@@ -186,7 +186,7 @@ std::optional<std::vector<Admission>> CutGuard::admitted(double most) const
     std::vector<char> open(count, 1);
     for (const PiercingPair& pair : piercings(moves(all, open), looked_at, moved_by(any)))
         for (std::size_t i = 0; i < 6; ++i)
-            for (const CutTerm& term : terms_at(corner(pair, i))) open[term.incision] = 0;
+            for (const SlitTerm& term : terms_at(corner(pair, i))) open[term.incision] = 0;
     for (std::uint32_t k = 0; k < count; ++k) { // one after the other beside those in no one's way
         if (open[k]) continue;
         open[k] = 1;
@@ -209,7 +209,7 @@ std::optional<std::vector<Admission>> CutGuard::admitted(double most) const
     }
 }
 
-void CutGuard::find_alone(std::vector<Admission>& admitted) const
+void SlitGuard::find_alone(std::vector<Admission>& admitted) const
 {
     for (std::uint32_t k = 0; k < admitted.size(); ++k) {
         if (admitted[k].held_by.empty()) continue;
@@ -220,8 +220,8 @@ void CutGuard::find_alone(std::vector<Admission>& admitted) const
     }
 }
 
-Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>& all,
-                             std::span<const char> open) const
+Admission SlitGuard::admitted(std::uint32_t incision, const std::vector<Admitted>& all,
+                              std::span<const char> open) const
 {
     Admission out;
     std::vector<char> holds(all.size(), 0);
@@ -236,8 +236,9 @@ Admission CutGuard::admitted(std::uint32_t incision, const std::vector<Admitted>
     return out;
 }
 
-Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
-                            std::span<const char> open, double dent, std::vector<char>& holds) const
+Admitted SlitGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
+                             std::span<const char> open, double dent,
+                             std::vector<char>& holds) const
 {
     std::vector<glm::dvec3> quite = moves(all, open);
     std::vector<char> moving;
@@ -254,7 +255,7 @@ Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
             std::erase_if(pairs, [&](const PiercingPair& pair) {
                 if (!lower(pair, incision, dent, before, all[incision], done)) return true;
                 for (std::size_t i = 0; i < 6; ++i)
-                    for (const CutTerm& term : terms_at(corner(pair, i)))
+                    for (const SlitTerm& term : terms_at(corner(pair, i)))
                         if (open[term.incision]) holds[term.incision] = 1;
                 return false;
             });
@@ -272,19 +273,19 @@ Admitted CutGuard::narrowed(std::uint32_t incision, std::vector<Admitted> all,
     return all[incision];
 }
 
-bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double dent,
-                     const Admitted& before, Admitted& after, std::vector<char>& done) const
+bool SlitGuard::lower(const PiercingPair& pair, std::uint32_t incision, double dent,
+                      const Admitted& before, Admitted& after, std::vector<char>& done) const
 {
-    std::vector<const CutTerm*> terms, below; // of the incision; and below the skin
+    std::vector<const SlitTerm*> terms, below; // of the incision; and below the skin
     for (std::size_t i = 0; i < 6; ++i)
-        for (const CutTerm& term : terms_at(corner(pair, i))) {
+        for (const SlitTerm& term : terms_at(corner(pair, i))) {
             const double share{term.share}, depth{term.below};
             if (term.incision != incision || !(before.opening.at(share) > 0)) continue;
             terms.push_back(&term);
             if (depth > 0 && before.below.at(share) > 0) below.push_back(&term);
         }
     const auto steps = static_cast<double>(1 + looks_ / looks_of_one_step);
-    const auto step = [&](const CutTerm& term, Narrowing Admitted::*what, double factor) {
+    const auto step = [&](const SlitTerm& term, Narrowing Admitted::*what, double factor) {
         char& known = done[static_cast<std::size_t>(&term - terms_.data())];
         const char bit = what == &Admitted::below ? 1 : 2;
         if ((known & bit) != 0) return;
@@ -295,9 +296,9 @@ bool CutGuard::lower(const PiercingPair& pair, std::uint32_t incision, double de
                     round_[incision] != 0);
     };
     // The part below the skin is drawn together first
-    for (const CutTerm* term : below) step(*term, &Admitted::below, narrower_below);
+    for (const SlitTerm* term : below) step(*term, &Admitted::below, narrower_below);
     if (below.empty())
-        for (const CutTerm* term : terms) step(*term, &Admitted::opening, narrower);
+        for (const SlitTerm* term : terms) step(*term, &Admitted::opening, narrower);
     return !terms.empty();
 }
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_shape.h"
 #include "core/incise/narrowing.h"
 #include "core/incise/piercing.h"
+#include "core/incise/slit_shape.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace trivar {
 
-// A CutGuard looks at the region of cuts for triangles that pierce each other, beyond those that do
-// in the model itself: with positions and moves as they are stored, in single precision.
-class CutGuard {
+// A SlitGuard looks at the region of cuts for triangles that pierce each other, beyond those that
+// do in the model itself: with positions and moves as they are stored, in single precision.
+class SlitGuard {
 public:
-    CutGuard(const CutShape& shape, std::span<const Incision> incisions);
+    SlitGuard(const SlitShape& shape, std::span<const Incision> incisions);
 
-    // The pairs of walls, of CutShape::walls, that pierce each other while all is shut; one that
+    // The pairs of walls, of SlitShape::walls, that pierce each other while all is shut; one that
     // pierces the skin is a pair with itself.
     struct Walls {
         std::uint32_t a, b;
@@ -77,14 +77,14 @@ private:
     }
     auto terms_at(std::uint32_t vertex) const
     {
-        return std::ranges::equal_range(terms_, vertex, {}, &CutTerm::vertex);
+        return std::ranges::equal_range(terms_, vertex, {}, &SlitTerm::vertex);
     }
 
     std::vector<glm::dvec3> rest_;
     std::vector<glm::uvec3> triangles_; // local vertices; skin first
     std::size_t first_wall_ = 0, end_of_walls_ = 0;
     std::vector<std::uint32_t> walls_;
-    std::vector<CutTerm> terms_; // by local vertex, ascending
+    std::vector<SlitTerm> terms_; // by local vertex, ascending
     std::span<const Incision> incisions_;
     std::vector<Part> parts_;
     std::vector<double> radius_; // of a dent, by incision, as a share of its length

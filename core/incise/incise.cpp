@@ -2,11 +2,11 @@
 #include "core/incise/incise.h"
 
 #include "core/base/finite.h"
-#include "core/incise/cut_layout.h"
 #include "core/incise/folds.h"
 #include "core/incise/guard.h"
 #include "core/incise/incised_mesh.h"
 #include "core/incise/left_out.h"
+#include "core/incise/slit_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -34,20 +34,20 @@ constexpr const char* one_piece =
 constexpr double deepest_through = 1000; // of the deepest floor, down to which a cut goes through
 
 // Returns the greatest depth of all floors, or of the cuts through the body if no cut has a floor.
-double deepest_of(const std::vector<CutRun>& runs, std::span<const Incision> incisions)
+double deepest_of(const std::vector<SlitRun>& runs, std::span<const Incision> incisions)
 {
     double deepest = 0, last_rows = 0;
-    for (const CutRun& run : runs) {
+    for (const SlitRun& run : runs) {
         if (run.has_floor()) deepest = std::max(deepest, incisions[run.incision].depth);
-        if (run.kind != CutRun::Kind::through) continue;
-        for (const CutRun::At& at : run.at) last_rows = std::max(last_rows, at.depth);
+        if (run.kind != SlitRun::Kind::through) continue;
+        for (const SlitRun::At& at : run.at) last_rows = std::max(last_rows, at.depth);
     }
     return std::max(deepest > 0 ? deepest : last_rows, last_rows / deepest_through);
 }
 
 // A Made is the result of one attempt to cut.
 struct Made {
-    CutShape shape;
+    SlitShape shape;
     std::vector<LeftOutPieces::Kept> kept;
     std::vector<Admission> admitted = {};
     double lacks = 0; // of openings, in all
@@ -63,7 +63,7 @@ struct Effort {
 
 class Cutter {
 public:
-    Cutter(CutLayout& layout, std::span<const Incision> all, const InciseOptions& options,
+    Cutter(SlitLayout& layout, std::span<const Incision> all, const InciseOptions& options,
            Effort& effort)
         : layout_(layout),
           all_(all),
@@ -88,10 +88,10 @@ public:
     {
         std::unique_ptr<Made> made = attempt();
         if (!options_.guarded) return made;
-        std::optional<CutGuard> guard;
+        std::optional<SlitGuard> guard;
         for (int turn = 0; made; ++turn, made = attempt()) {
             guard.emplace(made->shape, all_);
-            const std::vector<CutGuard::Walls> walls = guard->walls_in_the_way();
+            const std::vector<SlitGuard::Walls> walls = guard->walls_in_the_way();
             if (walls.empty()) break;
             if (blocks_a_way(made->shape, walls, shortfalls)) return {};
             if (turn == most_at_rest) {
@@ -104,7 +104,7 @@ public:
         }
         if (!made || guard->admits_all()) return made;
         std::unique_ptr<Made> other = with_halved_folds(*made);
-        if (other && CutGuard(other->shape, all_).admits_all()) return other;
+        if (other && SlitGuard(other->shape, all_).admits_all()) return other;
         admit(*made, *guard, infinite);
         if (other && made->lacks >= much_lacks) take_better(made, other);
         for (int turn = 0;
@@ -118,7 +118,7 @@ public:
         }
         if (std::ranges::any_of(made->admitted,
                                 [](const Admission& each) { return !each.held_by.empty(); }))
-            CutGuard(made->shape, all_).find_alone(made->admitted);
+            SlitGuard(made->shape, all_).find_alone(made->admitted);
         return made;
     }
 
@@ -132,7 +132,7 @@ private:
     }
 
     // Tells how far incisions may open. False: they lack `most` or more.
-    bool admit(Made& made, const CutGuard& guard, double most) const
+    bool admit(Made& made, const SlitGuard& guard, double most) const
     {
         std::optional<std::vector<Admission>> admitted = guard.admitted(most);
         effort_.looks += guard.looks();
@@ -145,7 +145,7 @@ private:
     // Takes another attempt where it lacks less by so much that it is worth it.
     void take_better(std::unique_ptr<Made>& made, std::unique_ptr<Made>& other) const
     {
-        const CutGuard guard(other->shape, all_);
+        const SlitGuard guard(other->shape, all_);
         if (guard.walls_in_the_way().empty() && admit(*other, guard, worth_it * made->lacks))
             made = std::move(other);
     }
@@ -176,14 +176,14 @@ private:
     {
         report(effort_.progress, std::min(1.0, static_cast<double>(effort_.looks) / most_looks),
                "incise");
-        const CutDrawing& drawing = layout_.drawing;
+        const SlitDrawing& drawing = layout_.drawing;
         const Inward& inward = *layout_.inward;
-        CutShape shape{drawing, drawing.point_count(),
-                       inward,  *layout_.columns,
-                       step_,   layout_.runs,
-                       pieces_, {},
-                       {},      {},
-                       {}};
+        SlitShape shape{drawing, drawing.point_count(),
+                        inward,  *layout_.columns,
+                        step_,   layout_.runs,
+                        pieces_, {},
+                        {},      {},
+                        {}};
         set_depths(shape.runs, drawing, inward, *layout_.columns, all_, depths_);
         shape.graph = slits_of(shape.runs, pieces_, all_, drawing, inward, step_,
                                depth_steps / std::max(1, options_.rows) / 2);
@@ -202,15 +202,15 @@ private:
     }
 
     // The first incision that passes a wall, whose it is.
-    std::uint32_t owner(const CutShape& shape, std::uint32_t wall) const
+    std::uint32_t owner(const SlitShape& shape, std::uint32_t wall) const
     {
         std::uint32_t first = ~0u;
         visit_runs(shape, wall,
-                   [&](const CutRun& run, double) { first = std::min(first, run.incision); });
+                   [&](const SlitRun& run, double) { first = std::min(first, run.incision); });
         return first;
     }
     // Calls visit(run, s) with the runs whose wall it is.
-    void visit_runs(const CutShape& shape, std::uint32_t wall, const auto& visit) const
+    void visit_runs(const SlitShape& shape, std::uint32_t wall, const auto& visit) const
     {
         const SlitEdge& edge = shape.graph.edges[shape.walls.walls[wall].corners[0].edge];
         for (const SlitEdge::Pass& pass : edge.passes)
@@ -218,13 +218,13 @@ private:
     }
 
     // Whether walls through the body are among those that pierce others.
-    bool blocks_a_way(const CutShape& shape, const std::vector<CutGuard::Walls>& walls,
+    bool blocks_a_way(const SlitShape& shape, const std::vector<SlitGuard::Walls>& walls,
                       Shortfalls& shortfalls) const
     {
         bool any = false;
         for (const auto& [a, b] : walls)
             for (const std::uint32_t wall : {a, b})
-                visit_runs(shape, wall, [&](const CutRun& run, double) {
+                visit_runs(shape, wall, [&](const SlitRun& run, double) {
                     if (run.has_floor()) return;
                     shortfalls[run.incision] = no_way;
                     any = true;
@@ -233,11 +233,11 @@ private:
     }
 
     // Makes one of two walls that pierce each other shallower: that of the later incision.
-    void make_shallower(const CutShape& shape, const std::vector<CutGuard::Walls>& walls,
+    void make_shallower(const SlitShape& shape, const std::vector<SlitGuard::Walls>& walls,
                         bool near_alone)
     {
         const std::vector<Narrowing> before = depths_;
-        const auto lower = [&](const CutRun& run, double s) {
+        const auto lower = [&](const SlitRun& run, double s) {
             const double x = run.share(s);
             const double around =
                 std::max(edges_of_dent_in_depth * layout_.drawing.skin().usual_edge(),
@@ -253,11 +253,11 @@ private:
         }
     }
 
-    CutLayout& layout_;
+    SlitLayout& layout_;
     std::span<const Incision> all_;
     const InciseOptions& options_;
     Effort& effort_;
-    std::vector<CutPiece> pieces_;
+    std::vector<SlitPiece> pieces_;
     std::vector<Narrowing> depths_; // by incision
     double step_ = 0;
     std::vector<int> borders_;
@@ -266,7 +266,7 @@ private:
 
 // Returns how far a part of an incision opens where it is widest, as a share of the width asked
 // for.
-double widest_of(const CutRun& run, const Admitted& admitted, const Incision& asked)
+double widest_of(const SlitRun& run, const Admitted& admitted, const Incision& asked)
 {
     return (asked.width > 0 ? run.width / asked.width : 1) *
            admitted.opening.widest(asked.opening_profile, run.from, run.to);
@@ -275,11 +275,11 @@ double widest_of(const CutRun& run, const Admitted& admitted, const Incision& as
 void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision> all,
                    const Shortfalls& shortfalls)
 {
-    const CutShape& shape = made.shape;
-    for (const CutRun& run : shape.runs) {
+    const SlitShape& shape = made.shape;
+    for (const SlitRun& run : shape.runs) {
         IncisedMesh::Outcome& outcome = out.outcomes[run.incision];
-        for (const CutRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
-        if (run.kind == CutRun::Kind::far_side) continue;
+        for (const SlitRun::At& at : run.at) outcome.depth = std::max(outcome.depth, at.depth);
+        if (run.kind == SlitRun::Kind::far_side) continue;
         outcome.length += run.length;
         outcome.least_depth = std::min(outcome.least_depth, run.least_depth);
         const Incision& asked = all[run.incision];
@@ -298,12 +298,12 @@ void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision>
     for (const SlitEdge& edge : shape.graph.edges)
         for (const SlitEdge::Pass& pass : edge.passes)
             has_walls[shape.runs[shape.pieces[pass.piece].run].incision] = 1;
-    for (const CutRun& run : shape.runs)
+    for (const SlitRun& run : shape.runs)
         if (!has_walls[run.incision]) out.outcomes[run.incision].refusal = no_room;
 }
 
 // The cuts of a layout, or none where one more of them cannot go through the body.
-std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
+std::optional<IncisedMesh> cut(SlitLayout& layout, std::span<const Incision> all,
                                const InciseOptions& options,
                                std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls,
                                Lender<Mesh>& lender, Effort& effort)
@@ -316,10 +316,10 @@ std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
     std::unique_ptr<Made> made = cutter(shortfalls);
     if (shortfalls != before) return std::nullopt;
     if (!made) {
-        for (const CutRun& run : layout.runs) out.outcomes[run.incision].refusal = no_room;
+        for (const SlitRun& run : layout.runs) out.outcomes[run.incision].refusal = no_room;
         return out;
     }
-    for (CutTerm& term : made->shape.terms) {
+    for (SlitTerm& term : made->shape.terms) {
         const Admission& of = made->admitted[term.incision];
         const double share{term.share}, below{term.below};
         const double held = of.with_others.at(share, below), alone = of.alone.at(share, below);
@@ -327,14 +327,14 @@ std::optional<IncisedMesh> cut(CutLayout& layout, std::span<const Incision> all,
         term.move *= static_cast<float>(alone > 0 ? alone : held);
     }
     tell_outcomes(out, *made, all, shortfalls);
-    for (const ThroughCut& each : layout.throughs)
+    for (const ThroughSlit& each : layout.throughs)
         out.outcomes[layout.runs[each.near].incision].crossed_through +=
             static_cast<int>(each.crossings.size());
     make_rest(out, made->shape, all, cutter.borders(), options.layers, lender);
     return out;
 }
 
-IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
+IncisedMesh as_asked(const SlitSkin& skin, std::span<const Incision> all,
                      const InciseOptions& options, Lender<Mesh>& made, Effort& effort)
 {
     Shortfalls shortfalls(all.size());
@@ -342,7 +342,7 @@ IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
         IncisedMesh none;
         none.original = none.rest = skin.mesh();
         none.outcomes.resize(all.size());
-        const std::unique_ptr<CutLayout> layout =
+        const std::unique_ptr<SlitLayout> layout =
             laid_out(skin, all, options.reach, options.rows, none.outcomes, shortfalls);
         if (!layout) continue;
         if (layout->runs.empty()) return none;
@@ -354,13 +354,14 @@ IncisedMesh as_asked(const CutSkin& skin, std::span<const Incision> all,
 
 } // namespace
 
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> all, const InciseOptions& options)
+IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> all,
+                   const InciseOptions& options)
 {
     Lender<Mesh> none;
     return incise(skin, all, options, none);
 }
 
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> asked,
+IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> asked,
                    const InciseOptions& options, Lender<Mesh>& made, const Progress& progress)
 {
     Effort effort{progress};

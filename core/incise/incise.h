@@ -3,8 +3,8 @@
 
 #include "core/base/lender.h"
 #include "core/base/progress.h"
-#include "core/incise/cut_skin.h"
 #include "core/incise/incised.h"
+#include "core/incise/slit_skin.h"
 
 namespace trivar {
 
@@ -25,12 +25,12 @@ struct InciseOptions {
 // tried again, shallower and narrower, for a counted number of looks at triangles, a second or two.
 // The same bits for any number of threads. Generalizes the one slit in one patch of [Schein,
 // thesis, 6.8]; docs/incise.md tells the steps.
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
+IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options = {});
 // Cuts a skin into memory that is used again.
 //   made      lends the mesh, in the memory of one that nobody has any more
 //   progress  told of each attempt; its throw ends the work
-IncisedMesh incise(const CutSkin& skin, std::span<const Incision> incisions,
+IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> incisions,
                    const InciseOptions& options, Lender<Mesh>& made, const Progress& progress = {});
 
 } // namespace trivar

@@ -15,7 +15,7 @@ constexpr std::size_t room_per_triangle = 4; // vertices, to copy arrays but onc
 
 class RestMesh {
 public:
-    RestMesh(const CutShape& shape, std::span<const Incision> incisions, const Mesh& mesh)
+    RestMesh(const SlitShape& shape, std::span<const Incision> incisions, const Mesh& mesh)
         : shape_(shape),
           skin_(shape.drawing.skin()),
           incisions_(incisions),
@@ -107,14 +107,14 @@ private:
     // The vertices at both ends of an edge as one of its sides sees them, the lower point's first.
     glm::uvec2 ends_of(std::uint32_t side) const
     {
-        const glm::uvec2 ends(mesh_vertex(side), mesh_vertex(CutSkin::next(side)));
+        const glm::uvec2 ends(mesh_vertex(side), mesh_vertex(SlitSkin::next(side)));
         return skin_.from(side) < skin_.to(side) ? ends : glm::uvec2(ends.y, ends.x);
     }
     // The side of a point's edge whose attributes it has in a triangle: the lower one but at seams.
     std::uint32_t side_seen_from(const LatticePoint& p, std::uint32_t triangle) const
     {
         const std::uint32_t other = skin_.across(p.index);
-        if (other == CutSkin::none || other / 3 != triangle) return p.index;
+        if (other == SlitSkin::none || other / 3 != triangle) return p.index;
         return ends_of(other) == ends_of(p.index) ? p.index : other;
     }
 
@@ -187,11 +187,11 @@ private:
             const SlitEdge& e = shape_.graph.edges[c.edge];
             const std::size_t i = node.edge_number(c.edge);
             const bool right = e.starts_at(node.point) ? c.sector != i : c.sector == i;
-            const CutRun& run = shape_.runs[of.first];
+            const SlitRun& run = shape_.runs[of.first];
             if (right) down += incisions_[run.incision].floor_width * run.width;
         }
-        const CutRun& run = shape_.runs[of.first];
-        const bool far = run.kind == CutRun::Kind::far_side;
+        const SlitRun& run = shape_.runs[of.first];
+        const bool far = run.kind == SlitRun::Kind::far_side;
         if (far) down = depth_at(run, of.second);
         birth.uv = glm::vec2(far ? run.own_share(of.second) * run.near_length : of.second, down);
         return number;
@@ -252,7 +252,7 @@ private:
             bool whole = true;
             const std::uint32_t to = mesh_.point(crease.b);
             skin_.around(mesh_.point(crease.a), [&](std::uint32_t side) {
-                for (const std::uint32_t each : {side, CutSkin::previous(side)})
+                for (const std::uint32_t each : {side, SlitSkin::previous(side)})
                     if ((skin_.to(each) == to || skin_.from(each) == to) &&
                         shape_.drawing.on_edge(skin_.edge(each)))
                         whole = false;
@@ -264,7 +264,7 @@ private:
     void take_terms(IncisedMesh& out) const
     {
         KeyNumbers slots(shape_.terms.size()); // by vertex of the cut
-        for (const CutTerm& term : shape_.terms)
+        for (const SlitTerm& term : shape_.terms)
             out.terms.push_back(
                 {slots.number(term.vertex).first, term.incision, term.share, term.held, term.move});
         out.slots = slots.size();
@@ -278,7 +278,7 @@ private:
         for (const auto& [vertex, cut_vertex] : new_points_) list(vertex, cut_vertex);
         for (std::uint32_t i = 0; i < births_.size(); ++i)
             list(first_new_ + i, vertex_of_birth_[i]);
-        for (const CutTerm& term : shape_.terms) {
+        for (const SlitTerm& term : shape_.terms) {
             if (term.vertex >= skin_.point_count()) continue;
             if (shape_.graph.node_of_point.contains(term.vertex)) continue; // listed above
             skin_.around(term.vertex,
@@ -286,8 +286,8 @@ private:
         }
     }
 
-    const CutShape& shape_;
-    const CutSkin& skin_;
+    const SlitShape& shape_;
+    const SlitSkin& skin_;
     std::span<const Incision> incisions_;
     const Mesh& mesh_;
     std::uint32_t first_new_;
@@ -301,7 +301,7 @@ private:
 
 } // namespace
 
-void make_rest(IncisedMesh& incised, const CutShape& shape, std::span<const Incision> incisions,
+void make_rest(IncisedMesh& incised, const SlitShape& shape, std::span<const Incision> incisions,
                std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made)
 {
     RestMesh(shape, incisions, *incised.original).make(incised, borders, layers, made);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/lender.h"
-#include "core/incise/cut_shape.h"
 #include "core/incise/incised.h"
+#include "core/incise/slit_shape.h"
 
 namespace trivar {
 
@@ -12,7 +12,7 @@ namespace trivar {
 // that they lie on; walls have vertices of their own, with texture coordinates (length along the
 // cut, depth) in units of the mesh. Fills `rest`, which `made` lends, the terms and the lists of
 // moving vertices.
-void make_rest(IncisedMesh& incised, const CutShape& shape, std::span<const Incision> incisions,
+void make_rest(IncisedMesh& incised, const SlitShape& shape, std::span<const Incision> incisions,
                std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made);
 
 } // namespace trivar

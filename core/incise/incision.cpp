@@ -26,7 +26,7 @@ double on_polyline(const std::vector<glm::dvec2>& points, double x)
     return points.back().y;
 }
 
-CutProfile turned_round(CutProfile profile)
+IncisionProfile turned_round(IncisionProfile profile)
 {
     std::ranges::reverse(profile.points);
     for (glm::dvec2& p : profile.points) p.x = 1 - p.x;
@@ -35,21 +35,21 @@ CutProfile turned_round(CutProfile profile)
 
 } // namespace
 
-double value_at(const CutProfile& profile, double x)
+double value_at(const IncisionProfile& profile, double x)
 {
     if (!(x > 0 && x < 1)) return 0;
-    if (profile.shape == CutProfile::Shape::lens) {
+    if (profile.shape == IncisionProfile::Shape::lens) {
         const double c = 2 * x - 1;
         return (1 - c * c) * (1 - c * c);
     }
     const double ends = smooth_step(x / cut_taper) * smooth_step((1 - x) / cut_taper);
-    if (profile.shape == CutProfile::Shape::even) return ends;
+    if (profile.shape == IncisionProfile::Shape::even) return ends;
     return ends * std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
 
-double value_round(const CutProfile& profile, double x)
+double value_round(const IncisionProfile& profile, double x)
 {
-    if (profile.shape != CutProfile::Shape::custom) return 1;
+    if (profile.shape != IncisionProfile::Shape::custom) return 1;
     return std::clamp(on_polyline(profile.points, x), 0.0, 1.0);
 }
 

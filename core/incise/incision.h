@@ -9,18 +9,18 @@
 
 namespace trivar {
 
-// A CutProfile says how a number runs along a cut, as a share of its greatest value, by x from 0 to
-// 1: the share of the cut's length. All of them are 0 at both ends.
-struct CutProfile {
+// A IncisionProfile says how a number runs along a cut, as a share of its greatest value, by x from
+// 0 to 1: the share of the cut's length. All of them are 0 at both ends.
+struct IncisionProfile {
     enum class Shape { lens, even, custom } shape = Shape::lens;
     // The points (x, share) of a custom profile, by ascending x, share 0 to 1, joined by straight
     // lines.
     std::vector<glm::dvec2> points = {};
-    bool operator==(const CutProfile&) const = default;
+    bool operator==(const IncisionProfile&) const = default;
 };
-double value_at(const CutProfile& profile, double x);
+double value_at(const IncisionProfile& profile, double x);
 // The same along a loop, which has no ends.
-double value_round(const CutProfile& profile, double x);
+double value_round(const IncisionProfile& profile, double x);
 
 // An Incision is one cut in a skin, as a document stores it. Lengths are in units of the mesh. A
 // stroke that ends at the point where it began is a loop. Its profile across the stroke, when fully
@@ -35,14 +35,14 @@ double value_round(const CutProfile& profile, double x);
 struct Incision {
     std::vector<SurfacePoint> stroke; // on the skin at rest, two at least
     double depth = 0.1;               // where the cut is deepest, before the body's limits
-    CutProfile depth_profile{CutProfile::Shape::even, {}};
+    IncisionProfile depth_profile{IncisionProfile::Shape::even, {}};
     // v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on the
     // other side, which opens too; where there is no way through it is cut to its depth, as v.
     enum class Floor { v, u, through } floor = Floor::v;
     double floor_width = 0.5; // of a U floor: share of the width, where there is as much room below
 
     double width = 0.1; // of the gap in the skin where it is widest, when the cut is quite open
-    CutProfile opening_profile;
+    IncisionProfile opening_profile;
     double reach = 0; // how far beside the cut the skin gives way; 0: three widths
 
     // Whether the piece that a loop through the body cuts out, the smaller part, stays.

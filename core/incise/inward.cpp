@@ -22,7 +22,7 @@ constexpr int most_depths = 24;
 
 } // namespace
 
-Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
+Inward::Inward(const SlitSkin& skin, std::span<const std::uint32_t> triangles) : skin_(&skin)
 {
     std::vector<std::uint32_t>& points = points_;
     const auto put = [&](std::uint32_t p) {
@@ -37,7 +37,7 @@ Inward::Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles) : 
         for (; ring < end; ++ring)
             skin.around(points[ring], [&](std::uint32_t side) {
                 put(skin.to(side));
-                put(skin.from(CutSkin::previous(side)));
+                put(skin.from(SlitSkin::previous(side)));
             });
     }
     std::vector<glm::dvec3> now, next(points.size());
@@ -140,7 +140,7 @@ namespace {
 // n_k].
 class LayerAreas {
 public:
-    LayerAreas(const CutSkin& skin, const Inward& inward, std::uint32_t triangle)
+    LayerAreas(const SlitSkin& skin, const Inward& inward, std::uint32_t triangle)
     {
         const glm::uvec3& t = skin.triangle(triangle);
         n_ = {inward.outward(t.x), inward.outward(t.y), inward.outward(t.z)};

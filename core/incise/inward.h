@@ -12,7 +12,7 @@ namespace trivar {
 class Inward {
 public:
     // Computes the directions at the corners of some triangles. O(#triangles and their rings).
-    Inward(const CutSkin& skin, std::span<const std::uint32_t> triangles);
+    Inward(const SlitSkin& skin, std::span<const std::uint32_t> triangles);
 
     // A Source is a point of a cut, with the outward direction there and the length of the cut that
     // it stands for. How far it counts is its radius.
@@ -40,7 +40,7 @@ private:
     };
     void turn_to_faces(std::uint32_t point, Direction& d) const;
 
-    const CutSkin* skin_;
+    const SlitSkin* skin_;
     KeyNumbers number_;
     std::vector<std::uint32_t> points_; // by number; more than have directions
     std::vector<Direction> directions_;

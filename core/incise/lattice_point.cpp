@@ -10,7 +10,7 @@ using On = LatticePoint::On;
 
 } // namespace
 
-LatticePoint lattice_point(const CutSkin& skin, std::uint32_t triangle, glm::ivec2 weights)
+LatticePoint lattice_point(const SlitSkin& skin, std::uint32_t triangle, glm::ivec2 weights)
 {
     const glm::ivec3 w(lattice_steps - weights.x - weights.y, weights.x, weights.y);
     for (std::uint32_t i = 0; i < 3; ++i)
@@ -26,7 +26,7 @@ LatticePoint lattice_point(const CutSkin& skin, std::uint32_t triangle, glm::ive
     return {On::triangle, triangle, w.y, w.z};
 }
 
-LatticePoint nearest_lattice_point(const CutSkin& skin, const SkinPlace& place)
+LatticePoint nearest_lattice_point(const SlitSkin& skin, const SkinPlace& place)
 {
     const int b = static_cast<int>(std::lround(place.weights.y * lattice_steps));
     const int c = static_cast<int>(std::lround(place.weights.z * lattice_steps));
@@ -35,7 +35,7 @@ LatticePoint nearest_lattice_point(const CutSkin& skin, const SkinPlace& place)
                  : lattice_point(skin, place.triangle, {b, c - over});
 }
 
-std::optional<glm::ivec2> weights_in(const CutSkin& skin, const LatticePoint& p,
+std::optional<glm::ivec2> weights_in(const SlitSkin& skin, const LatticePoint& p,
                                      std::uint32_t triangle)
 {
     glm::ivec3 w(0);
@@ -67,7 +67,7 @@ std::optional<glm::ivec2> weights_in(const CutSkin& skin, const LatticePoint& p,
     return std::nullopt;
 }
 
-std::vector<std::uint32_t> triangles_round(const CutSkin& skin, const LatticePoint& p)
+std::vector<std::uint32_t> triangles_round(const SlitSkin& skin, const LatticePoint& p)
 {
     std::vector<std::uint32_t> out;
     switch (p.on) {
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> triangles_round(const CutSkin& skin, const LatticePoi
         break;
     case On::edge:
         out.push_back(p.index / 3);
-        if (skin.across(p.index) != CutSkin::none) out.push_back(skin.across(p.index) / 3);
+        if (skin.across(p.index) != SlitSkin::none) out.push_back(skin.across(p.index) / 3);
         break;
     case On::triangle: out.push_back(p.index); break;
     }
@@ -90,7 +90,7 @@ std::uint64_t key_of(const LatticePoint& p)
            static_cast<std::uint64_t>(p.b) << 14 | static_cast<std::uint64_t>(p.c);
 }
 
-Blend blend_of(const CutSkin& skin, const LatticePoint& p)
+Blend blend_of(const SlitSkin& skin, const LatticePoint& p)
 {
     constexpr double n = lattice_steps;
     if (p.on == On::point) return {glm::uvec3(p.index), {1, 0, 0}};
@@ -102,7 +102,7 @@ Blend blend_of(const CutSkin& skin, const LatticePoint& p)
     return {skin.triangle(p.index), {(lattice_steps - p.b - p.c) / n, p.b / n, p.c / n}};
 }
 
-glm::dvec3 position(const CutSkin& skin, const LatticePoint& p)
+glm::dvec3 position(const SlitSkin& skin, const LatticePoint& p)
 {
     return blend_of(skin, p)([&](std::uint32_t point) { return skin.position(point); });
 }

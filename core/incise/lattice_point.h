@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_skin.h"
+#include "core/incise/slit_skin.h"
 
 namespace trivar {
 
@@ -27,14 +27,14 @@ struct LatticePoint {
 };
 
 // The point of a triangle with those weights of its corners 1 and 2, in steps.
-LatticePoint lattice_point(const CutSkin& skin, std::uint32_t triangle, glm::ivec2 weights);
+LatticePoint lattice_point(const SlitSkin& skin, std::uint32_t triangle, glm::ivec2 weights);
 // The lattice point nearest to a place.
-LatticePoint nearest_lattice_point(const CutSkin& skin, const SkinPlace& place);
+LatticePoint nearest_lattice_point(const SlitSkin& skin, const SkinPlace& place);
 // Its weights of the corners 1 and 2 in a triangle that it belongs to; none in others.
-std::optional<glm::ivec2> weights_in(const CutSkin& skin, const LatticePoint& p,
+std::optional<glm::ivec2> weights_in(const SlitSkin& skin, const LatticePoint& p,
                                      std::uint32_t triangle);
 // All triangles that it belongs to.
-std::vector<std::uint32_t> triangles_round(const CutSkin& skin, const LatticePoint& p);
+std::vector<std::uint32_t> triangles_round(const SlitSkin& skin, const LatticePoint& p);
 std::uint64_t key_of(const LatticePoint& p);
 
 // A Blend is a point as a mean of points of the skin. An edge's is the same from both its sides.
@@ -50,7 +50,7 @@ struct Blend {
         return sum;
     }
 };
-Blend blend_of(const CutSkin& skin, const LatticePoint& p);
-glm::dvec3 position(const CutSkin& skin, const LatticePoint& p);
+Blend blend_of(const SlitSkin& skin, const LatticePoint& p);
+glm::dvec3 position(const SlitSkin& skin, const LatticePoint& p);
 
 } // namespace trivar

@@ -10,7 +10,7 @@ namespace {
 // then the walls, then the skin.
 class ShapeTriangles {
 public:
-    explicit ShapeTriangles(const CutShape& shape) : shape_(shape), skin_(shape.drawing.skin())
+    explicit ShapeTriangles(const SlitShape& shape) : shape_(shape), skin_(shape.drawing.skin())
     {
         const std::size_t count = first_of_skin();
         for (std::uint32_t t = 0; t < count; ++t)
@@ -49,8 +49,8 @@ public:
     }
 
 private:
-    const CutShape& shape_;
-    const CutSkin& skin_;
+    const SlitShape& shape_;
+    const SlitSkin& skin_;
     KeyNumbers number_; // by vertex
     std::vector<std::vector<std::uint32_t>> round_;
 };
@@ -72,7 +72,7 @@ struct Part {
     }
 };
 
-void mark(const Part& part, const ShapeTriangles& all, const CutShape& shape, LeftOut& out)
+void mark(const Part& part, const ShapeTriangles& all, const SlitShape& shape, LeftOut& out)
 {
     out.patch.resize(shape.walls.skin.size(), 0);
     out.walls.resize(shape.walls.walls.size(), 0);
@@ -89,18 +89,18 @@ void mark(const Part& part, const ShapeTriangles& all, const CutShape& shape, Le
 
 } // namespace
 
-LeftOutPieces left_out_pieces(const CutShape& shape, std::span<const Incision> incisions)
+LeftOutPieces left_out_pieces(const SlitShape& shape, std::span<const Incision> incisions)
 {
     LeftOutPieces out;
-    const auto asks = [&](const CutRun& run) {
+    const auto asks = [&](const SlitRun& run) {
         return incisions[run.incision].piece == Incision::Piece::left_out &&
-               run.kind != CutRun::Kind::far_side;
+               run.kind != SlitRun::Kind::far_side;
     };
     if (std::ranges::none_of(shape.runs, asks)) return out;
     const ShapeTriangles all(shape);
-    for (const CutRun& run : shape.runs) {
+    for (const SlitRun& run : shape.runs) {
         if (!asks(run)) continue;
-        if (run.kind != CutRun::Kind::through || !run.closed()) {
+        if (run.kind != SlitRun::Kind::through || !run.closed()) {
             out.kept.push_back({run.incision, false});
             continue;
         }

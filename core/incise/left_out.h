@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_shape.h"
+#include "core/incise/slit_shape.h"
 
 namespace trivar {
 
@@ -16,6 +16,6 @@ struct LeftOutPieces {
     LeftOut pieces;
     std::vector<Kept> kept;
 };
-LeftOutPieces left_out_pieces(const CutShape& shape, std::span<const Incision> incisions);
+LeftOutPieces left_out_pieces(const SlitShape& shape, std::span<const Incision> incisions);
 
 } // namespace trivar

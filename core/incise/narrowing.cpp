@@ -45,7 +45,7 @@ void Narrowing::lower_where_narrowed(const Narrowing& other, double factor)
         share_[i] *= 1 - (1 - factor) * std::min(1.0, 2 * (1 - other.share_[i]));
 }
 
-double Narrowing::widest(const CutProfile& profile, double from, double to) const
+double Narrowing::widest(const IncisionProfile& profile, double from, double to) const
 {
     double before = 0, after = 0;
     for (std::size_t i = 0; i <= steps; ++i) {

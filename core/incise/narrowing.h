@@ -23,7 +23,7 @@ public:
     void lower_where_narrowed(const Narrowing& other, double factor);
     // Returns the greatest opening of a part between two shares of the length, as a share of the
     // greatest of a profile along the part.
-    double widest(const CutProfile& profile, double from = 0, double to = 1) const;
+    double widest(const IncisionProfile& profile, double from = 0, double to = 1) const;
 
 private:
     static constexpr std::size_t steps = 256; // along the incision

@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 // Adds all triangles of the faces that have one of `triangles`.
-void complete_faces(const CutSkin& skin, std::vector<std::uint32_t>& triangles)
+void complete_faces(const SlitSkin& skin, std::vector<std::uint32_t>& triangles)
 {
     const std::span<const std::uint32_t> faces = skin.faces();
     const std::size_t given = triangles.size();
@@ -28,7 +28,7 @@ int corner_at(const SkinTriangle& t, std::uint32_t point)
 }
 
 // Puts the edges of a node in order and gives its number of sector to each corner round it.
-void go_round(CutPatch& patch, SlitGraph& graph, std::uint32_t n)
+void go_round(SlitPatch& patch, SlitGraph& graph, std::uint32_t n)
 {
     SlitNode& node = graph.nodes[n];
     KeyNumbers edge_to; // by the point at the other end
@@ -57,15 +57,15 @@ void go_round(CutPatch& patch, SlitGraph& graph, std::uint32_t n)
 
 } // namespace
 
-bool CutPatch::replaces(std::uint32_t triangle) const
+bool SlitPatch::replaces(std::uint32_t triangle) const
 {
     return std::ranges::binary_search(replaced, triangle);
 }
 
-CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph)
+SlitPatch patch_of(const SlitDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph)
 {
-    const CutSkin& skin = drawing.skin();
-    CutPatch patch;
+    const SlitSkin& skin = drawing.skin();
+    SlitPatch patch;
     patch.triangles = std::move(pieces);
     for (const SkinTriangle& piece : patch.triangles)
         if (patch.replaced.empty() || patch.replaced.back() != piece.parent)

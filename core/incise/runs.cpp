@@ -8,7 +8,7 @@ namespace {
 
 constexpr double share_of_thickness = 0.42; // so that walls from both sides of a body do not meet
 constexpr double steepest = 1.5;            // of a floor, along the cut
-constexpr double turned_round = -0.3;       // cosine of the turn of a piece
+constexpr double least_cosine = -0.3;       // of the turn of a piece
 constexpr std::size_t most_pieces = 64;     // of a run
 constexpr double least_overlap = 1e-9;      // of the length
 constexpr double bevel_of_depth = 0.5;      // of the depth, at most
@@ -18,14 +18,14 @@ constexpr double far_bevel_of_thickness = 0.25;
 constexpr double gone_round = 0.1;  // of the length: so far a loop goes on
 constexpr double least_left = 0.15; // of the way between two columns, at the floor
 
-void go_on_round(CutRun& run)
+void go_on_round(SlitRun& run)
 {
     for (std::size_t i = 1; i < run.last && run.at[i - 1].s < gone_round * run.length; ++i)
         run.at.push_back({run.at[i].point, run.length + run.at[i].s});
 }
 
 // Floors no steeper along the run than is good for the strips of walls.
-void flatten(CutRun& run)
+void flatten(SlitRun& run)
 {
     const auto limit = [&](std::size_t from, std::size_t to) {
         const double most = run.at[from].depth + steepest * std::abs(run.at[to].s - run.at[from].s);
@@ -42,12 +42,13 @@ void flatten(CutRun& run)
 }
 
 // Finds the thickness of the body below the points of each run, along its columns.
-void find_thickness(std::vector<CutRun>& runs, const CutDrawing& drawing, const CutColumns& columns)
+void find_thickness(std::vector<SlitRun>& runs, const SlitDrawing& drawing,
+                    const SlitColumns& columns)
 {
     std::vector<Ray> rays;
     std::vector<double> slants; // of the way down to the depth
-    for (const CutRun& run : runs)
-        for (const CutRun::At& at : run.at) {
+    for (const SlitRun& run : runs)
+        for (const SlitRun::At& at : run.at) {
             const glm::dvec3 n = columns.outward(at.point);
             const double length = glm::length(n);
             slants.push_back(std::max(1.0, length));
@@ -57,26 +58,26 @@ void find_thickness(std::vector<CutRun>& runs, const CutDrawing& drawing, const 
     const std::vector<double> all = drawing.skin().thickness(rays);
     auto slant = slants.begin();
     auto next = all.begin();
-    for (CutRun& run : runs)
-        for (CutRun::At& at : run.at) at.thickness = *next++ / *slant++;
+    for (SlitRun& run : runs)
+        for (SlitRun::At& at : run.at) at.thickness = *next++ / *slant++;
 }
 
 } // namespace
 
-std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStroke> strokes,
-                            std::span<const Incision> incisions)
+std::vector<SlitRun> runs_of(const SlitDrawing& drawing, std::span<const DrawnStroke> strokes,
+                             std::span<const Incision> incisions)
 {
-    std::vector<std::vector<CutDrawing::Segment>> segments(drawing.stroke_count());
-    for (const CutDrawing::Segment& g : drawing.segments())
+    std::vector<std::vector<SlitDrawing::Segment>> segments(drawing.stroke_count());
+    for (const SlitDrawing::Segment& g : drawing.segments())
         if (g.a != g.b) segments[g.stroke].push_back(g);
-    std::vector<CutRun> out;
+    std::vector<SlitRun> out;
     for (std::uint32_t k = 0; k < drawing.stroke_count(); ++k) {
         std::ranges::stable_sort(segments[k], {}, [](const auto& g) { return g.s_a + g.s_b; });
         const DrawnStroke& of = strokes[k];
         const Incision& incision = incisions[of.incision];
         const double length = drawing.length(k);
-        CutRun run{of.incision, length, of.from, of.to, width_of(incision, length), {}};
-        for (const CutDrawing::Segment& g : segments[k]) {
+        SlitRun run{of.incision, length, of.from, of.to, width_of(incision, length), {}};
+        for (const SlitDrawing::Segment& g : segments[k]) {
             if (run.at.empty()) run.at.push_back({g.a, g.s_a});
             run.at.push_back({g.b, g.s_b});
         }
@@ -87,17 +88,17 @@ std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStro
     return out;
 }
 
-void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                const CutColumns& columns, std::span<const Incision> incisions,
+void set_depths(std::vector<SlitRun>& runs, const SlitDrawing& drawing, const Inward& inward,
+                const SlitColumns& columns, std::span<const Incision> incisions,
                 std::span<const Narrowing> shares)
 {
     double deepest = 0;
-    for (const CutRun& run : runs)
+    for (const SlitRun& run : runs)
         if (run.has_floor()) deepest = std::max(deepest, incisions[run.incision].depth);
     find_thickness(runs, drawing, columns);
     KeyNumbers known;
     std::vector<double> below;
-    for (CutRun& run : runs) {
+    for (SlitRun& run : runs) {
         if (!run.has_floor()) continue;
         const Incision& incision = incisions[run.incision];
         std::vector<double> room; // for the depth, by point
@@ -112,12 +113,12 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
         }
         smooth_room(run, room_over * incision.depth, room);
         for (std::size_t i = 0; i <= run.last; ++i) {
-            CutRun::At& at = run.at[i];
+            SlitRun::At& at = run.at[i];
             at.depth = std::min(incision.depth * run.value(incision.depth_profile, at.s), room[i]) *
                        shares[run.incision].at(run.share(at.s));
         }
         for (std::size_t i = 1; i <= run.last; ++i) {
-            CutRun::At &a = run.at[i - 1], &b = run.at[i];
+            SlitRun::At &a = run.at[i - 1], &b = run.at[i];
             const double most =
                 columns.sound_depth(a.point, b.point, std::max(a.depth, b.depth), least_left);
             a.depth = std::min(a.depth, most);
@@ -133,7 +134,7 @@ void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inwa
     }
 }
 
-void smooth_room(const CutRun& run, double way, std::vector<double>& room)
+void smooth_room(const SlitRun& run, double way, std::vector<double>& room)
 {
     const bool round = run.closed();
     const std::size_t count = run.last + (round ? 0 : 1);
@@ -162,17 +163,17 @@ void smooth_room(const CutRun& run, double way, std::vector<double>& room)
     for (std::size_t i = count; i < room.size(); ++i) room[i] = room[i - run.last];
 }
 
-double depth_at(const CutRun& run, double s)
+double depth_at(const SlitRun& run, double s)
 {
     if (s <= run.at.front().s) return run.at.front().depth;
     if (s >= run.at.back().s) return run.at.back().depth;
-    const auto next = std::ranges::upper_bound(run.at, s, {}, &CutRun::At::s);
-    const CutRun::At &a = *(next - 1), &b = *next;
+    const auto next = std::ranges::upper_bound(run.at, s, {}, &SlitRun::At::s);
+    const SlitRun::At &a = *(next - 1), &b = *next;
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0;
     return (1 - share) * a.depth + share * b.depth;
 }
 
-double bevel_at(const CutRun& run, const Incision& incision, double s)
+double bevel_at(const SlitRun& run, const Incision& incision, double s)
 {
     return std::min(incision.bevel, bevel_of_depth * depth_at(run, s));
 }
@@ -182,7 +183,7 @@ double far_bevel(const Incision& incision, double thickness)
     return std::min(incision.bevel, far_bevel_of_thickness * thickness);
 }
 
-double CutPiece::weight(double s) const
+double SlitPiece::weight(double s) const
 {
     if (s < begin || s > end) return 0;
     double w = 1;
@@ -191,11 +192,11 @@ double CutPiece::weight(double s) const
     return std::clamp(w, 0.0, 1.0);
 }
 
-std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawing& drawing)
+std::vector<SlitPiece> pieces_of(const std::vector<SlitRun>& runs, const SlitDrawing& drawing)
 {
-    std::vector<CutPiece> out;
+    std::vector<SlitPiece> out;
     for (std::uint32_t k = 0; k < runs.size(); ++k) {
-        const std::vector<CutRun::At>& at = runs[k].at;
+        const std::vector<SlitRun::At>& at = runs[k].at;
         std::size_t made = 0;
         const double whole = runs[k].length; // a loop goes on beyond it: there pieces overlap
         double begin = 0, full_from = at.back().s - whole;
@@ -219,7 +220,7 @@ std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawin
                 std::ranges::find(seen, at[i + 1].point, &std::pair<std::uint32_t, double>::first);
             if (before != seen.end())
                 from = std::max(before->second, full_from);
-            else if (glm::dot(along(i), along(first)) < turned_round)
+            else if (glm::dot(along(i), along(first)) < least_cosine)
                 from = std::max(full_from, 0.5 * (begin + s));
             if (from < 0 || !(s - from > least_overlap * whole) || made >= most_pieces ||
                 s > whole) {

@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// A CutRun is a stroke after the drawing was arranged: its points in their order. A loop's run
+// A SlitRun is a stroke after the drawing was arranged: its points in their order. A loop's run
 // continues past its start, so that its first and last pieces overlap.
-struct CutRun {
+struct SlitRun {
     struct At {
         std::uint32_t point;
         double s;             // length from the beginning
@@ -38,7 +38,7 @@ struct CutRun {
     }
     double share(double s) const { return from + (to - from) * own_share(s); } // of its incision's
     // Each part of an incision has the whole profile.
-    double value(const CutProfile& profile, double s) const
+    double value(const IncisionProfile& profile, double s) const
     {
         return closed() ? value_round(profile, own_share(s)) : value_at(profile, s / length);
     }
@@ -50,32 +50,32 @@ struct DrawnStroke {
     std::uint32_t incision;
     double from = 0, to = 1;
 };
-std::vector<CutRun> runs_of(const CutDrawing& drawing, std::span<const DrawnStroke> strokes,
-                            std::span<const Incision> incisions);
+std::vector<SlitRun> runs_of(const SlitDrawing& drawing, std::span<const DrawnStroke> strokes,
+                             std::span<const Incision> incisions);
 
 // Sets the depth of runs at each point: that of the profile, within the limits of the skin's
 // curvature and the body's thickness, without steep steps. `shares`: the factors along their
 // lengths that incisions are admitted.
-void set_depths(std::vector<CutRun>& runs, const CutDrawing& drawing, const Inward& inward,
-                const CutColumns& columns, std::span<const Incision> incisions,
+void set_depths(std::vector<SlitRun>& runs, const SlitDrawing& drawing, const Inward& inward,
+                const SlitColumns& columns, std::span<const Incision> incisions,
                 std::span<const Narrowing> shares);
 // Replaces each number along a run by the mean of the minima within a way round it: so none grows,
 // and a narrow place gives way to a valley.
-void smooth_room(const CutRun& run, double way, std::vector<double>& room);
-double depth_at(const CutRun& run, double s);
+void smooth_room(const SlitRun& run, double way, std::vector<double>& room);
+double depth_at(const SlitRun& run, double s);
 // Returns how far the rim is set back there, and down to which depth.
-double bevel_at(const CutRun& run, const Incision& incision, double s);
+double bevel_at(const SlitRun& run, const Incision& incision, double s);
 // The same for the rim on the far side of a body that is so thick there.
 double far_bevel(const Incision& incision, double thickness);
 
-// A CutPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
+// A SlitPiece is a part of a run that crosses itself nowhere and turns little. The pieces of a run
 // overlap: the weight of each rises from `begin` to `full_from` and falls from `full_to` to `end`,
 // and the weights add up to 1.
-struct CutPiece {
+struct SlitPiece {
     std::uint32_t run;
     double begin, end, full_from, full_to;
     double weight(double s) const;
 };
-std::vector<CutPiece> pieces_of(const std::vector<CutRun>& runs, const CutDrawing& drawing);
+std::vector<SlitPiece> pieces_of(const std::vector<SlitRun>& runs, const SlitDrawing& drawing);
 
 } // namespace trivar

@@ -43,14 +43,14 @@ struct EdgeEnds {
 
 // Sets the floor of an edge. If several runs pass over it, the one through the body decides, else
 // the deepest.
-void set_floor(SlitEdge& edge, CutRun::Kind kind, int depth_a, int depth_b, bool flat)
+void set_floor(SlitEdge& edge, SlitRun::Kind kind, int depth_a, int depth_b, bool flat)
 {
-    if (kind == CutRun::Kind::far_side) {
+    if (kind == SlitRun::Kind::far_side) {
         edge.far_side = true;
         return;
     }
     if (edge.through) return;
-    if (kind == CutRun::Kind::through) {
+    if (kind == SlitRun::Kind::through) {
         edge.through = true;
         edge.flat_floor = false;
         edge.depth_a = depth_a;
@@ -62,7 +62,8 @@ void set_floor(SlitEdge& edge, CutRun::Kind kind, int depth_a, int depth_b, bool
     edge.flat_floor = edge.flat_floor || flat;
 }
 
-std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
+std::vector<SlitEdge> edges_of(const std::vector<SlitRun>& runs,
+                               const std::vector<SlitPiece>& pieces,
                                std::span<const Incision> incisions, double step)
 {
     std::vector<SlitEdge> edges;
@@ -71,10 +72,10 @@ std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vecto
     for (std::uint32_t k = 0; k < runs.size(); ++k) {
         std::uint32_t last_piece = first_piece;
         while (last_piece < pieces.size() && pieces[last_piece].run == k) ++last_piece;
-        const std::vector<CutRun::At>& at = runs[k].at;
+        const std::vector<SlitRun::At>& at = runs[k].at;
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
             const bool forward = at[i].point < at[i + 1].point;
-            const CutRun::At &a = forward ? at[i] : at[i + 1], &b = forward ? at[i + 1] : at[i];
+            const SlitRun::At &a = forward ? at[i] : at[i + 1], &b = forward ? at[i + 1] : at[i];
             const auto [e, fresh] = number.number(pair_key(a.point, b.point));
             if (fresh) {
                 SlitEdge edge;
@@ -89,7 +90,7 @@ std::vector<SlitEdge> edges_of(const std::vector<CutRun>& runs, const std::vecto
             const Incision& incision = incisions[runs[k].incision];
             set_floor(edge, runs[k].kind, steps(a.depth), steps(b.depth),
                       incision.floor == Incision::Floor::u);
-            if (runs[k].kind != CutRun::Kind::far_side && incision.bevel > 0) {
+            if (runs[k].kind != SlitRun::Kind::far_side && incision.bevel > 0) {
                 edge.bevel_a = std::max(edge.bevel_a, steps(bevel_at(runs[k], incision, a.s)));
                 edge.bevel_b = std::max(edge.bevel_b, steps(bevel_at(runs[k], incision, b.s)));
                 edge.rounded = edge.rounded || incision.roundness > 0;
@@ -137,7 +138,7 @@ void keep_floors_above_last_rows(std::vector<SlitEdge>& edges)
 }
 
 // A wall that ended alone in its depth would hang free: both its sides would be one column.
-bool lower_free_floors(std::vector<SlitEdge>& edges, const CutDrawing& drawing,
+bool lower_free_floors(std::vector<SlitEdge>& edges, const SlitDrawing& drawing,
                        const Inward& inward)
 {
     bool changed = false;
@@ -174,8 +175,8 @@ std::size_t SlitNode::level_number(int depth) const
     return static_cast<std::size_t>(std::ranges::lower_bound(levels, depth) - levels.begin());
 }
 
-SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                   std::span<const Incision> incisions, const CutDrawing& drawing,
+SlitGraph slits_of(const std::vector<SlitRun>& runs, const std::vector<SlitPiece>& pieces,
+                   std::span<const Incision> incisions, const SlitDrawing& drawing,
                    const Inward& inward, double step, int alike)
 {
     SlitGraph graph;

@@ -66,8 +66,8 @@ struct SlitGraph {
 // last row of a cut through the body. Edges without depth are left out.
 //   step   the depth of one of depth_steps, units of the mesh
 //   alike  floors nearer than so many steps become one
-SlitGraph slits_of(const std::vector<CutRun>& runs, const std::vector<CutPiece>& pieces,
-                   std::span<const Incision> incisions, const CutDrawing& drawing,
+SlitGraph slits_of(const std::vector<SlitRun>& runs, const std::vector<SlitPiece>& pieces,
+                   std::span<const Incision> incisions, const SlitDrawing& drawing,
                    const Inward& inward, double step, int alike);
 
 } // namespace trivar

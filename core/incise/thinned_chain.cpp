@@ -17,7 +17,7 @@ constexpr double hook = -0.2;      // cosine of the turn at an end that is a sli
 
 class Thinning {
 public:
-    Thinning(const CutSkin& skin, DrawnChain chain) : skin_(skin), chain_(std::move(chain)) {}
+    Thinning(const SlitSkin& skin, DrawnChain chain) : skin_(skin), chain_(std::move(chain)) {}
 
     DrawnChain operator()() &&
     {
@@ -132,13 +132,13 @@ private:
         triangles.push_back(t);
     }
 
-    const CutSkin& skin_;
+    const SlitSkin& skin_;
     DrawnChain chain_;
 };
 
 } // namespace
 
-DrawnChain thinned(const CutSkin& skin, DrawnChain chain)
+DrawnChain thinned(const SlitSkin& skin, DrawnChain chain)
 {
     return Thinning(skin, std::move(chain))();
 }

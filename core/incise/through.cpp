@@ -12,21 +12,21 @@ constexpr double seen_from_outside = 0.1; // cosine of columns with the faces th
 constexpr double least_crossing = 0.1;    // angle between cuts that cross
 constexpr double least_way_left = 0.1;    // of the way across two columns, on the far side
 
-glm::dvec3 position_of(const CutSkin& skin, const SkinPlace& place)
+glm::dvec3 position_of(const SlitSkin& skin, const SkinPlace& place)
 {
     const glm::uvec3& p = skin.triangle(place.triangle);
     return place.weights.x * skin.position(p.x) + place.weights.y * skin.position(p.y) +
            place.weights.z * skin.position(p.z);
 }
 
-bool sees(const CutSkin& skin, std::uint32_t triangle, const glm::dvec3& direction)
+bool sees(const SlitSkin& skin, std::uint32_t triangle, const glm::dvec3& direction)
 {
     const glm::dvec3 n = skin.area_normal(triangle);
     return glm::dot(n, direction) > seen_from_outside * glm::length(n) * glm::length(direction);
 }
 
 // Counts how often a run comes to each point; a loop comes once to the point where it closes.
-void count_visits(const CutRun& run, KeyNumbers& number, std::vector<int>& visits)
+void count_visits(const SlitRun& run, KeyNumbers& number, std::vector<int>& visits)
 {
     for (std::size_t i = run.closed() ? 1 : 0; i <= run.last; ++i) {
         const auto [n, fresh] = number.number(run.at[i].point);
@@ -36,10 +36,10 @@ void count_visits(const CutRun& run, KeyNumbers& number, std::vector<int>& visit
 }
 
 // Whether some point of a run was visited more than once, or than twice where it may be crossed.
-bool revisited(const CutRun& run, const KeyNumbers& number, const std::vector<int>& visits,
+bool revisited(const SlitRun& run, const KeyNumbers& number, const std::vector<int>& visits,
                const auto& crossed)
 {
-    return std::ranges::any_of(run.at, [&](const CutRun::At& at) {
+    return std::ranges::any_of(run.at, [&](const SlitRun::At& at) {
         return visits[number.find(at.point)] != (crossed(at.point) ? 2 : 1);
     });
 }
@@ -49,7 +49,7 @@ struct CommonPoint {
 };
 
 // Ascending by a.
-std::vector<CommonPoint> common_points(const CutRun& a, const CutRun& b)
+std::vector<CommonPoint> common_points(const SlitRun& a, const SlitRun& b)
 {
     KeyNumbers number;
     for (std::uint32_t j = b.closed() ? 1 : 0; j <= b.last; ++j) number.insert(b.at[j].point, j);
@@ -63,8 +63,8 @@ std::vector<CommonPoint> common_points(const CutRun& a, const CutRun& b)
 // Returns the sense in which two runs cross at a common point, seen along a direction: whether
 // after the way on along a comes that along b, counter-clockwise. None: they do not cross cleanly
 // there.
-std::optional<bool> crossing_sense(const CutDrawing& drawing, const glm::dvec3& up, const CutRun& a,
-                                   const CutRun& b, const CommonPoint& at)
+std::optional<bool> crossing_sense(const SlitDrawing& drawing, const glm::dvec3& up,
+                                   const SlitRun& a, const SlitRun& b, const CommonPoint& at)
 {
     if (at.a == 0 || at.a >= a.last || at.b == 0 || at.b >= b.last) return {};
     const glm::dvec3 o = drawing.position(a.at[at.a].point);
@@ -89,9 +89,9 @@ std::optional<bool> crossing_sense(const CutDrawing& drawing, const glm::dvec3& 
 
 } // namespace
 
-FarSide far_side(const CutRun& run, const CutDrawing& drawing, const CutColumns& columns)
+FarSide far_side(const SlitRun& run, const SlitDrawing& drawing, const SlitColumns& columns)
 {
-    const CutSkin& skin = drawing.skin();
+    const SlitSkin& skin = drawing.skin();
     FarSide out;
     std::vector<Ray> rays;
     for (std::size_t i = 0; i <= run.last; ++i) {
@@ -124,9 +124,9 @@ FarSide far_side(const CutRun& run, const CutDrawing& drawing, const CutColumns&
     return out;
 }
 
-std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<SkinPlace>& places,
-                                     const CutRun& far,
-                                     const std::vector<ThroughCut::Step>& crossings)
+std::vector<ThroughSlit::Step> zipped(const SlitSkin& skin, const std::vector<SkinPlace>& places,
+                                      const SlitRun& far,
+                                      const std::vector<ThroughSlit::Step>& crossings)
 {
     std::vector<double> u{0}, v;
     for (std::size_t i = 1; i < places.size(); ++i)
@@ -134,7 +134,7 @@ std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<Skin
                     glm::distance(position_of(skin, places[i - 1]), position_of(skin, places[i])));
     for (std::size_t j = 0; j <= far.last; ++j) v.push_back(far.at[j].s / far.length);
     for (double& each : u) each /= u.back() > 0 ? u.back() : 1;
-    std::vector<ThroughCut::Step> out{{0, 0}};
+    std::vector<ThroughSlit::Step> out{{0, 0}};
     const auto n = static_cast<std::uint32_t>(u.size() - 1),
                m = static_cast<std::uint32_t>(far.last);
     auto next = crossings.begin();
@@ -150,14 +150,14 @@ std::vector<ThroughCut::Step> zipped(const CutSkin& skin, const std::vector<Skin
     return out;
 }
 
-std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
-                      const CutDrawing& drawing, const Inward& inward)
+std::string tangle_of(const std::vector<SlitRun>& runs, std::uint32_t near,
+                      const SlitDrawing& drawing, const Inward& inward)
 {
     KeyNumbers number, crossed;
     std::vector<int> visits;
-    const CutRun& run = runs[near];
+    const SlitRun& run = runs[near];
     for (std::uint32_t r = 0; r <= near; ++r) {
-        if (runs[r].kind != CutRun::Kind::through) continue;
+        if (runs[r].kind != SlitRun::Kind::through) continue;
         count_visits(runs[r], number, visits);
         if (r == near) continue;
         for (const CommonPoint& at : common_points(run, runs[r])) {
@@ -172,13 +172,13 @@ std::string tangle_of(const std::vector<CutRun>& runs, std::uint32_t near,
                : "";
 }
 
-std::string find_crossings(ThroughCut& cut, const std::vector<ThroughCut>& all,
-                           const std::vector<CutRun>& runs, const CutDrawing& drawing,
-                           const CutColumns& columns)
+std::string find_crossings(ThroughSlit& cut, const std::vector<ThroughSlit>& all,
+                           const std::vector<SlitRun>& runs, const SlitDrawing& drawing,
+                           const SlitColumns& columns)
 {
     cut.crossings.clear();
-    const CutRun &near = runs[cut.near], &far = runs[cut.far];
-    for (const ThroughCut& other : all) {
+    const SlitRun &near = runs[cut.near], &far = runs[cut.far];
+    for (const ThroughSlit& other : all) {
         if (other.near == cut.near) continue;
         const auto above = common_points(near, runs[other.near]);
         const auto below = common_points(far, runs[other.far]);
@@ -192,22 +192,22 @@ std::string find_crossings(ThroughCut& cut, const std::vector<ThroughCut>& all,
             cut.crossings.push_back({above[k].a, below[k].a});
         }
     }
-    std::ranges::sort(cut.crossings, {}, &ThroughCut::Step::near);
+    std::ranges::sort(cut.crossings, {}, &ThroughSlit::Step::near);
     for (std::size_t k = 1; k < cut.crossings.size(); ++k)
         if (cut.crossings[k].far <= cut.crossings[k - 1].far)
             return "its other side meets that of another cut";
     return "";
 }
 
-std::string unjoinable(const std::vector<CutRun>& runs, const ThroughCut& cut)
+std::string unjoinable(const std::vector<SlitRun>& runs, const ThroughSlit& cut)
 {
-    const CutRun &near = runs[cut.near], &far = runs[cut.far];
+    const SlitRun &near = runs[cut.near], &far = runs[cut.far];
     if (far.last < 2 || near.closed() != far.closed())
         return "its other side is shorter than a step of the surface";
     KeyNumbers number, crossed;
     std::vector<int> visits;
-    for (const CutRun& run : runs) count_visits(run, number, visits);
-    for (const ThroughCut::Step& each : cut.crossings) crossed.number(far.at[each.far].point);
+    for (const SlitRun& run : runs) count_visits(run, number, visits);
+    for (const ThroughSlit::Step& each : cut.crossings) crossed.number(far.at[each.far].point);
     return revisited(far, number, visits,
                      [&](std::uint32_t point) { return crossed.contains(point); })
                ? "its other side crosses a cut"

@@ -29,7 +29,7 @@ double cosine(const glm::dvec3& a, const glm::dvec3& b)
 
 class Tracer {
 public:
-    explicit Tracer(const CutDrawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
+    explicit Tracer(const SlitDrawing& drawing) : drawing_(drawing), skin_(drawing.skin()) {}
 
     Traced operator()(std::span<const StrokePart> parts)
     {
@@ -150,7 +150,7 @@ private:
             };
             for (std::uint32_t i = 0; i < 3; ++i)
                 if (const auto* on = drawing_.on_edge(skin_.edge(3 * t + i)))
-                    for (const CutDrawing::OnEdge& each : *on) look(each.point);
+                    for (const SlitDrawing::OnEdge& each : *on) look(each.point);
             if (const auto* on = drawing_.on_triangle(t)) {
                 for (const std::uint32_t number : on->points) look(number);
                 for (const std::uint32_t s : on->segments) // those that are points of the skin
@@ -183,7 +183,7 @@ private:
             const double step = side_length(side) / lattice_steps;
             double least = attached * side_length(side);
             const int asked = steps;
-            for (const CutDrawing::OnEdge& each : *on) {
+            for (const SlitDrawing::OnEdge& each : *on) {
                 const double away = std::abs(each.steps - asked) * step;
                 if (away >= least) continue;
                 least = away;
@@ -202,7 +202,7 @@ private:
         const glm::dvec3 a = at(from), d = at(to) - a;
         const glm::dvec3 across = glm::cross(d, normal_at(from) + normal_at(to));
         LatticePoint x = from;
-        std::uint32_t last = CutSkin::none;
+        std::uint32_t last = SlitSkin::none;
         std::vector<LatticePoint> seen{from};
         for (int step = 0; step < most_steps; ++step) {
             const std::vector<std::uint32_t> round = triangles_round(skin_, x);
@@ -214,7 +214,7 @@ private:
                 }
             double best = 0;
             LatticePoint next;
-            std::uint32_t through = CutSkin::none;
+            std::uint32_t through = SlitSkin::none;
             for (const std::uint32_t t : round) {
                 if (t == last && x.on == On::edge) continue;
                 for (std::uint32_t i = 0; i < 3; ++i) {
@@ -232,7 +232,7 @@ private:
                     through = t;
                 }
             }
-            if (through == CutSkin::none) break;
+            if (through == SlitSkin::none) break;
             chain_.points.push_back(next);
             chain_.triangles.push_back(through);
             seen.push_back(next);
@@ -323,12 +323,12 @@ private:
 
     const char* unsound(const LatticePoint& p) const
     {
-        CutSkin::Soundness worst = CutSkin::Soundness::sound;
+        SlitSkin::Soundness worst = SlitSkin::Soundness::sound;
         for (const std::uint32_t t : triangles_round(skin_, p))
             for (int i = 0; i < 3; ++i)
                 worst = std::max(worst, skin_.soundness(skin_.triangle(t)[i]));
-        if (worst == CutSkin::Soundness::border) return "an open border of the surface";
-        if (worst == CutSkin::Soundness::tangled)
+        if (worst == SlitSkin::Soundness::border) return "an open border of the surface";
+        if (worst == SlitSkin::Soundness::tangled)
             return "faces that share an edge or a point in more than one way";
         return nullptr;
     }
@@ -369,8 +369,8 @@ private:
                          : line.shares[i];
     }
 
-    const CutDrawing& drawing_;
-    const CutSkin& skin_;
+    const SlitDrawing& drawing_;
+    const SlitSkin& skin_;
     DrawnChain chain_;
     std::vector<Line> lines_;
     bool leapt_ = false; // the surface did not go on to some place
@@ -378,7 +378,7 @@ private:
 
 } // namespace
 
-Traced trace(const CutDrawing& drawing, std::span<const StrokePart> parts)
+Traced trace(const SlitDrawing& drawing, std::span<const StrokePart> parts)
 {
     return Tracer(drawing)(parts);
 }

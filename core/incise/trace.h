@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/incise/cut_drawing.h"
+#include "core/incise/slit_drawing.h"
 
 #include <string>
 
@@ -30,6 +30,6 @@ struct Traced {
 // these: so strokes join, and strokes that run over each other share their edges. A line is parted
 // where it touches an open border or faces that are no surface, and where the surface does not go
 // on to the next place.
-Traced trace(const CutDrawing& drawing, std::span<const StrokePart> parts);
+Traced trace(const SlitDrawing& drawing, std::span<const StrokePart> parts);
 
 } // namespace trivar

@@ -3,7 +3,7 @@
 
 #include "core/base/smooth_step.h"
 #include "core/base/unit.h"
-#include "core/incise/cut_curve.h"
+#include "core/incise/slit_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr double edges_to_turn = 1.5, depths_to_turn = 2;
 constexpr double apart_enough = 0.1; // ratio of eigenvalues: cuts that meet at an angle
 
 // The length of the run for which each of its points stands.
-std::vector<double> lengths_of_points(const CutRun& run)
+std::vector<double> lengths_of_points(const SlitRun& run)
 {
     std::vector<double> out(run.last + 1, 0.0);
     for (std::size_t i = 0; i < run.last; ++i)
@@ -30,8 +30,8 @@ std::vector<double> lengths_of_points(const CutRun& run)
 }
 
 // The mean directions round each point of a run, or that of all.
-std::vector<glm::dvec3> smoothed_directions(const CutRun& run, bool parallel,
-                                            const CutDrawing& drawing, const Inward& inward)
+std::vector<glm::dvec3> smoothed_directions(const SlitRun& run, bool parallel,
+                                            const SlitDrawing& drawing, const Inward& inward)
 {
     const std::vector<double> lengths = lengths_of_points(run);
     std::vector<glm::dvec3> own, out;
@@ -90,14 +90,14 @@ glm::dvec3 offset_of(const Lean& lean, const glm::dvec3& up)
 // The offsets of one run's columns by which its walls lean, per depth and by point of the run.
 class RunOffsets {
 public:
-    RunOffsets(const CutRun& run, const CutDrawing& drawing, const Inward& inward,
+    RunOffsets(const SlitRun& run, const SlitDrawing& drawing, const Inward& inward,
                const Incision& incision)
         : run_(run),
           tangent_(std::tan(incision.lean_deg * std::numbers::pi / 180)),
           depth_(incision.depth),
           edge_(drawing.skin().usual_edge())
     {
-        const CutCurve curve(run, drawing, inward);
+        const SlitCurve curve(run, drawing, inward);
         for (std::size_t i = 0; i <= run.last; ++i) left_.push_back(curve.left(run.at[i].s));
         const std::vector<double> lengths = lengths_of_points(run);
         const double radius = radius_for(tangent_);
@@ -138,20 +138,20 @@ private:
         return (1 - x * x) * (1 - x * x);
     }
 
-    const CutRun& run_;
+    const SlitRun& run_;
     double tangent_, depth_, edge_;
     std::vector<glm::dvec3> left_, own_, all_;
 };
 
 // Returns the offset per depth of each point that leans.
-std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<CutRun>& runs,
-                                                             const CutDrawing& drawing,
+std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<SlitRun>& runs,
+                                                             const SlitDrawing& drawing,
                                                              const Inward& inward,
                                                              std::span<const Incision> incisions)
 {
     std::vector<std::pair<std::uint32_t, glm::dvec3>> out;
     if (std::ranges::none_of(
-            runs, [&](const CutRun& run) { return incisions[run.incision].lean_deg != 0; }))
+            runs, [&](const SlitRun& run) { return incisions[run.incision].lean_deg != 0; }))
         return out;
     std::vector<RunOffsets> of_run;
     struct Visit {
@@ -194,19 +194,19 @@ std::vector<std::pair<std::uint32_t, glm::dvec3>> offsets_of(const std::vector<C
 
 } // namespace
 
-CutColumns columns_of(const std::vector<CutRun>& runs, const std::vector<char>& parallel,
-                      const CutDrawing& drawing, const Inward& inward,
-                      std::span<const Incision> incisions)
+SlitColumns columns_of(const std::vector<SlitRun>& runs, const std::vector<char>& parallel,
+                       const SlitDrawing& drawing, const Inward& inward,
+                       std::span<const Incision> incisions)
 {
-    CutColumns out(drawing, inward);
+    SlitColumns out(drawing, inward);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        if (runs[k].kind != CutRun::Kind::through) continue;
+        if (runs[k].kind != SlitRun::Kind::through) continue;
         const std::vector<glm::dvec3> directions =
             smoothed_directions(runs[k], parallel[k], drawing, inward);
         for (std::size_t i = 0; i <= runs[k].last; ++i)
             out.turn(runs[k].at[i].point, directions[i]);
     }
-    const CutSkin& skin = drawing.skin();
+    const SlitSkin& skin = drawing.skin();
     for (const auto& [point, per_depth] : offsets_of(runs, drawing, inward, incisions)) {
         const glm::dvec3 straight = out.outward(point);
         const double length = glm::length(straight);

@@ -8,8 +8,8 @@ namespace trivar {
 // Below a cut through the body columns have the smoothed directions of their run; those of a run
 // that is `parallel` have one. Then they lean as the cuts do that meet there, as far as all faces
 // see them from outside.
-CutColumns columns_of(const std::vector<CutRun>& runs, const std::vector<char>& parallel,
-                      const CutDrawing& drawing, const Inward& inward,
-                      std::span<const Incision> incisions);
+SlitColumns columns_of(const std::vector<SlitRun>& runs, const std::vector<char>& parallel,
+                       const SlitDrawing& drawing, const Inward& inward,
+                       std::span<const Incision> incisions);
 
 } // namespace trivar

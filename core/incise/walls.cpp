@@ -13,7 +13,7 @@ constexpr std::array bevel_levels{0.07, 0.25, 0.55, 1.0};
 
 class WallBuilder {
 public:
-    WallBuilder(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph,
+    WallBuilder(const SlitDrawing& drawing, const SlitPatch& patch, SlitGraph& graph,
                 std::span<const int> borders)
         : edge_number_(graph.edges.size()),
           first_made_(static_cast<std::uint32_t>(drawing.point_count())),
@@ -23,8 +23,8 @@ public:
     {
     }
 
-    CutWalls operator()(int rows, const std::vector<CutRun>& runs,
-                        const std::vector<ThroughCut>& throughs)
+    SlitWalls operator()(int rows, const std::vector<SlitRun>& runs,
+                         const std::vector<ThroughSlit>& throughs)
     {
         for (std::uint32_t e = 0; e < graph_.edges.size(); ++e)
             edge_number_.insert(pair_key(graph_.edges[e].a, graph_.edges[e].b), e);
@@ -36,7 +36,7 @@ public:
             if (graph_.edges[e].flat_floor) make_floor(e);
         }
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) close_ends_of_floors(n);
-        for (const ThroughCut& cut : throughs)
+        for (const ThroughSlit& cut : throughs)
             for (const bool left : {true, false})
                 join_to_far_side(runs[cut.near], runs[cut.far], cut, left);
         return std::move(out_);
@@ -221,7 +221,7 @@ private:
 
     // A point of a run as the side of a wall sees it: along the edge to the next point, or the one
     // before.
-    WallCorner corner_of(const CutRun& run, std::size_t i, bool left, bool to_next) const
+    WallCorner corner_of(const SlitRun& run, std::size_t i, bool left, bool to_next) const
     {
         const std::size_t k = to_next ? i : i - 1;
         const std::uint32_t from = run.at[k].point, to = run.at[k + 1].point;
@@ -235,7 +235,8 @@ private:
 
     // Makes the last row of a wall through the body: between its last levels and the far side,
     // where the left of the cut lies right.
-    void join_to_far_side(const CutRun& near, const CutRun& far, const ThroughCut& cut, bool left)
+    void join_to_far_side(const SlitRun& near, const SlitRun& far, const ThroughSlit& cut,
+                          bool left)
     {
         auto next_crossing = cut.crossings.begin(); // at or after both points
         const auto reached = [&](std::size_t i, std::size_t j) {
@@ -264,17 +265,17 @@ private:
 
     KeyNumbers edge_number_; // by its two points
     std::uint32_t first_made_;
-    const CutPatch& patch_;
+    const SlitPatch& patch_;
     SlitGraph& graph_;
     std::span<const int> borders_;
-    CutWalls out_;
+    SlitWalls out_;
 };
 
 } // namespace
 
-CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
-                  std::span<const int> borders, const std::vector<CutRun>& runs,
-                  const std::vector<ThroughCut>& throughs)
+SlitWalls walls_of(const SlitDrawing& drawing, const SlitPatch& patch, SlitGraph& graph, int rows,
+                   std::span<const int> borders, const std::vector<SlitRun>& runs,
+                   const std::vector<ThroughSlit>& throughs)
 {
     return WallBuilder(drawing, patch, graph, borders)(rows, runs, throughs);
 }

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// A CutPatch is the skin round the cuts, in pieces between points of the drawing.
-struct CutPatch {
+// A SlitPatch is the skin round the cuts, in pieces between points of the drawing.
+struct SlitPatch {
     std::vector<SkinTriangle> triangles;
     std::vector<std::uint32_t> replaced; // triangles of the skin, ascending; of whole faces
     KeyNumbers triangle_of_side;         // a piece by its directed edge
@@ -28,27 +28,27 @@ struct WallTriangle {
     bool floor = false;
 };
 
-// CutVertex: a vertex that cutting makes at a point of the drawing, at a depth in steps.
-struct CutVertex {
+// SlitVertex: a vertex that cutting makes at a point of the drawing, at a depth in steps.
+struct SlitVertex {
     std::uint32_t node;
     int depth;
 };
 
-// CutWalls are the result of cutting: closed and manifold where the skin was, whatever the graph
+// SlitWalls are the result of cutting: closed and manifold where the skin was, whatever the graph
 // is, and of the same Euler number. No coordinate enters: sides are told by going round a node, and
 // every edge of a wall is counted. Vertices from the drawing's number of points on are `made`.
-struct CutWalls {
+struct SlitWalls {
     std::vector<std::array<std::uint32_t, 3>> skin; // vertices, by piece of the patch
     std::vector<WallTriangle> walls;
-    std::vector<CutVertex> made;
+    std::vector<SlitVertex> made;
 };
 
 // The patch of a drawing and of the nodes of a graph, whose edges it puts in order.
-CutPatch patch_of(const CutDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph);
+SlitPatch patch_of(const SlitDrawing& drawing, std::vector<SkinTriangle> pieces, SlitGraph& graph);
 
 // `rows` levels below a node at least; `borders`: depths between layers, ascending, in steps.
-CutWalls walls_of(const CutDrawing& drawing, const CutPatch& patch, SlitGraph& graph, int rows,
-                  std::span<const int> borders, const std::vector<CutRun>& runs,
-                  const std::vector<ThroughCut>& throughs);
+SlitWalls walls_of(const SlitDrawing& drawing, const SlitPatch& patch, SlitGraph& graph, int rows,
+                   std::span<const int> borders, const std::vector<SlitRun>& runs,
+                   const std::vector<ThroughSlit>& throughs);
 
 } // namespace trivar

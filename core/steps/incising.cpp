@@ -242,12 +242,12 @@ Incising opened_by_blades(Incising incising, const StepInput& input)
 
 } // namespace
 
-Ref<CutSkin> IncisingStep::skin_of(const Ref<Mesh>& mesh, const StepInput& input)
+Ref<SlitSkin> IncisingStep::skin_of(const Ref<Mesh>& mesh, const StepInput& input)
 {
     return skins_(mesh, [&] {
         const Ref<RayMesh> rays = input.ray_meshes(mesh, input.timings);
         return timed(input.timings, "incise",
-                     [&] { return std::make_shared<const CutSkin>(rays); });
+                     [&] { return std::make_shared<const SlitSkin>(rays); });
     });
 }
 
@@ -257,7 +257,7 @@ IncisingStep::Wounds IncisingStep::wounds_in(const Shape& shape, const Incising&
     const std::size_t meshes = shape.meshes.size();
     skins_.keep(meshes + 2);
     std::vector<ToMesh> ways;
-    std::vector<Ref<CutSkin>> skins;
+    std::vector<Ref<SlitSkin>> skins;
     for (const Shape::NodeMesh& hung : shape.meshes) {
         ways.emplace_back(hung.to_model);
         skins.push_back(skin_of(hung.rest, input));

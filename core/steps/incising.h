@@ -59,10 +59,10 @@ private:
     Wounds wounds_in(const Shape& shape, const Incising& incising, const StepInput& input);
     const Frames& frames_of(const Wound& wound, const std::vector<FlapPlace>& places,
                             const StepInput& input);
-    Ref<CutSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
+    Ref<SlitSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
 
     Lender<Mesh> made_; // meshes of cuts at rest
-    Recent<Ref<Mesh>, Ref<CutSkin>> skins_;
+    Recent<Ref<Mesh>, Ref<SlitSkin>> skins_;
     Recent<std::pair<Ref<Shape>, Incising>, Ref<Wounds>> wounds_; // all open, of no look
     Recent<std::pair<Ref<IncisedMesh>, std::vector<FlapPlace>>, Frames> frames_;
     struct OpenKey {

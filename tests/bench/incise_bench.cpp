@@ -19,9 +19,9 @@ namespace trivar {
 namespace {
 
 // A torus of 2 n n triangles, a point a vertex.
-const CutSkin& torus_skin(int n)
+const SlitSkin& torus_skin(int n)
 {
-    static std::map<int, CutSkin> skins;
+    static std::map<int, SlitSkin> skins;
     const auto known = skins.find(n);
     if (known != skins.end()) return known->second;
     const Mesh quads = torus_mesh(1, 0.4, {n, n});
@@ -32,7 +32,7 @@ const CutSkin& torus_skin(int n)
     for (const glm::uvec3& t : triangles(quads))
         add_face(out, std::array{quads.point(t.x), quads.point(t.y), quads.point(t.z)});
     out.normals = smooth_normals(out);
-    return skins.emplace(n, CutSkin(std::make_shared<const RayMesh>(make_ref(std::move(out)))))
+    return skins.emplace(n, SlitSkin(std::make_shared<const RayMesh>(make_ref(std::move(out)))))
         .first->second;
 }
 
@@ -51,7 +51,7 @@ Incision cut_along(double length, double from, double slant)
     return cut;
 }
 
-std::vector<Incision> small_cut(const CutSkin& skin)
+std::vector<Incision> small_cut(const SlitSkin& skin)
 {
     const double edge = skin.usual_edge();
     Incision cut = cut_along(20 * edge, 0.3, 0.4);
@@ -71,7 +71,7 @@ std::vector<Incision> large_cuts(int count, double length, double width)
     return cuts;
 }
 
-void incise_cuts(benchmark::State& state, const CutSkin& skin, const std::vector<Incision>& cuts,
+void incise_cuts(benchmark::State& state, const SlitSkin& skin, const std::vector<Incision>& cuts,
                  bool guarded)
 {
     Lender<Mesh> meshes; // as while a cut is changed, frame by frame
@@ -85,24 +85,24 @@ void incise_cuts(benchmark::State& state, const CutSkin& skin, const std::vector
 
 void BM_incise_topology(benchmark::State& state) // and the copy
 {
-    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const SlitSkin& skin = torus_skin(static_cast<int>(state.range(0)));
     std::vector<Incision> cuts = small_cut(skin);
     cuts[0].width = 0;
     incise_cuts(state, skin, cuts, false);
 }
 void BM_incise_whole(benchmark::State& state)
 {
-    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const SlitSkin& skin = torus_skin(static_cast<int>(state.range(0)));
     incise_cuts(state, skin, small_cut(skin), state.range(1) != 0);
 }
 void BM_incise_copy(benchmark::State& state)
 {
-    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const SlitSkin& skin = torus_skin(static_cast<int>(state.range(0)));
     for (auto _ : state) benchmark::DoNotOptimize(Mesh(*skin.mesh()));
 }
 void BM_incise_opening(benchmark::State& state)
 {
-    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const SlitSkin& skin = torus_skin(static_cast<int>(state.range(0)));
     const IncisedMesh made = incise(skin, small_cut(skin));
     const std::vector<IncisionOpening> half(1, IncisionOpening{0.5, 0, 1});
     for (auto _ : state) benchmark::DoNotOptimize(opened_vertices(made, half));
@@ -110,7 +110,7 @@ void BM_incise_opening(benchmark::State& state)
 // The whole mesh at openings one after the other, of which the last few are held.
 void BM_incise_frame(benchmark::State& state)
 {
-    const CutSkin& skin = torus_skin(static_cast<int>(state.range(0)));
+    const SlitSkin& skin = torus_skin(static_cast<int>(state.range(0)));
     const OpenedFrames frames(make_ref(incise(skin, small_cut(skin))));
     std::array<OpenedFrames::Frame, 3> held;
     std::size_t number = 0;

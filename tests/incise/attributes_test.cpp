@@ -35,7 +35,7 @@ Mesh rich_sphere()
 
 class RichSphere : public ::testing::Test {
 protected:
-    CutSkin skin = skin_of(rich_sphere());
+    SlitSkin skin = skin_of(rich_sphere());
     const Mesh& before = *skin.mesh();
 };
 

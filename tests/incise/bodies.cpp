@@ -9,10 +9,10 @@
 
 namespace trivar::testing {
 
-CutSkin skin_of(Mesh mesh)
+SlitSkin skin_of(Mesh mesh)
 {
     if (mesh.points.empty()) mesh.points = points_by_position(mesh.positions);
-    return CutSkin(std::make_shared<const RayMesh>(make_ref(std::move(mesh))));
+    return SlitSkin(std::make_shared<const RayMesh>(make_ref(std::move(mesh))));
 }
 
 Mesh icosphere(int halvings)

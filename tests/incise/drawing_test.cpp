@@ -10,7 +10,7 @@ namespace trivar::testing {
 namespace {
 
 // A tetrahedron: large triangles.
-CutSkin tetrahedron()
+SlitSkin tetrahedron()
 {
     Mesh mesh;
     mesh.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -20,9 +20,9 @@ CutSkin tetrahedron()
     return skin_of(mesh);
 }
 
-CutDrawing drawing_of(const CutSkin& skin, const std::vector<std::vector<SkinPlace>>& strokes)
+SlitDrawing drawing_of(const SlitSkin& skin, const std::vector<std::vector<SkinPlace>>& strokes)
 {
-    CutDrawing drawing(skin);
+    SlitDrawing drawing(skin);
     for (const std::vector<SkinPlace>& places : strokes) {
         Traced traced = trace(drawing, std::vector{StrokePart{places}});
         EXPECT_EQ(traced.refusal, "");
@@ -37,10 +37,10 @@ const std::vector<SkinPlace> level{{0, {0.2, 0.7, 0.1}}, {0, {0.25, 0.1, 0.65}}}
 
 TEST(CutDrawings, LinesThatCrossGetOnePointInCommon)
 {
-    const CutSkin skin = tetrahedron();
-    const CutDrawing drawing = drawing_of(skin, {rising, level});
+    const SlitSkin skin = tetrahedron();
+    const SlitDrawing drawing = drawing_of(skin, {rising, level});
     std::map<std::uint32_t, int> ends;
-    for (const CutDrawing::Segment& g : drawing.segments()) {
+    for (const SlitDrawing::Segment& g : drawing.segments()) {
         ++ends[g.a];
         ++ends[g.b];
     }
@@ -51,17 +51,17 @@ TEST(CutDrawings, LinesThatCrossGetOnePointInCommon)
 
 TEST(CutDrawings, ALineThatIsDrawnAgainIsOneLine)
 {
-    const CutSkin skin = tetrahedron();
-    const CutDrawing once = drawing_of(skin, {rising});
-    const CutDrawing twice = drawing_of(skin, {rising, {rising.rbegin(), rising.rend()}});
+    const SlitSkin skin = tetrahedron();
+    const SlitDrawing once = drawing_of(skin, {rising});
+    const SlitDrawing twice = drawing_of(skin, {rising, {rising.rbegin(), rising.rend()}});
     EXPECT_EQ(once.point_count(), twice.point_count());
     EXPECT_EQ(2 * once.segments().size(), twice.segments().size());
 }
 
 TEST(CutDrawings, PiecesFillTheirTriangleAndHaveAllSegmentsAsEdges)
 {
-    const CutSkin skin = tetrahedron();
-    const CutDrawing drawing = drawing_of(skin, {rising, level});
+    const SlitSkin skin = tetrahedron();
+    const SlitDrawing drawing = drawing_of(skin, {rising, level});
     double area = 0;
     KeyNumbers edges;
     for (const SkinTriangle& piece : filled(drawing, 0)) {
@@ -73,7 +73,7 @@ TEST(CutDrawings, PiecesFillTheirTriangleAndHaveAllSegmentsAsEdges)
             edges.number(pair_key(piece.points[i], piece.points[(i + 1) % 3]));
     }
     EXPECT_NEAR(area, glm::length(skin.area_normal(0)), 1e-12);
-    for (const CutDrawing::Segment& g : drawing.segments()) {
+    for (const SlitDrawing::Segment& g : drawing.segments()) {
         EXPECT_TRUE(edges.contains(pair_key(g.a, g.b)));
         EXPECT_TRUE(edges.contains(pair_key(g.b, g.a)));
     }
@@ -81,8 +81,8 @@ TEST(CutDrawings, PiecesFillTheirTriangleAndHaveAllSegmentsAsEdges)
 
 TEST(CutDrawings, AStrokeGoesRoundACorner)
 {
-    const CutSkin skin = tetrahedron();
-    const CutDrawing drawing =
+    const SlitSkin skin = tetrahedron();
+    const SlitDrawing drawing =
         drawing_of(skin, {{{0, {0.3, 0.3, 0.4}}, {1, {0.3, 0.3, 0.4}}, {2, {0.3, 0.3, 0.4}}}});
     EXPECT_GE(drawing.segments().size(), 4u);
     EXPECT_EQ(drawing.touched().size(), 3u);
@@ -90,7 +90,7 @@ TEST(CutDrawings, AStrokeGoesRoundACorner)
 
 TEST(LatticePoints, AreTheSameFromEveryTriangleRoundThem)
 {
-    const CutSkin skin = tetrahedron();
+    const SlitSkin skin = tetrahedron();
     for (std::uint32_t t = 0; t < 4; ++t)
         for (const glm::ivec2 w : {glm::ivec2(0, 0),
                                    {lattice_steps, 0},

@@ -13,13 +13,13 @@ namespace {
 
 constexpr IncisionOpening shut{0, 0, 1};
 
-struct RandomCut {
+struct RandomSlit {
     std::string what;
     std::vector<Incision> incisions;
 };
 
 // Returns a random cut of any kind, the same for the same number.
-RandomCut random_cut(const CutSkin& skin, std::size_t number)
+RandomSlit random_cut(const SlitSkin& skin, std::size_t number)
 {
     RandomHand hand(skin, 40 + number);
     const std::size_t kind = number % (cut_kinds.size() + 2);
@@ -32,9 +32,9 @@ class OnPrimitives : public ::testing::TestWithParam<std::size_t> {
 protected:
     void for_cuts(std::size_t count, const auto& look)
     {
-        const CutSkin skin = skin_of(any_closed_primitive(GetParam()));
+        const SlitSkin skin = skin_of(any_closed_primitive(GetParam()));
         for (std::size_t i = 0; i < count; ++i) {
-            const RandomCut cut = random_cut(skin, 100 * GetParam() + i);
+            const RandomSlit cut = random_cut(skin, 100 * GetParam() + i);
             SCOPED_TRACE(cut.what + " #" + std::to_string(i));
             look(skin, cut.incisions);
         }
@@ -43,9 +43,9 @@ protected:
 
 TEST_P(OnPrimitives, CutsAreClosedAndManifoldAndKeepTheEulerNumberAndEveryVertex)
 {
-    for_cuts(24, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(24, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const IncisedMesh made = incise(skin, incisions);
-        const CutFaults faults = faults_of(made);
+        const SlitFaults faults = faults_of(made);
         EXPECT_EQ(faults.open, 0u);
         EXPECT_EQ(faults.twice, 0u);
         EXPECT_EQ(faults.pinched, 0u);
@@ -58,7 +58,7 @@ TEST_P(OnPrimitives, CutsAreClosedAndManifoldAndKeepTheEulerNumberAndEveryVertex
 
 TEST_P(OnPrimitives, ShutCutsAreTheOriginalItself)
 {
-    for_cuts(12, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(12, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const IncisedMesh made = incise(skin, incisions);
         const std::vector<IncisionOpening> all(incisions.size(), shut);
         EXPECT_EQ(opened(made, all), skin.mesh());
@@ -73,7 +73,7 @@ TEST_P(OnPrimitives, ShutCutsAreTheOriginalItself)
 
 TEST_P(OnPrimitives, VerticesOfOnePointStayAtOnePlaceWhateverOpens)
 {
-    for_cuts(12, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(12, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const IncisedMesh made = incise(skin, incisions);
         std::vector<IncisionOpening> openings(incisions.size());
         EXPECT_EQ(copies_apart(*made.rest), 0u);
@@ -85,7 +85,7 @@ TEST_P(OnPrimitives, VerticesOfOnePointStayAtOnePlaceWhateverOpens)
 
 TEST_P(OnPrimitives, NothingPiercesAtAnOpeningThatIsAdmitted)
 {
-    for_cuts(24, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(24, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const IncisedMesh made = incise(skin, incisions);
         for (const double share : {1.0, 0.6, 0.3})
             EXPECT_EQ(
@@ -96,7 +96,7 @@ TEST_P(OnPrimitives, NothingPiercesAtAnOpeningThatIsAdmitted)
 
 TEST_P(OnPrimitives, NothingOutsideTheTermsMoves)
 {
-    for_cuts(12, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(12, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const IncisedMesh made = incise(skin, incisions);
         const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(incisions.size()));
         if (open == made.original) return; // the guard admits no opening
@@ -119,7 +119,7 @@ TEST_P(OnPrimitives, NothingOutsideTheTermsMoves)
 
 TEST_P(OnPrimitives, TheTopologyDoesNotDependOnWidths)
 {
-    for_cuts(12, [](const CutSkin& skin, std::vector<Incision> incisions) {
+    for_cuts(12, [](const SlitSkin& skin, std::vector<Incision> incisions) {
         const InciseOptions free{.guarded = false};
         const IncisedMesh made = incise(skin, incisions, free);
         for (Incision& each : incisions) each.width *= 0.3;
@@ -131,7 +131,7 @@ TEST_P(OnPrimitives, TheTopologyDoesNotDependOnWidths)
 
 TEST_P(OnPrimitives, OneThreadAndTwoGiveTheSameBits)
 {
-    for_cuts(12, [](const CutSkin& skin, const std::vector<Incision>& incisions) {
+    for_cuts(12, [](const SlitSkin& skin, const std::vector<Incision>& incisions) {
         const std::vector<IncisionOpening> openings(incisions.size(), {0.8, 0, 0.7});
         const auto made = [&](int threads) {
             const ThreadLimit limit(threads);

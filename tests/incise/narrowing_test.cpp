@@ -20,7 +20,7 @@ TEST(Narrowings, AreOneWhereNothingWasNarrowed)
 
 TEST(Narrowings, KeepTheWidestOpeningWhereTheyAreBesideIt)
 {
-    const CutProfile lens;
+    const IncisionProfile lens;
     Narrowing end, middle;
     end.narrow(0.1, 0, 0.2);
     middle.narrow(0.5, 0.25, 0.5);

@@ -36,7 +36,7 @@ std::vector<Incision> star_and_small_one()
 
 TEST(NewIncisions, ChangeOlderOnesOnlyWhereTheyMeet)
 {
-    const CutSkin skin = skin_of(icosphere(5));
+    const SlitSkin skin = skin_of(icosphere(5));
     const std::vector<Incision> all = star_and_small_one();
     const std::vector<Incision> older(all.begin(), all.end() - 1);
     const IncisedMesh before = incise(skin, older), after = incise(skin, all);
@@ -61,7 +61,7 @@ TEST(NewIncisions, ChangeOlderOnesOnlyWhereTheyMeet)
 TEST(NewIncisions, NeverMakeOlderOnesNarrowerThanTheyWere)
 {
     for (std::size_t body = 0; body < 5; ++body) {
-        const CutSkin skin = skin_of(any_closed_primitive(body));
+        const SlitSkin skin = skin_of(any_closed_primitive(body));
         for (const std::size_t kind : {0u, 1u, 6u}) { // an angle, a T and three
             RandomHand hand(skin, 700 + 10 * body + kind);
             const std::vector<Incision> all = random_set(skin, hand, kind);
@@ -78,7 +78,7 @@ TEST(NewIncisions, NeverMakeOlderOnesNarrowerThanTheyWere)
 TEST(NewIncisions, OpenBesideAShutOneAsIfItWereNotThere)
 {
     for (std::size_t body = 0; body < 5; ++body) {
-        const CutSkin skin = skin_of(any_closed_primitive(body));
+        const SlitSkin skin = skin_of(any_closed_primitive(body));
         for (const std::size_t kind : {0u, 1u, 3u, 9u}) { // an angle, a T, side by side, two depths
             RandomHand hand(skin, 300 + 10 * body + kind);
             const std::vector<Incision> all = random_set(skin, hand, kind);
@@ -98,7 +98,7 @@ TEST(NewIncisions, OpenBesideAShutOneAsIfItWereNotThere)
 TEST(NewIncisions, PierceNothingWhicheverOfThemAreOpen)
 {
     for (std::size_t body = 0; body < 5; ++body) {
-        const CutSkin skin = skin_of(any_closed_primitive(body));
+        const SlitSkin skin = skin_of(any_closed_primitive(body));
         for (std::size_t kind = 0; kind < cut_kinds.size(); kind += 3) {
             RandomHand hand(skin, 900 + 10 * body + kind);
             const std::vector<Incision> all = random_set(skin, hand, kind);

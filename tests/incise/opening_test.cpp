@@ -25,7 +25,7 @@ double gap_at(const IncisedMesh& made, const Mesh& open, const glm::dvec3& place
 
 class OpenSphere : public ::testing::Test {
 protected:
-    CutSkin skin = skin_of(sphere_mesh(1, 96, 48));
+    SlitSkin skin = skin_of(sphere_mesh(1, 96, 48));
     const glm::dvec3 middle{1, 0, 0};
     const Incision along = cut_on_sphere({{1, -0.4, 0.003}, {1, 0.4, -0.002}});
 };
@@ -47,7 +47,7 @@ TEST_F(OpenSphere, TheGapIsAsWideAsAskedInTheMiddleAndShutAtTheEnds)
 TEST_F(OpenSphere, ACustomProfileOpensWhereItSays)
 {
     Incision cut = along;
-    cut.opening_profile = {CutProfile::Shape::custom, {{0, 0}, {0.45, 0}, {0.7, 1}, {1, 1}}};
+    cut.opening_profile = {IncisionProfile::Shape::custom, {{0, 0}, {0.45, 0}, {0.7, 1}, {1, 1}}};
     const IncisedMesh made = incise(skin, std::vector{cut});
     const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
     const glm::dvec3 early = glm::normalize(glm::dvec3(1, -0.15, 0));
@@ -106,7 +106,7 @@ TEST_F(OpenSphere, AUFloorHasTheShareOfTheWidthThatIsAskedFor)
 
 TEST_F(OpenSphere, TheGuardKeepsWallsFromMeetingInAThinBody)
 {
-    const CutSkin thin = skin_of(box_mesh({2, 2, 0.1}, {40, 40, 2}));
+    const SlitSkin thin = skin_of(box_mesh({2, 2, 0.1}, {40, 40, 2}));
     Incision cut;
     cut.depth = 0.5;
     cut.width = 0.5;
@@ -124,7 +124,7 @@ TEST(Depths, AreLowerWhereTheBodyIsThinAndNowhereElse)
 {
     Mesh wedge = box_mesh({2, 1, 1}, {40, 20, 4}); // 0.1 thick at one end and 1 at the other
     for (glm::vec3& p : wedge.positions) p.z *= 0.55f + 0.45f * p.x;
-    const CutSkin skin = skin_of(wedge);
+    const SlitSkin skin = skin_of(wedge);
     const auto along = [&](double from, double to) {
         Incision cut;
         cut.depth = 0.2;
@@ -173,8 +173,9 @@ TEST_F(OpenSphere, FramesAreWhatIsOpenedAndUseMemoryAgain)
 
 TEST(CutProfiles, AreShutAtBothEndsAndReachTheirGreatestValue)
 {
-    for (const CutProfile& profile : {CutProfile{}, CutProfile{CutProfile::Shape::even, {}},
-                                      CutProfile{CutProfile::Shape::custom, {{0, 1}, {1, 1}}}}) {
+    for (const IncisionProfile& profile :
+         {IncisionProfile{}, IncisionProfile{IncisionProfile::Shape::even, {}},
+          IncisionProfile{IncisionProfile::Shape::custom, {{0, 1}, {1, 1}}}}) {
         EXPECT_EQ(value_at(profile, 0), 0);
         EXPECT_EQ(value_at(profile, 1), 0);
         EXPECT_DOUBLE_EQ(value_at(profile, 0.5), 1);

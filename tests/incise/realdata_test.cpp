@@ -18,7 +18,7 @@ TEST_P(RealDataIncise, SetsThatCrossLeaveTheSkinAsClosedAsItWasAndShutAreTheMode
 {
     if (real_data_folder().empty()) GTEST_SKIP() << "no folder of real models";
     const Model model = read_model(real_data_folder() + "/meshes/" + GetParam());
-    const CutSkin skin = skin_of(*model.meshes.front());
+    const SlitSkin skin = skin_of(*model.meshes.front());
     std::size_t cut = 0;
     for (std::size_t i = 0; i < 3 * cut_kinds.size(); ++i) {
         SCOPED_TRACE(std::string(cut_kinds[i % cut_kinds.size()]) + " #" + std::to_string(i));

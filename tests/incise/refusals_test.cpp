@@ -9,7 +9,7 @@
 namespace trivar::testing {
 namespace {
 
-std::string refusal_of(const CutSkin& skin, const Incision& incision)
+std::string refusal_of(const SlitSkin& skin, const Incision& incision)
 {
     const IncisedMesh made = incise(skin, std::vector{incision});
     EXPECT_EQ(made.rest, made.original);
@@ -26,7 +26,7 @@ Incision on_plane(const glm::dvec3& a, const glm::dvec3& b)
 
 TEST(RefusedIncisions, SayWhatIsWrongWithTheStroke)
 {
-    const CutSkin ball = skin_of(sphere_mesh(1, 48, 24));
+    const SlitSkin ball = skin_of(sphere_mesh(1, 48, 24));
     const Incision good = cut_on_sphere({{1, -0.4, 0}, {1, 0.4, 0}});
     Incision cut = good;
     cut.stroke.resize(1);
@@ -49,7 +49,7 @@ TEST(RefusedIncisions, SayWhatIsWrongWithTheStroke)
 }
 
 // The outcome of a single stroke that is cut, which is sound whatever part of it that is.
-IncisedMesh::Outcome outcome_of(const CutSkin& skin, const Incision& incision)
+IncisedMesh::Outcome outcome_of(const SlitSkin& skin, const Incision& incision)
 {
     const IncisedMesh made = incise(skin, std::vector{incision});
     EXPECT_TRUE(faults_of(made).none());
@@ -59,7 +59,7 @@ IncisedMesh::Outcome outcome_of(const CutSkin& skin, const Incision& incision)
 
 TEST(IncisionsInPart, EndWhereTheSurfaceDoes)
 {
-    const CutSkin ball = skin_of(sphere_mesh(1, 48, 24));
+    const SlitSkin ball = skin_of(sphere_mesh(1, 48, 24));
     Incision cut = cut_on_sphere({{1, -0.4, 0}, {1, 0.4, 0}});
     const double whole = outcome_of(ball, cut).length;
     EXPECT_EQ(outcome_of(ball, cut).notice, "");
@@ -77,7 +77,7 @@ TEST(IncisionsInPart, EndWhereTheSurfaceDoes)
 
 TEST(IncisionsInPart, EndBeforeAnOpenBorder)
 {
-    const CutSkin sheet = skin_of(plane_mesh({2, 2}, {20, 20}));
+    const SlitSkin sheet = skin_of(plane_mesh({2, 2}, {20, 20}));
     const IncisedMesh::Outcome outcome = outcome_of(sheet, on_plane({0, 0.03, 0}, {0.99, 0.03, 0}));
     EXPECT_EQ(outcome.refusal, "");
     EXPECT_EQ(outcome.notice, "it ends before an open border of the surface");
@@ -104,7 +104,7 @@ Incision over_a_ring()
 
 TEST(IncisionsInPart, KeepWhatLiesOnEitherSideOfAGapOfAir)
 {
-    const CutSkin ring = skin_of(torus_mesh(1, 0.4, {96, 48}));
+    const SlitSkin ring = skin_of(torus_mesh(1, 0.4, {96, 48}));
     const Incision cut = over_a_ring();
     const IncisedMesh made = incise(ring, std::vector{cut});
     EXPECT_TRUE(faults_of(made).none());
@@ -179,7 +179,7 @@ TEST(RefusedIncisions, RunOverFacesThatShareAnEdgeInThrees)
 
 TEST(RefusedIncisions, AreLeftOutOfASetThatIsCutOtherwise)
 {
-    const CutSkin ball = skin_of(sphere_mesh(1, 48, 24));
+    const SlitSkin ball = skin_of(sphere_mesh(1, 48, 24));
     std::vector<Incision> cuts = crossing_cuts_on_sphere();
     cuts.insert(cuts.begin() + 1, Incision{});
     const IncisedMesh made = incise(ball, cuts);
@@ -192,7 +192,7 @@ TEST(RefusedIncisions, AreLeftOutOfASetThatIsCutOtherwise)
 
 TEST(RefusedIncisions, NoneForAStrokeOfManySamples)
 {
-    const CutSkin ball = skin_of(sphere_mesh(1, 48, 24));
+    const SlitSkin ball = skin_of(sphere_mesh(1, 48, 24));
     Incision cut = cut_on_sphere({{1, -0.4, 0}, {1, 0.4, 0}});
     const std::vector<SurfacePoint> few = cut.stroke;
     cut.stroke.clear();

@@ -15,7 +15,7 @@ namespace {
 
 class OnABlock : public ::testing::Test {
 protected:
-    CutSkin block = skin_of(box_mesh({2, 2, 1}, {40, 40, 10}));
+    SlitSkin block = skin_of(box_mesh({2, 2, 1}, {40, 40, 10}));
 
     static Incision along(const glm::dvec2& from, const glm::dvec2& to)
     {
@@ -164,7 +164,7 @@ TEST_F(OnABlock, ALoopWithAFloorHasItsDepthAndWidthAllRound)
 TEST(LeaningCuts, StayClosedWhateverTheyAsk)
 {
     for (std::size_t body = 0; body < 5; ++body) {
-        const CutSkin skin = skin_of(any_closed_primitive(body));
+        const SlitSkin skin = skin_of(any_closed_primitive(body));
         for (std::size_t i = 0; i < 16; ++i) {
             SCOPED_TRACE(std::to_string(body) + " #" + std::to_string(i));
             RandomHand hand(skin, 5000 + 16 * body + i);
@@ -186,7 +186,7 @@ TEST(LeaningCuts, StayClosedWhateverTheyAsk)
 
 TEST(LeaningCuts, AngleAndBevelAreChecked)
 {
-    const CutSkin ball = skin_of(icosphere(3));
+    const SlitSkin ball = skin_of(icosphere(3));
     Incision cut = cut_on_sphere({{1, -0.4, 0}, {1, 0.4, 0}});
     cut.lean_deg = 80;
     EXPECT_EQ(incise(ball, std::vector{cut}).outcomes[0].refusal, "it leans too far");

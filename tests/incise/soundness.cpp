@@ -84,11 +84,11 @@ double volume_of(const Mesh& mesh, const glm::dvec3& origin)
 
 } // namespace
 
-CutFaults faults_of(const IncisedMesh& made)
+SlitFaults faults_of(const IncisedMesh& made)
 {
     const Mesh &before = *made.original, &after = *made.rest;
     const EdgeCounts a = counts_of(before), b = counts_of(after);
-    CutFaults out;
+    SlitFaults out;
     out.open = b.open - std::min(a.open, b.open);
     out.twice = b.twice - std::min(a.twice, b.twice);
     out.pinched = b.pinched - std::min(a.pinched, b.pinched);

@@ -5,8 +5,8 @@
 
 namespace trivar::testing {
 
-// CutFaults counts the faults of a cut mesh; all 0 for a sound one.
-struct CutFaults {
+// SlitFaults counts the faults of a cut mesh; all 0 for a sound one.
+struct SlitFaults {
     std::size_t open = 0;    // directed edges without an opposite one
     std::size_t twice = 0;   // directed edges of two faces
     std::size_t pinched = 0; // points round which faces are not one cycle
@@ -17,7 +17,7 @@ struct CutFaults {
 };
 
 // Counted over the whole mesh, without what the original has itself (rims of scans).
-CutFaults faults_of(const IncisedMesh& made);
+SlitFaults faults_of(const IncisedMesh& made);
 
 // The volume within each connected part, ascending; that of a shell has two skins, of a sphere one.
 std::vector<double> volumes_of_parts(const Mesh& mesh);

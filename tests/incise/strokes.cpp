@@ -65,7 +65,7 @@ bool RandomHand::move(SkinPlace& at, glm::dvec3& d, double distance)
         distance -= far;
         const std::uint32_t side = 3 * t + static_cast<std::uint32_t>((out + 1) % 3);
         const std::uint32_t other = skin_.across(side);
-        if (other == CutSkin::none || !(glm::length(skin_.area_normal(other / 3)) > 0))
+        if (other == SlitSkin::none || !(glm::length(skin_.area_normal(other / 3)) > 0))
             return false;
         const glm::dvec3 along =
             glm::normalize(skin_.position(skin_.to(side)) - skin_.position(skin_.from(side)));
@@ -119,7 +119,7 @@ std::vector<SurfacePoint> RandomHand::stroke(const std::vector<SkinPlace>& path)
     return out;
 }
 
-Incision random_single(const CutSkin& skin, RandomHand& hand, bool loop)
+Incision random_single(const SlitSkin& skin, RandomHand& hand, bool loop)
 {
     const double edge = skin.usual_edge();
     double length = edge * std::exp(std::log(0.4) + hand.number() * std::log(40 / 0.4));
@@ -148,13 +148,13 @@ Incision random_single(const CutSkin& skin, RandomHand& hand, bool loop)
 namespace {
 
 // Along edges of the skin from a point, always the one that runs most straight on.
-std::vector<SkinPlace> along_edges(const CutSkin& skin, std::uint32_t point, const glm::dvec3& d)
+std::vector<SkinPlace> along_edges(const SlitSkin& skin, std::uint32_t point, const glm::dvec3& d)
 {
     std::vector<SkinPlace> out;
-    std::uint32_t last = CutSkin::none;
+    std::uint32_t last = SlitSkin::none;
     for (int i = 0; i < 8; ++i) {
         double best = -2;
-        std::uint32_t next = CutSkin::none, here = CutSkin::none;
+        std::uint32_t next = SlitSkin::none, here = SlitSkin::none;
         skin.around(point, [&](std::uint32_t side) {
             here = side;
             const std::uint32_t to = skin.to(side);
@@ -164,7 +164,7 @@ std::vector<SkinPlace> along_edges(const CutSkin& skin, std::uint32_t point, con
             best = ahead;
             next = to;
         });
-        if (next == CutSkin::none) return {};
+        if (next == SlitSkin::none) return {};
         SkinPlace at{here / 3, glm::dvec3(0)};
         at.weights[static_cast<int>(here % 3)] = 1;
         out.push_back(at);
@@ -174,7 +174,7 @@ std::vector<SkinPlace> along_edges(const CutSkin& skin, std::uint32_t point, con
     return out;
 }
 
-std::vector<std::vector<SkinPlace>> crossing_paths(const CutSkin& skin, RandomHand& hand,
+std::vector<std::vector<SkinPlace>> crossing_paths(const SlitSkin& skin, RandomHand& hand,
                                                    std::size_t kind)
 {
     const double edge = skin.usual_edge();
@@ -249,7 +249,7 @@ std::vector<std::vector<SkinPlace>> crossing_paths(const CutSkin& skin, RandomHa
 
 } // namespace
 
-std::vector<Incision> random_set(const CutSkin& skin, RandomHand& hand, std::size_t kind)
+std::vector<Incision> random_set(const SlitSkin& skin, RandomHand& hand, std::size_t kind)
 {
     std::vector<std::vector<SkinPlace>> paths;
     for (int tries = 0; tries < 30 && paths.empty(); ++tries)

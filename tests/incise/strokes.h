@@ -10,7 +10,7 @@ namespace trivar::testing {
 // A hand that draws random strokes on a skin: straight on, with a curvature and a tremble.
 class RandomHand {
 public:
-    RandomHand(const CutSkin& skin, std::uint64_t seed) : skin_(skin), random_(seed) {}
+    RandomHand(const SlitSkin& skin, std::uint64_t seed) : skin_(skin), random_(seed) {}
 
     double number(double lo = 0, double hi = 1)
     {
@@ -35,7 +35,7 @@ public:
 
 private:
     glm::dvec3 normal(std::uint32_t t) const { return glm::normalize(skin_.area_normal(t)); }
-    const CutSkin& skin_;
+    const SlitSkin& skin_;
     std::mt19937_64 random_;
 };
 
@@ -43,7 +43,7 @@ private:
 inline constexpr std::array cut_kinds{"angle", "T",     "vertex", "parallel", "retrace",
                                       "twice", "three", "five",   "edges",    "depths"};
 // Empty where the hand left the skin. With sizes in edges of the skin; many are unreasonable.
-std::vector<Incision> random_set(const CutSkin& skin, RandomHand& hand, std::size_t kind);
-Incision random_single(const CutSkin& skin, RandomHand& hand, bool loop);
+std::vector<Incision> random_set(const SlitSkin& skin, RandomHand& hand, std::size_t kind);
+Incision random_single(const SlitSkin& skin, RandomHand& hand, bool loop);
 
 } // namespace trivar::testing

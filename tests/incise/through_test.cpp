@@ -46,7 +46,7 @@ Incision on_slab(const std::vector<glm::dvec2>& points, double top)
 
 void expect_sound(const IncisedMesh& made, long euler)
 {
-    const CutFaults faults = faults_of(made);
+    const SlitFaults faults = faults_of(made);
     EXPECT_EQ(faults.open, 0u);
     EXPECT_EQ(faults.twice, 0u);
     EXPECT_EQ(faults.pinched, 0u);
@@ -58,7 +58,7 @@ const Incision slit = through(cut_on_sphere({{1, -0.3, 0.03}, {1, 0.3, -0.02}}))
 
 class HollowBall : public ::testing::Test {
 protected:
-    CutSkin skin = skin_of(shell_mesh(4, 0.8));
+    SlitSkin skin = skin_of(shell_mesh(4, 0.8));
 };
 
 TEST_F(HollowBall, ASlitOpensBothSkinsAndIsATunnelBetweenThem)
@@ -183,7 +183,7 @@ TEST_F(HollowBall, TwoSlitsThatCrossAreOneTunnel)
 TEST(ThroughCuts, StayClosedWhereverTheyAreDrawn)
 {
     for (std::size_t body = 0; body < 6; ++body) {
-        const CutSkin skin = skin_of(body < 5 ? any_closed_primitive(body) : shell_mesh(3, 0.7));
+        const SlitSkin skin = skin_of(body < 5 ? any_closed_primitive(body) : shell_mesh(3, 0.7));
         long gone_through = 0;
         for (std::size_t i = 0; i < 24; ++i) {
             SCOPED_TRACE(std::to_string(body) + " #" + std::to_string(i));
@@ -211,7 +211,7 @@ TEST(ThroughCuts, StayClosedWhereverTheyAreDrawn)
 
 TEST(ThroughCuts, ASolidBallIsCutAlongParallelWays)
 {
-    const CutSkin ball = skin_of(icosphere(4));
+    const SlitSkin ball = skin_of(icosphere(4));
     const IncisedMesh made = incise(ball, std::vector{ring_on_sphere({1, 0.2, 0.1}, 0.2)});
     EXPECT_EQ(made.outcomes[0].shortfall, "");
     expect_sound(made, 0); // the ball becomes a torus, and a rod comes out
@@ -221,7 +221,7 @@ TEST(ThroughCuts, ASolidBallIsCutAlongParallelWays)
 
 TEST(ThroughCuts, ALeanTurnsTheWayThrough)
 {
-    const CutSkin slab = skin_of(box_mesh({2, 2, 0.2}, {30, 30, 3}));
+    const SlitSkin slab = skin_of(box_mesh({2, 2, 0.2}, {30, 30, 3}));
     Incision cut = on_slab({{-0.5, 0.01}, {0.5, 0.02}}, 0.1);
     cut.lean_deg = 45;
     const IncisedMesh made = incise(slab, std::vector{cut});
@@ -236,10 +236,10 @@ TEST(ThroughCuts, ALeanTurnsTheWayThrough)
 
 TEST(ThroughCuts, SayWhyTheyHaveAFloor)
 {
-    const CutSkin sheet = skin_of(plane_mesh({2, 2}, {20, 20}));
+    const SlitSkin sheet = skin_of(plane_mesh({2, 2}, {20, 20}));
     IncisedMesh made = incise(sheet, std::vector{on_slab({{-0.4, 0}, {0.4, 0}}, 0)});
     EXPECT_EQ(made.outcomes[0].shortfall, "no surface lies opposite");
-    const CutSkin slab = skin_of(box_mesh({2, 2, 0.2}, {20, 20, 2}));
+    const SlitSkin slab = skin_of(box_mesh({2, 2, 0.2}, {20, 20, 2}));
     Incision below = on_slab({{0, -0.4}, {0, 0.4}}, -0.1);
     for (SurfacePoint& each : below.stroke) each.normal = {0, 0, -1};
     below.floor = Incision::Floor::v;

@@ -28,7 +28,7 @@ Incision over_a_slab(double thickness, double width)
 TEST(Widths, ThatAreLargerNeverOpenLess)
 {
     for (std::size_t body = 0; body < 5; ++body) {
-        const CutSkin skin = skin_of(any_closed_primitive(body));
+        const SlitSkin skin = skin_of(any_closed_primitive(body));
         for (std::size_t i = 0; i < 3; ++i) {
             RandomHand hand(skin, 9000 + 16 * body + i);
             std::vector<Incision> cuts{random_single(skin, hand, false)};
@@ -48,7 +48,7 @@ TEST(Widths, ThatAreLargerNeverOpenLess)
 
 TEST(Widths, BeyondAllReasonOpenAsFarAsTheLipsGoRound)
 {
-    const CutSkin skin = skin_of(icosphere(5));
+    const SlitSkin skin = skin_of(icosphere(5));
     Incision cut = cut_on_sphere({{1, -0.2, 0.003}, {1, 0.2, -0.002}}, 0.05, 50);
     const IncisedMesh made = incise(skin, std::vector{cut});
     EXPECT_TRUE(faults_of(made).none());
@@ -77,7 +77,7 @@ Incision scribble(int corners, std::uint64_t seed)
 
 TEST(Scribbles, CostLittleMoreThanTheirFirstAttempt)
 {
-    const CutSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
+    const SlitSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
     for (const int corners : {6, 13, 30}) {
         int attempts = 0;
         const Progress counts = [&](double done, std::string_view) {
@@ -94,7 +94,7 @@ TEST(Scribbles, CostLittleMoreThanTheirFirstAttempt)
 
 TEST(Scribbles, EndWhereTheirProgressThrows)
 {
-    const CutSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
+    const SlitSkin slab = skin_of(box_mesh({2, 2, 0.5}, {24, 24, 6}));
     int attempts = 0;
     const Progress cancels = [&](double, std::string_view) {
         if (++attempts == 2) throw Cancelled();
@@ -107,7 +107,7 @@ TEST(Scribbles, EndWhereTheirProgressThrows)
 TEST(Reach, LeavesTheOtherSideOfAThinBodyWhereItIs)
 {
     for (const double thickness : {0.04, 0.1, 0.25}) {
-        const CutSkin slab = skin_of(box_mesh({2, 2, thickness}, {60, 60, 3}));
+        const SlitSkin slab = skin_of(box_mesh({2, 2, thickness}, {60, 60, 3}));
         const IncisedMesh made = incise(slab, std::vector{over_a_slab(thickness, 0.2)});
         const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
         const Mesh& before = *slab.mesh();
@@ -126,7 +126,7 @@ TEST(Reach, LeavesTheOtherSideOfAThinBodyWhereItIs)
 
 TEST(Reach, KeepsTheSilhouetteOfABallThatIsCutWideOpen)
 {
-    const CutSkin ball = skin_of(icosphere(5));
+    const SlitSkin ball = skin_of(icosphere(5));
     const Incision cut = cut_on_sphere({{1, -0.5, 0.003}, {1, 0.5, -0.002}}, 0.15, 0.4);
     const IncisedMesh made = incise(ball, std::vector{cut});
     const Ref<Mesh> open = opened(made, std::vector<IncisionOpening>(1));
@@ -139,7 +139,7 @@ TEST(Reach, KeepsTheSilhouetteOfABallThatIsCutWideOpen)
 }
 
 // A block whose top has a relief of bumps as large as a few of its triangles.
-CutSkin rough_block()
+SlitSkin rough_block()
 {
     Mesh mesh = box_mesh({2, 2, 1}, {120, 120, 6});
     for (glm::vec3& p : mesh.positions)
@@ -150,7 +150,7 @@ CutSkin rough_block()
 
 TEST(Walls, AreSmoothUnderARoughSkin)
 {
-    const CutSkin skin = rough_block();
+    const SlitSkin skin = rough_block();
     Incision cut;
     cut.depth = 0.15;
     cut.width = 0.08;

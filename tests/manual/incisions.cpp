@@ -28,7 +28,7 @@ struct Counts {
 };
 
 // Adds random demands to incisions beyond their strokes.
-void ask_more(const CutSkin& skin, RandomHand& hand, double share_through,
+void ask_more(const SlitSkin& skin, RandomHand& hand, double share_through,
               std::vector<Incision>& incisions)
 {
     if (!(share_through > 0)) return;
@@ -40,7 +40,7 @@ void ask_more(const CutSkin& skin, RandomHand& hand, double share_through,
     }
 }
 
-void make(const CutSkin& skin, const std::string& body, const std::string& kind, long number,
+void make(const SlitSkin& skin, const std::string& body, const std::string& kind, long number,
           const std::vector<Incision>& incisions, Counts& counts)
 {
     ++counts.sets;
@@ -80,7 +80,7 @@ void make(const CutSkin& skin, const std::string& body, const std::string& kind,
         counts.narrowed_sets += widest < 1;
         counts.least = std::min(counts.least, widest);
         counts.through += through;
-        CutFaults faults = faults_of(made);
+        SlitFaults faults = faults_of(made);
         faults.euler += 2 * through - crossed;
         counts.volume = std::max(counts.volume, std::abs(faults.volume));
         if (!faults.none()) {
@@ -123,7 +123,7 @@ void print(const std::string& kind, const Counts& c)
 
 struct Body {
     std::string name;
-    CutSkin skin;
+    SlitSkin skin;
 };
 
 std::deque<Body> bodies(const std::string& folder)

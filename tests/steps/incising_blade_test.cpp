@@ -21,7 +21,7 @@ Document bladed_ball(const glm::dvec3& at)
     const Document two = after(ball_to_incise(), AddBox{.shape = {.size = {0.1, 0.1, 0.1}},
                                                         .transform = {.translation = at}});
     NamedIncision cut = over_ball({-0.5, -1, 0}, {0.5, -1, 0});
-    cut.cut.opening_profile.shape = CutProfile::Shape::even;
+    cut.cut.opening_profile.shape = IncisionProfile::Shape::even;
     cut.blade = 2;
     return after(two, Incise{1, cut});
 }

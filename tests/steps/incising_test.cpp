@@ -303,7 +303,7 @@ TEST(Incising, RefusesBadInputInASentence)
     EXPECT_THAT(refused([](auto& c) { c.cut.depth = 0; }), says("\"depth\" is 0"));
     EXPECT_THAT(refused([](auto& c) { c.opening.share = 1.5; }), says("\"opening\" is 1.5"));
     EXPECT_THAT(refused([](auto& c) {
-                    c.cut.depth_profile = {CutProfile::Shape::custom, {{0.5, 1}, {0.2, 1}}};
+                    c.cut.depth_profile = {IncisionProfile::Shape::custom, {{0.5, 1}, {0.2, 1}}};
                 }),
                 says("go back"));
     const Document ball = ball_to_incise();

@@ -11,7 +11,7 @@ TEST(NamedIncisions, AreReversedAndMirroredWithAllThatRunsAlongThem)
     NamedIncision one;
     one.cut.stroke = {
         {{-0.5, 0, 1}, {0, 0, 1}}, {{0.1, 0.2, 1}, {0, 0, 1}}, {{0.5, 0, 1}, {0, 0, 1}}};
-    one.cut.opening_profile = {CutProfile::Shape::custom, {{0, 0.2}, {0.3, 1}, {1, 0.4}}};
+    one.cut.opening_profile = {IncisionProfile::Shape::custom, {{0, 0.2}, {0.3, 1}, {1, 0.4}}};
     one.opening = {0.7, 0.1, 0.6};
     const NamedIncision other = reversed(one);
     for (const double x : {0.1, 0.3, 0.55, 0.9}) {

@@ -20,9 +20,9 @@ std::string called(const NamedIncision& incision, int number)
     return incision.name.empty() ? fmt::format("incision {}", number) : incision.name;
 }
 
-void check_profile(std::string_view name, const CutProfile& profile)
+void check_profile(std::string_view name, const IncisionProfile& profile)
 {
-    if (profile.shape == CutProfile::Shape::custom && profile.points.size() < 2)
+    if (profile.shape == IncisionProfile::Shape::custom && profile.points.size() < 2)
         throw Rejected(fmt::format("field \"{}\" has {} points; a custom profile has two at least",
                                    name, profile.points.size()));
     for (std::size_t i = 0; i < profile.points.size(); ++i) {

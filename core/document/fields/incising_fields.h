@@ -7,8 +7,8 @@
 namespace trivar {
 
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<CutProfile::Shape>{"lens", "even",
-                                                                                 "custom"};
+inline constexpr std::array<std::string_view, 3> choice_names<IncisionProfile::Shape>{
+    "lens", "even", "custom"};
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<Incision::Floor>{"v", "u", "through"};
 template <>
@@ -27,7 +27,7 @@ template <> struct FieldsOf<SurfacePoint> {
         field("normal", s.normal, "the normal there", required);
     }
 };
-template <> struct FieldsOf<CutProfile> {
+template <> struct FieldsOf<IncisionProfile> {
     static constexpr std::string_view told_as = "[profile](#profile)";
     static void fields(auto& p, auto&& field)
     {

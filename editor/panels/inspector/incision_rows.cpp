@@ -52,13 +52,13 @@ void choice_row(ValueRows& rows, const char* name, E& value, E rest,
 }
 
 // Edits how a size goes along the cut: a shape, and for a custom one its curve.
-void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProfile::Shape rest,
-                 double size, ui::Color color, int& chosen)
+void profile_row(ValueRows& rows, const char* name, IncisionProfile& profile,
+                 IncisionProfile::Shape rest, double size, ui::Color color, int& chosen)
 {
     const ui::Theme& theme = rows.theme;
     const FieldFacts facts = incision_facts(name);
     const std::string label = label_of(facts.name, facts.rule);
-    constexpr int custom = static_cast<int>(CutProfile::Shape::custom);
+    constexpr int custom = static_cast<int>(IncisionProfile::Shape::custom);
     int shape = static_cast<int>(profile.shape);
     bool open = false;
     rows.row(label, shape, static_cast<int>(rest), RowWords(without_unit(facts.help)),
@@ -68,17 +68,17 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
                  return ui::segments(theme, label, shape, {"Lens", "Even", "Custom"}, row.width);
              });
     std::vector<glm::dvec2> points = custom_points(profile);
-    if (shape == custom && profile.shape != CutProfile::Shape::custom) {
+    if (shape == custom && profile.shape != IncisionProfile::Shape::custom) {
         profile.points = points;
         ui::unfold(label);
     }
-    profile.shape = static_cast<CutProfile::Shape>(shape);
+    profile.shape = static_cast<IncisionProfile::Shape>(shape);
     if (!open) return;
     ImGui::SetCursorScreenPos(
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
     const float width =
         ImGui::GetWindowWidth() - 2 * theme.size.padding - theme.px(ui::key_gutter - 12);
-    const CutProfile drawn = profile;
+    const IncisionProfile drawn = profile;
     const ui::Edit edit = ui::curve_field(theme, label, points, chosen,
                                           {.at = [drawn](double x) { return value_at(drawn, x); },
                                            .lo = 0,
@@ -88,7 +88,7 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
                                            .color = color,
                                            .ends = {"start", "end"}},
                                           width);
-    if (edit == ui::Edit::changed) profile = {CutProfile::Shape::custom, points};
+    if (edit == ui::Edit::changed) profile = {IncisionProfile::Shape::custom, points};
     rows.take(edit);
     ui::tooltip({label,
                  {},
@@ -99,11 +99,11 @@ void profile_row(ValueRows& rows, const char* name, CutProfile& profile, CutProf
 
 } // namespace
 
-std::vector<glm::dvec2> custom_points(const CutProfile& profile)
+std::vector<glm::dvec2> custom_points(const IncisionProfile& profile)
 {
-    if (profile.shape == CutProfile::Shape::custom && profile.points.size() > 1)
+    if (profile.shape == IncisionProfile::Shape::custom && profile.points.size() > 1)
         return profile.points;
-    if (profile.shape == CutProfile::Shape::even) return {{0, 1}, {0.5, 1}, {1, 1}};
+    if (profile.shape == IncisionProfile::Shape::even) return {{0, 1}, {0.5, 1}, {1, 1}};
     return {{0, 0}, {0.25, 0.55}, {0.5, 1}, {0.75, 0.55}, {1, 0}};
 }
 
@@ -133,9 +133,9 @@ void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
     number_row(rows, "reach", number, cut.reach, rest.cut.reach);
     number_row(rows, "from", number, incision.opening.from, rest.opening.from);
     number_row(rows, "to", number, incision.opening.to, rest.opening.to);
-    profile_row(rows, "opening_profile", cut.opening_profile, CutProfile::Shape::lens, cut.width,
-                c.incision, chosen.width);
-    profile_row(rows, "depth_profile", cut.depth_profile, CutProfile::Shape::even, cut.depth,
+    profile_row(rows, "opening_profile", cut.opening_profile, IncisionProfile::Shape::lens,
+                cut.width, c.incision, chosen.width);
+    profile_row(rows, "depth_profile", cut.depth_profile, IncisionProfile::Shape::even, cut.depth,
                 c.lattice, chosen.depth);
 }
 

@@ -16,6 +16,6 @@ void draw_incision_rows(ValueRows& rows, NamedIncision& incision, int number,
                         ChosenCutPoints& chosen);
 
 // The points with which a custom profile begins where the shape was another one.
-std::vector<glm::dvec2> custom_points(const CutProfile& profile);
+std::vector<glm::dvec2> custom_points(const IncisionProfile& profile);
 
 } // namespace trivar

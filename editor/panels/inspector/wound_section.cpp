@@ -159,7 +159,7 @@ void paint_section_words(const ui::Theme& theme, const ui::Rect& box, const Sect
 // Before the soft ends: what a custom profile must say so that this value comes out.
 double before_ends(double x, double value)
 {
-    const double ends = value_at({CutProfile::Shape::even, {}}, x);
+    const double ends = value_at({IncisionProfile::Shape::even, {}}, x);
     return ends > 0.05 ? std::clamp(value / ends, 0.0, 1.0) : std::clamp(value, 0.0, 1.0);
 }
 
@@ -180,10 +180,10 @@ WoundSection section_of(const IncisedSkin& skin, const NamedIncision& incision,
     return out;
 }
 
-CutProfile drawn_over(const CutProfile& profile, glm::dvec2 from, glm::dvec2 to)
+IncisionProfile drawn_over(const IncisionProfile& profile, glm::dvec2 from, glm::dvec2 to)
 {
     if (from.x > to.x) std::swap(from, to);
-    CutProfile out{CutProfile::Shape::custom, {}};
+    IncisionProfile out{IncisionProfile::Shape::custom, {}};
     for (std::size_t i = 0; i <= profile_cells; ++i) {
         const double x = static_cast<double>(i) / profile_cells, half = 0.5 / profile_cells;
         double y = before_ends(x, value_at(profile, x));
@@ -231,7 +231,7 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
         const glm::dvec2 before =
             begun ? now : glm::dvec2(kept.GetFloat(x_id), kept.GetFloat(y_id));
         if (!begun && glm::dvec2(glm::vec2(now)) != before) {
-            CutProfile& profile = gap ? cut.opening_profile : cut.depth_profile;
+            IncisionProfile& profile = gap ? cut.opening_profile : cut.depth_profile;
             profile = drawn_over(profile, before, now);
             edit = ui::Edit::changed;
         }

@@ -26,6 +26,6 @@ ui::Edit draw_wound_section(const ui::Theme& theme, const WoundSection& section,
 
 // The profile with a line drawn over it from one place to another, (share of the length, share of
 // the greatest value): it becomes a custom one.
-CutProfile drawn_over(const CutProfile& profile, glm::dvec2 from, glm::dvec2 to);
+IncisionProfile drawn_over(const IncisionProfile& profile, glm::dvec2 from, glm::dvec2 to);
 
 } // namespace trivar

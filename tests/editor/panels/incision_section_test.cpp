@@ -111,9 +111,10 @@ TEST(IncisionSection, ClearsAllIncisionsOfTheSelection)
 
 TEST(IncisionSection, BeginsACustomProfileLikeTheOneBefore)
 {
-    for (const CutProfile::Shape shape : {CutProfile::Shape::lens, CutProfile::Shape::even}) {
-        const CutProfile before{shape, {}};
-        const CutProfile custom{CutProfile::Shape::custom, custom_points(before)};
+    for (const IncisionProfile::Shape shape :
+         {IncisionProfile::Shape::lens, IncisionProfile::Shape::even}) {
+        const IncisionProfile before{shape, {}};
+        const IncisionProfile custom{IncisionProfile::Shape::custom, custom_points(before)};
         for (double x = 0; x <= 1; x += 0.05)
             EXPECT_NEAR(value_at(custom, x), value_at(before, x), 0.12) << x;
     }
@@ -121,8 +122,8 @@ TEST(IncisionSection, BeginsACustomProfileLikeTheOneBefore)
 
 TEST(WoundSection, ALineOverAProfileChangesItThereOnly)
 {
-    const CutProfile before{CutProfile::Shape::lens, {}};
-    const CutProfile after = drawn_over(before, {0.6, 0.2}, {0.4, 0.3});
+    const IncisionProfile before{IncisionProfile::Shape::lens, {}};
+    const IncisionProfile after = drawn_over(before, {0.6, 0.2}, {0.4, 0.3});
     EXPECT_NEAR(value_at(after, 0.5), 0.25, 0.03);
     for (const double x : {0.1, 0.2, 0.3, 0.7, 0.8, 0.9})
         EXPECT_NEAR(value_at(after, x), value_at(before, x), 0.05) << x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/cut_drawing.h"
+#include "core/incise/slit_drawing.h"
 
 #include "core/base/rejected.h"
 
@@ -39,37 +39,37 @@ std::int64_t rounded_quotient(std::int64_t n, std::int64_t d)
 
 } // namespace
 
-struct CutDrawing::Located {
+struct SlitDrawing::Located {
     std::uint32_t point;
     glm::i64vec2 at;
 };
 
-LatticePoint CutDrawing::point(std::uint32_t number) const
+LatticePoint SlitDrawing::point(std::uint32_t number) const
 {
     const std::uint32_t own = skin_->point_count();
     return number < own ? LatticePoint{LatticePoint::On::point, number, 0, 0}
                         : points_[number - own];
 }
 
-glm::dvec3 CutDrawing::position(std::uint32_t number) const
+glm::dvec3 SlitDrawing::position(std::uint32_t number) const
 {
     return number < skin_->point_count() ? skin_->position(number)
                                          : trivar::position(*skin_, point(number));
 }
 
-const CutDrawing::OnTriangle* CutDrawing::on_triangle(std::uint32_t t) const
+const SlitDrawing::OnTriangle* SlitDrawing::on_triangle(std::uint32_t t) const
 {
     const std::uint32_t i = triangle_number_.find(t);
     return i == KeyNumbers::none ? nullptr : &triangles_[i];
 }
 
-const std::vector<CutDrawing::OnEdge>* CutDrawing::on_edge(std::uint32_t edge) const
+const std::vector<SlitDrawing::OnEdge>* SlitDrawing::on_edge(std::uint32_t edge) const
 {
     const std::uint32_t i = edge_number_.find(edge);
     return i == KeyNumbers::none ? nullptr : &edges_[i];
 }
 
-CutDrawing::OnTriangle& CutDrawing::drawn_on(std::uint32_t t)
+SlitDrawing::OnTriangle& SlitDrawing::drawn_on(std::uint32_t t)
 {
     const auto [i, fresh] = triangle_number_.number(t);
     if (fresh) {
@@ -79,7 +79,7 @@ CutDrawing::OnTriangle& CutDrawing::drawn_on(std::uint32_t t)
     return triangles_[i];
 }
 
-std::pair<std::uint32_t, bool> CutDrawing::number_of(const LatticePoint& p)
+std::pair<std::uint32_t, bool> SlitDrawing::number_of(const LatticePoint& p)
 {
     if (p.on == LatticePoint::On::point) return {p.index, false};
     const auto made = number_of_key_.insert(key_of(p), static_cast<std::uint32_t>(point_count()));
@@ -96,7 +96,7 @@ std::pair<std::uint32_t, bool> CutDrawing::number_of(const LatticePoint& p)
     return made;
 }
 
-std::uint32_t CutDrawing::add(const DrawnChain& chain)
+std::uint32_t SlitDrawing::add(const DrawnChain& chain)
 {
     double s = 0;
     for (std::size_t i = 0; i + 1 < chain.points.size(); ++i) {
@@ -113,14 +113,14 @@ std::uint32_t CutDrawing::add(const DrawnChain& chain)
     return strokes_++;
 }
 
-std::vector<std::uint32_t> CutDrawing::touched() const
+std::vector<std::uint32_t> SlitDrawing::touched() const
 {
     std::vector<std::uint32_t> out = drawn_triangles_;
     std::ranges::sort(out);
     return out;
 }
 
-void CutDrawing::split(std::uint32_t segment, std::uint32_t point)
+void SlitDrawing::split(std::uint32_t segment, std::uint32_t point)
 {
     const Segment g = segments_[segment];
     const double whole = glm::distance(position(g.a), position(g.b));
@@ -133,7 +133,7 @@ void CutDrawing::split(std::uint32_t segment, std::uint32_t point)
 }
 
 // The points of the drawing and the corners in a triangle.
-std::vector<CutDrawing::Located> CutDrawing::located(std::uint32_t t) const
+std::vector<SlitDrawing::Located> SlitDrawing::located(std::uint32_t t) const
 {
     std::vector<Located> out;
     const auto add = [&](std::uint32_t number) {
@@ -149,7 +149,7 @@ std::vector<CutDrawing::Located> CutDrawing::located(std::uint32_t t) const
     return out;
 }
 
-bool CutDrawing::split_at_points(std::uint32_t t)
+bool SlitDrawing::split_at_points(std::uint32_t t)
 {
     const std::vector<Located> points = located(t);
     const auto place = [&](std::uint32_t p) {
@@ -175,7 +175,7 @@ bool CutDrawing::split_at_points(std::uint32_t t)
 }
 
 // Splits the first two segments that cross. The edge of a point that is new concerns `others` too.
-bool CutDrawing::split_at_crossing(std::uint32_t t, std::vector<std::uint32_t>& others)
+bool SlitDrawing::split_at_crossing(std::uint32_t t, std::vector<std::uint32_t>& others)
 {
     struct Line {
         std::uint32_t segment;
@@ -218,7 +218,7 @@ bool CutDrawing::split_at_crossing(std::uint32_t t, std::vector<std::uint32_t>& 
     return false;
 }
 
-void CutDrawing::arrange()
+void SlitDrawing::arrange()
 {
     std::vector<std::uint32_t> first = touched();
     std::deque<std::uint32_t> open(first.begin(), first.end());

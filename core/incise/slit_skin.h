@@ -10,22 +10,22 @@
 
 namespace trivar {
 
-// A SkinPlace is a point of a triangle of a CutSkin.
+// A SkinPlace is a point of a triangle of a SlitSkin.
 struct SkinPlace {
     std::uint32_t triangle = 0;
     glm::dvec3 weights{1, 0, 0}; // of its corners; their sum is 1
 };
 
-// A CutSkin is a mesh made ready to be cut: its triangles between points of the surface, the
+// A SlitSkin is a mesh made ready to be cut: its triangles between points of the surface, the
 // triangles round each, and rays. It is made once for a mesh; a cut then costs as much as its
 // region. Side 3 t + i runs from corner i of triangle t to the next one. Triangles that repeat a
 // point are left out. Building costs O(#C log valence).
-class CutSkin {
+class SlitSkin {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
     enum class Soundness : char { sound, border, tangled }; // tangled: not a disk round a point
 
-    explicit CutSkin(const Ref<RayMesh>& rays);
+    explicit SlitSkin(const Ref<RayMesh>& rays);
 
     const Ref<Mesh>& mesh() const { return mesh_; }
     std::uint32_t point_count() const { return static_cast<std::uint32_t>(positions_.size()); }

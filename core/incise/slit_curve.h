@@ -5,11 +5,11 @@
 
 namespace trivar {
 
-// A CutCurve is a run as a polyline in space, with the direction to its left at each point: across
+// A SlitCurve is a run as a polyline in space, with the direction to its left at each point: across
 // the cut and along the skin, unit, or shorter where there is none (a spur).
-class CutCurve {
+class SlitCurve {
 public:
-    CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward);
+    SlitCurve(const SlitRun& run, const SlitDrawing& drawing, const Inward& inward);
 
     struct Foot {
         std::size_t segment;

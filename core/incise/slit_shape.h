@@ -16,19 +16,19 @@ struct LeftOut {
     bool wall(std::size_t w) const { return !none() && walls[w]; }
 };
 
-// A CutShape is the state of all cuts in a skin after the passes of incise().
-struct CutShape {
-    const CutDrawing& drawing;
+// A SlitShape is the state of all cuts in a skin after the passes of incise().
+struct SlitShape {
+    const SlitDrawing& drawing;
     std::size_t point_count; // of the drawing, when this was made: it may have got more since
     const Inward& inward;
-    const CutColumns& columns;
+    const SlitColumns& columns;
     double step; // depth of one of depth_steps
-    std::vector<CutRun> runs;
-    std::vector<CutPiece> pieces;
+    std::vector<SlitRun> runs;
+    std::vector<SlitPiece> pieces;
     SlitGraph graph;
-    CutPatch patch;
-    CutWalls walls;
-    std::vector<CutTerm> terms;
+    SlitPatch patch;
+    SlitWalls walls;
+    std::vector<SlitTerm> terms;
     LeftOut left_out = {};
 
     // Numbers of vertices: those of the drawing's points, then those that cutting made.
@@ -38,19 +38,19 @@ struct CutShape {
     glm::dvec3 rest_position(std::uint32_t vertex) const;
 };
 
-inline std::uint32_t CutShape::base_point(std::uint32_t vertex) const
+inline std::uint32_t SlitShape::base_point(std::uint32_t vertex) const
 {
     const std::size_t first = point_count;
     return vertex < first ? vertex : graph.nodes[walls.made[vertex - first].node].point;
 }
 
-inline double CutShape::depth(std::uint32_t vertex) const
+inline double SlitShape::depth(std::uint32_t vertex) const
 {
     const std::size_t first = point_count;
     return vertex < first ? 0 : walls.made[vertex - first].depth * step;
 }
 
-inline glm::dvec3 CutShape::rest_position(std::uint32_t vertex) const
+inline glm::dvec3 SlitShape::rest_position(std::uint32_t vertex) const
 {
     const std::uint32_t base = base_point(vertex);
     const double below = depth(vertex);

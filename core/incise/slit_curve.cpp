@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/cut_curve.h"
+#include "core/incise/slit_curve.h"
 
 #include "core/base/unit.h"
 
@@ -14,9 +14,9 @@ constexpr int most_misses = 3; // segments further away than the best, before a 
 
 } // namespace
 
-CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& inward)
+SlitCurve::SlitCurve(const SlitRun& run, const SlitDrawing& drawing, const Inward& inward)
 {
-    for (const CutRun::At& at : run.at) {
+    for (const SlitRun::At& at : run.at) {
         s_.push_back(at.s);
         points_.push_back(drawing.position(at.point));
         up_.push_back(unit_or_zero(inward.outward(drawing.point(at.point))));
@@ -46,7 +46,7 @@ CutCurve::CutCurve(const CutRun& run, const CutDrawing& drawing, const Inward& i
     }
 }
 
-std::size_t CutCurve::segment_at(double s) const
+std::size_t SlitCurve::segment_at(double s) const
 {
     const auto next = std::ranges::upper_bound(s_, s) - s_.begin();
     return static_cast<std::size_t>(
@@ -54,20 +54,20 @@ std::size_t CutCurve::segment_at(double s) const
            1;
 }
 
-double CutCurve::share(double s, std::size_t segment) const
+double SlitCurve::share(double s, std::size_t segment) const
 {
     const double length = s_[segment + 1] - s_[segment];
     return length > 0 ? std::clamp((s - s_[segment]) / length, 0.0, 1.0) : 0;
 }
 
-glm::dvec3 CutCurve::mixed(const std::vector<glm::dvec3>& values, double s,
-                           std::size_t segment) const
+glm::dvec3 SlitCurve::mixed(const std::vector<glm::dvec3>& values, double s,
+                            std::size_t segment) const
 {
     const double t = share(s, segment);
     return (1 - t) * values[segment] + t * values[segment + 1];
 }
 
-CutCurve::Foot CutCurve::foot_on(const glm::dvec3& p, std::size_t segment) const
+SlitCurve::Foot SlitCurve::foot_on(const glm::dvec3& p, std::size_t segment) const
 {
     const glm::dvec3 a = points_[segment], d = points_[segment + 1] - a;
     const double length2 = glm::dot(d, d);
@@ -76,8 +76,8 @@ CutCurve::Foot CutCurve::foot_on(const glm::dvec3& p, std::size_t segment) const
             glm::distance(p, a + t * d)};
 }
 
-CutCurve::Foot CutCurve::foot(const glm::dvec3& p, std::size_t from, std::size_t first,
-                              std::size_t last) const
+SlitCurve::Foot SlitCurve::foot(const glm::dvec3& p, std::size_t from, std::size_t first,
+                                std::size_t last) const
 {
     Foot best = foot_on(p, from);
     for (const bool up : {false, true}) {

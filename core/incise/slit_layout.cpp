@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/cut_layout.h"
+#include "core/incise/slit_layout.h"
 
 #include "core/base/finite.h"
 #include "core/incise/trace.h"
@@ -30,7 +30,7 @@ const char* unfit(const Incision& incision)
 }
 
 // The parts of a stroke that meet the skin.
-std::vector<StrokePart> parts_on(const CutSkin& skin, const Incision& incision, double reach)
+std::vector<StrokePart> parts_on(const SlitSkin& skin, const Incision& incision, double reach)
 {
     const std::vector<std::optional<SkinPlace>> all = skin.locate(incision.stroke, reach);
     const double whole = length_of(incision.stroke);
@@ -47,10 +47,10 @@ std::vector<StrokePart> parts_on(const CutSkin& skin, const Incision& incision, 
 }
 
 // Draws all strokes that can be drawn, and tells whose they are.
-std::vector<DrawnStroke> draw(CutDrawing& drawing, std::span<const Incision> all, double reach,
+std::vector<DrawnStroke> draw(SlitDrawing& drawing, std::span<const Incision> all, double reach,
                               std::vector<IncisedMesh::Outcome>& outcomes)
 {
-    const CutSkin& skin = drawing.skin();
+    const SlitSkin& skin = drawing.skin();
     std::vector<DrawnStroke> strokes;
     for (std::uint32_t k = 0; k < all.size(); ++k) {
         if (const char* const why = unfit(all[k])) {
@@ -69,11 +69,11 @@ std::vector<DrawnStroke> draw(CutDrawing& drawing, std::span<const Incision> all
     return strokes;
 }
 
-std::vector<std::uint32_t> region_of_cuts(const CutLayout& layout)
+std::vector<std::uint32_t> region_of_cuts(const SlitLayout& layout)
 {
     std::vector<std::uint32_t> region = layout.drawing.touched();
-    for (const CutRun& run : layout.runs)
-        for (const CutRun::At& at : run.at)
+    for (const SlitRun& run : layout.runs)
+        for (const SlitRun::At& at : run.at)
             for (const std::uint32_t t :
                  triangles_round(layout.drawing.skin(), layout.drawing.point(at.point)))
                 region.push_back(t);
@@ -81,11 +81,11 @@ std::vector<std::uint32_t> region_of_cuts(const CutLayout& layout)
 }
 
 // The directions of columns in the region of the cuts.
-void find_inward(CutLayout& layout, std::span<const Incision> all)
+void find_inward(SlitLayout& layout, std::span<const Incision> all)
 {
     layout.inward.emplace(layout.drawing.skin(), region_of_cuts(layout));
     std::vector<Inward::Source> sources;
-    for (const CutRun& run : layout.runs)
+    for (const SlitRun& run : layout.runs)
         for (std::size_t i = 0; i <= run.last; ++i) {
             const std::uint32_t point = run.at[i].point;
             const double length =
@@ -99,7 +99,7 @@ void find_inward(CutLayout& layout, std::span<const Incision> all)
 
 // The far sides of runs that go through, by run. Where columns along the skin's normals are of no
 // use, parallel ones may be.
-std::vector<FarSide> far_sides(CutLayout& layout, std::span<const Incision> all)
+std::vector<FarSide> far_sides(SlitLayout& layout, std::span<const Incision> all)
 {
     std::vector<FarSide> out(layout.runs.size());
     std::vector<char> parallel(layout.runs.size(), 0);
@@ -107,7 +107,7 @@ std::vector<FarSide> far_sides(CutLayout& layout, std::span<const Incision> all)
         again = false;
         layout.columns = columns_of(layout.runs, parallel, layout.drawing, *layout.inward, all);
         for (std::size_t r = 0; r < layout.runs.size(); ++r) {
-            if (layout.runs[r].kind != CutRun::Kind::through) continue;
+            if (layout.runs[r].kind != SlitRun::Kind::through) continue;
             FarSide found = far_side(layout.runs[r], layout.drawing, *layout.columns);
             if (!found.refusal.empty() && !parallel[r]) parallel[r] = again = true;
             out[r] = std::move(found);
@@ -116,20 +116,20 @@ std::vector<FarSide> far_sides(CutLayout& layout, std::span<const Incision> all)
     return out;
 }
 
-bool same_points(const CutRun& a, const CutRun& b)
+bool same_points(const SlitRun& a, const SlitRun& b)
 {
-    return std::ranges::equal(a.at, b.at, {}, &CutRun::At::point, &CutRun::At::point);
+    return std::ranges::equal(a.at, b.at, {}, &SlitRun::At::point, &SlitRun::At::point);
 }
 
 // Where cuts cross they have one column, and so one last row.
-void meet_at_crossings(CutLayout& layout)
+void meet_at_crossings(SlitLayout& layout)
 {
     KeyNumbers number;
     std::vector<double> least;
     const auto visit = [&](const auto& use) { // use(depth, number of the crossing)
-        for (const ThroughCut& cut : layout.throughs)
-            for (const ThroughCut::Step& each : cut.crossings) {
-                CutRun::At& at = layout.runs[cut.near].at[each.near];
+        for (const ThroughSlit& cut : layout.throughs)
+            for (const ThroughSlit::Step& each : cut.crossings) {
+                SlitRun::At& at = layout.runs[cut.near].at[each.near];
                 const auto [n, fresh] = number.number(at.point);
                 if (fresh) least.push_back(at.depth);
                 use(at.depth, n);
@@ -140,20 +140,20 @@ void meet_at_crossings(CutLayout& layout)
 }
 
 // Draws the far sides of all runs that go through. Why one cannot goes to its shortfall.
-void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
+void go_through(SlitLayout& layout, std::span<const Incision> all, int rows,
                 std::vector<DrawnStroke>& strokes, Shortfalls& shortfalls)
 {
-    const CutSkin& skin = layout.drawing.skin();
+    const SlitSkin& skin = layout.drawing.skin();
     for (std::uint32_t r = 0; r < layout.runs.size(); ++r) {
-        if (layout.runs[r].kind != CutRun::Kind::through) continue;
+        if (layout.runs[r].kind != SlitRun::Kind::through) continue;
         std::string& shortfall = shortfalls[layout.runs[r].incision];
         shortfall = tangle_of(layout.runs, r, layout.drawing, *layout.inward);
         if (!shortfall.empty()) return;
     }
-    const std::vector<CutRun> before = layout.runs;
+    const std::vector<SlitRun> before = layout.runs;
     const std::vector<FarSide> far = far_sides(layout, all);
     for (std::uint32_t r = 0; r < before.size(); ++r) {
-        if (before[r].kind != CutRun::Kind::through) continue;
+        if (before[r].kind != SlitRun::Kind::through) continue;
         std::string& shortfall = shortfalls[before[r].incision];
         shortfall = far[r].refusal;
         if (!shortfall.empty()) continue;
@@ -171,12 +171,12 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
     layout.drawing.arrange();
     layout.runs = runs_of(layout.drawing, strokes, all);
     for (std::size_t r = 0; r < before.size(); ++r) layout.runs[r].kind = before[r].kind;
-    for (const ThroughCut& cut : layout.throughs)
-        layout.runs[cut.far].kind = CutRun::Kind::far_side;
+    for (const ThroughSlit& cut : layout.throughs)
+        layout.runs[cut.far].kind = SlitRun::Kind::far_side;
     const int row_count = std::max(2, rows);
     const double last_row = static_cast<double>(row_count - 1) / row_count;
-    for (ThroughCut& cut : std::views::reverse(layout.throughs)) { // the later one gives way
-        CutRun &near_run = layout.runs[cut.near], &far_run = layout.runs[cut.far];
+    for (ThroughSlit& cut : std::views::reverse(layout.throughs)) { // the later one gives way
+        SlitRun &near_run = layout.runs[cut.near], &far_run = layout.runs[cut.far];
         std::string& shortfall = shortfalls[near_run.incision];
         if (!same_points(near_run, before[cut.near]))
             shortfall = "its other side crosses a cut";
@@ -194,27 +194,28 @@ void go_through(CutLayout& layout, std::span<const Incision> all, int rows,
             near_run.at[i].depth = incision.bevel > 0 ? depth - bevel : last_row * depth;
         }
         far_run.near_length = near_run.length;
-        for (const ThroughCut::Step& step : cut.zip) far_run.at[step.far].depth = depths[step.near];
+        for (const ThroughSlit::Step& step : cut.zip)
+            far_run.at[step.far].depth = depths[step.near];
     }
     meet_at_crossings(layout);
 }
 
 } // namespace
 
-std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> all,
-                                    double reach, int rows,
-                                    std::vector<IncisedMesh::Outcome>& outcomes,
-                                    Shortfalls& shortfalls)
+std::unique_ptr<SlitLayout> laid_out(const SlitSkin& skin, std::span<const Incision> all,
+                                     double reach, int rows,
+                                     std::vector<IncisedMesh::Outcome>& outcomes,
+                                     Shortfalls& shortfalls)
 {
-    auto layout = std::make_unique<CutLayout>(skin);
+    auto layout = std::make_unique<SlitLayout>(skin);
     std::vector<DrawnStroke> strokes = draw(layout->drawing, all, reach, outcomes);
     layout->runs = runs_of(layout->drawing, strokes, all);
     find_inward(*layout, all);
     bool any = false;
-    for (CutRun& run : layout->runs)
+    for (SlitRun& run : layout->runs)
         if (all[run.incision].floor == Incision::Floor::through &&
             shortfalls[run.incision].empty()) {
-            run.kind = CutRun::Kind::through;
+            run.kind = SlitRun::Kind::through;
             any = true;
         }
     if (!any) {

@@ -8,18 +8,18 @@
 
 namespace trivar {
 
-// A CutLayout is where cuts lie: their lines on both sides of the skin, and the ways of their
+// A SlitLayout is where cuts lie: their lines on both sides of the skin, and the ways of their
 // columns. It stays where it is made, as its parts know each other.
-struct CutLayout {
-    explicit CutLayout(const CutSkin& skin) : drawing(skin) {}
-    CutLayout(const CutLayout&) = delete;
-    CutLayout& operator=(const CutLayout&) = delete;
+struct SlitLayout {
+    explicit SlitLayout(const SlitSkin& skin) : drawing(skin) {}
+    SlitLayout(const SlitLayout&) = delete;
+    SlitLayout& operator=(const SlitLayout&) = delete;
 
-    CutDrawing drawing;
-    std::vector<CutRun> runs;
+    SlitDrawing drawing;
+    std::vector<SlitRun> runs;
     std::optional<Inward> inward;
-    std::optional<CutColumns> columns;
-    std::vector<ThroughCut> throughs;
+    std::optional<SlitColumns> columns;
+    std::vector<ThroughSlit> throughs;
 };
 
 // Shortfalls say, by incision, why one that was to go through the body has a floor; empty: it goes
@@ -29,9 +29,9 @@ using Shortfalls = std::vector<std::string>;
 // Lays all incisions that can be drawn; the outcome of others says why not. Those with a shortfall
 // have a floor. No layout: one more of them cannot go through, and its shortfall says why. `reach`
 // and `rows` are those of the options of incise().
-std::unique_ptr<CutLayout> laid_out(const CutSkin& skin, std::span<const Incision> incisions,
-                                    double reach, int rows,
-                                    std::vector<IncisedMesh::Outcome>& outcomes,
-                                    Shortfalls& shortfalls);
+std::unique_ptr<SlitLayout> laid_out(const SlitSkin& skin, std::span<const Incision> incisions,
+                                     double reach, int rows,
+                                     std::vector<IncisedMesh::Outcome>& outcomes,
+                                     Shortfalls& shortfalls);
 
 } // namespace trivar

@@ -14,9 +14,9 @@ struct DrawnChain {
     double from = 0, to = 1;              // shares of the stroke's length that it covers
 };
 
-// A CutDrawing is a graph of straight segments on a skin: all strokes of its cuts. Points have
-// numbers: those of the skin their own, others from CutSkin::point_count() on.
-class CutDrawing {
+// A SlitDrawing is a graph of straight segments on a skin: all strokes of its cuts. Points have
+// numbers: those of the skin their own, others from SlitSkin::point_count() on.
+class SlitDrawing {
 public:
     struct Segment {
         std::uint32_t a, b, stroke;
@@ -32,8 +32,8 @@ public:
         auto operator<=>(const OnEdge&) const = default;
     };
 
-    explicit CutDrawing(const CutSkin& skin) : skin_(&skin) {}
-    const CutSkin& skin() const { return *skin_; }
+    explicit SlitDrawing(const SlitSkin& skin) : skin_(&skin) {}
+    const SlitSkin& skin() const { return *skin_; }
 
     // Adds a chain as the next stroke and returns its number. Places that are none are left out.
     std::uint32_t add(const DrawnChain& chain);
@@ -65,7 +65,7 @@ private:
     bool split_at_points(std::uint32_t t);
     bool split_at_crossing(std::uint32_t t, std::vector<std::uint32_t>& others);
 
-    const CutSkin* skin_;
+    const SlitSkin* skin_;
     std::vector<LatticePoint> points_; // by number from the skin's on
     std::vector<Segment> segments_;
     std::uint32_t strokes_ = 0;

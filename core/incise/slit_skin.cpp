@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/incise/cut_skin.h"
+#include "core/incise/slit_skin.h"
 
 #include "core/base/finite.h"
 #include "core/base/unit.h"
@@ -32,7 +32,7 @@ SkinPlace place_in(const std::array<glm::dvec3, 3>& p, std::uint32_t t, const gl
 
 } // namespace
 
-CutSkin::CutSkin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays}})
+SlitSkin::SlitSkin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_({{rays}})
 {
     const Mesh& mesh = *mesh_;
     const std::size_t points =
@@ -80,7 +80,7 @@ CutSkin::CutSkin(const Ref<RayMesh>& rays) : mesh_(rays, &rays->mesh()), scene_(
     judge_points();
 }
 
-void CutSkin::judge_points()
+void SlitSkin::judge_points()
 {
     std::vector<std::uint32_t> valence(positions_.size(), 0);
     normals_.assign(positions_.size(), glm::dvec3(0));
@@ -110,14 +110,14 @@ void CutSkin::judge_points()
     diagonal_ = glm::length(box.size());
 }
 
-glm::dvec3 CutSkin::area_normal(std::uint32_t t) const
+glm::dvec3 SlitSkin::area_normal(std::uint32_t t) const
 {
     const glm::uvec3& p = triangles_[t];
     return glm::cross(positions_[p.y] - positions_[p.x], positions_[p.z] - positions_[p.x]);
 }
 
-std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoint> points,
-                                                      double reach) const
+std::vector<std::optional<SkinPlace>> SlitSkin::locate(std::span<const SurfacePoint> points,
+                                                       double reach) const
 {
     std::vector<std::optional<SkinPlace>> out(points.size());
     std::vector<std::size_t> lost(points.size());
@@ -150,7 +150,7 @@ std::vector<std::optional<SkinPlace>> CutSkin::locate(std::span<const SurfacePoi
     return out;
 }
 
-std::vector<std::optional<Hit>> CutSkin::hits_below(std::span<const Ray> rays) const
+std::vector<std::optional<Hit>> SlitSkin::hits_below(std::span<const Ray> rays) const
 {
     std::vector<Ray> below(rays.begin(), rays.end());
     const double skipped = least_thickness * usual_edge_;
@@ -161,7 +161,7 @@ std::vector<std::optional<Hit>> CutSkin::hits_below(std::span<const Ray> rays) c
     return hits;
 }
 
-std::vector<double> CutSkin::thickness(std::span<const Ray> rays) const
+std::vector<double> SlitSkin::thickness(std::span<const Ray> rays) const
 {
     std::vector<double> out;
     for (const std::optional<Hit>& hit : hits_below(rays))
@@ -169,13 +169,13 @@ std::vector<double> CutSkin::thickness(std::span<const Ray> rays) const
     return out;
 }
 
-std::uint32_t CutSkin::own_triangle(const Hit& hit) const
+std::uint32_t SlitSkin::own_triangle(const Hit& hit) const
 {
     const auto number = static_cast<std::uint32_t>(hit.triangle);
     return own_number_.empty() ? number : own_number_[number];
 }
 
-std::vector<std::optional<CutSkin::Opposite>> CutSkin::opposite(std::span<const Ray> rays) const
+std::vector<std::optional<SlitSkin::Opposite>> SlitSkin::opposite(std::span<const Ray> rays) const
 {
     std::vector<std::optional<Opposite>> out;
     for (const std::optional<Hit>& hit : hits_below(rays)) {
