@@ -11,7 +11,7 @@ namespace trivar {
 // Joins pairs of neighbours, the best ones first, for as long as the rules allow.
 class ChartTree::Joining {
 public:
-    Joining(ChartTree& tree, const CutSurface& surface, const ChartRules& rules,
+    Joining(ChartTree& tree, const ManifoldSurface& surface, const ChartRules& rules,
             const Progress& progress)
         : nodes_(tree.nodes_),
           surface_(surface),
@@ -84,7 +84,7 @@ private:
         seam_.assign(mesh.corners.size(), 0);
         for (std::uint32_t s = 0; s < seam_.size(); ++s) {
             now_and_then(1);
-            if (surface_.behind(s) == CutSurface::none) continue;
+            if (surface_.behind(s) == ManifoldSurface::none) continue;
             const std::uint32_t f = surface_.adjacency().face(s),
                                 g = surface_.adjacency().face(surface_.behind(s));
             const Node &a = nodes_[node_of_face_[f]], &b = nodes_[node_of_face_[g]];
@@ -104,7 +104,7 @@ private:
     std::uint32_t behind(std::uint32_t side)
     {
         const std::uint32_t other = surface_.behind(side);
-        return other == CutSurface::none ? none : holder(other);
+        return other == ManifoldSurface::none ? none : holder(other);
     }
 
     // Offers a node to its neighbours of smaller numbers.
@@ -186,7 +186,7 @@ private:
         bool operator()(const auto& x, const auto& y) const { return x > y; }
     };
     std::vector<Node>& nodes_;
-    const CutSurface& surface_;
+    const ManifoldSurface& surface_;
     double least_straight_;
     std::vector<std::uint32_t> node_of_face_;
     std::vector<std::uint32_t> top_;  // by node: one that holds it, or itself
@@ -198,7 +198,8 @@ private:
     std::priority_queue<Offer, std::vector<Offer>, Later> best_;
 };
 
-ChartTree::ChartTree(const CutSurface& surface, const ChartRules& rules, const Progress& progress)
+ChartTree::ChartTree(const ManifoldSurface& surface, const ChartRules& rules,
+                     const Progress& progress)
 {
     Joining(*this, surface, rules, progress);
     for (std::uint32_t node = 0; node < nodes_.size(); ++node)

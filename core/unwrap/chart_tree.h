@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/unwrap/cut_surface.h"
+#include "core/unwrap/manifold_surface.h"
 
 namespace trivar {
 
@@ -29,7 +29,8 @@ struct ChartRules {
 class ChartTree {
 public:
     // Builds the tree. `progress` is called every few milliseconds; its throw cancels.
-    ChartTree(const CutSurface& surface, const ChartRules& rules, const Progress& progress = {});
+    ChartTree(const ManifoldSurface& surface, const ChartRules& rules,
+              const Progress& progress = {});
 
     static constexpr std::uint32_t none = ~0u;
     const std::vector<std::uint32_t>& charts() const

@@ -46,8 +46,8 @@ Fans fans_of(const Mesh& mesh)
 
 class Flattening {
 public:
-    Flattening(const CutSurface& surface, const ChartTree& tree, const Fans& fans, double scale,
-               const UnwrapOptions& options)
+    Flattening(const ManifoldSurface& surface, const ChartTree& tree, const Fans& fans,
+               double scale, const UnwrapOptions& options)
         : surface_(surface),
           tree_(tree),
           fans_(fans),
@@ -166,7 +166,7 @@ private:
         for (glm::dvec2& p : map) p *= factor;
     }
 
-    const CutSurface& surface_;
+    const ManifoldSurface& surface_;
     const ChartTree& tree_;
     const Fans& fans_;
     double scale_;
@@ -195,7 +195,7 @@ void each_triangle(const UnwrapInput& input, const std::vector<std::uint32_t>& c
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         for (std::size_t t = mesh.face_begin[f] - 2 * f; t < mesh.face_begin[f + 1] - 2 * (f + 1);
              ++t) {
-            if (chart[f] == CutSurface::none) continue;
+            if (chart[f] == ManifoldSurface::none) continue;
             std::array<glm::dvec3, 3> p;
             std::array<glm::dvec2, 3> uv;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -258,7 +258,7 @@ Unwrapped unwrapped_here(std::span<const UnwrapInput> meshes, const UnwrapOption
                      share = 0.9 / static_cast<double>(meshes.size());
         report(progress, begin, "charts");
         const Mesh& mesh = *meshes[m].mesh;
-        const CutSurface surface(mesh);
+        const ManifoldSurface surface(mesh);
         const Progress joining = part_of(progress, begin, begin + 0.4 * share);
         const ChartTree tree(surface, {options.seam_angle, options.spread}, joining);
         report(progress, begin + 0.4 * share, "flatten");
@@ -278,7 +278,7 @@ Unwrapped unwrapped_here(std::span<const UnwrapInput> meshes, const UnwrapOption
         for (const std::size_t each : divided) out.facts.divided += each;
         out.facts.left_out += surface.left_out();
         out.uvs.emplace_back(mesh.corners.size(), glm::vec2(0));
-        out.chart.emplace_back(mesh.face_count(), CutSurface::none);
+        out.chart.emplace_back(mesh.face_count(), ManifoldSurface::none);
     }
     const Progress packing_progress = part_of(progress, 0.9, 1);
     std::vector<std::vector<glm::dvec2>> outlines;

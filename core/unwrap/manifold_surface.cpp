@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/unwrap/cut_surface.h"
+#include "core/unwrap/manifold_surface.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace trivar {
 
-CutSurface::CutSurface(const Mesh& mesh)
+ManifoldSurface::ManifoldSurface(const Mesh& mesh)
     : mesh_(mesh),
       adjacency_(mesh),
       takes_part_(mesh.face_count(), 1),

@@ -5,13 +5,13 @@
 
 namespace trivar {
 
-// A CutSurface is a mesh as it is cut into charts: a surface that is manifold everywhere. Where
-// edges have other than two faces, which run along them in opposite directions, and where faces
-// touch in nothing but a point, it is split; faces that use a point twice are left out. O(#C log
-// valence).
-class CutSurface {
+// A ManifoldSurface is a mesh as it is cut into charts: a surface that is manifold everywhere.
+// Where edges have other than two faces, which run along them in opposite directions, and where
+// faces touch in nothing but a point, it is split; faces that use a point twice are left out. O(#C
+// log valence).
+class ManifoldSurface {
 public:
-    explicit CutSurface(const Mesh& mesh);
+    explicit ManifoldSurface(const Mesh& mesh);
 
     static constexpr std::uint32_t none = ~0u;
     const Mesh& mesh() const { return mesh_; }
