@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/cell_lattice.h"
-#include "core/simplex/curved_cuts.h"
+#include "core/simplex/curved_tears.h"
 #include "core/simplex/side_difference.h"
 
 #include <algorithm>
@@ -413,7 +413,7 @@ private:
     const SimplexField& field_;
     const SimplexDomain<3>& domain_;
     std::vector<bool> inside_;
-    CurvedCuts cuts_;
+    CurvedTears cuts_;
     double level_;
     CellLattice lattice_;
     std::vector<Point> points_;

@@ -11,7 +11,7 @@ namespace trivar {
 // range, on the edges of pieces, and have the direction of its gradient as their normals. The
 // border of the domain, and the cut faces at which only one side is in the body, belong to the
 // surface. Cut faces are curved, with normals that go smoothly from one face to the next
-// (CurvedCuts), and f is marched up to the flat faces under them.
+// (CurvedTears), and f is marched up to the flat faces under them.
 //   inside  one flag per cell: the cuts lie between the two parts; empty: there are none
 //   steps   each cell has steps^3 pieces
 // Points are those of Mesh::points: each edge has as many triangles on one side as on the other.

@@ -2,7 +2,7 @@
 #include "core/stages/simplex_bending.h"
 
 #include "core/base/parallel.h"
-#include "core/stages/simplex_cuts.h"
+#include "core/stages/simplex_tears.h"
 
 #include <algorithm>
 

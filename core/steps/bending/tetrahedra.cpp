@@ -4,7 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/simplex/function_surface.h"
-#include "core/stages/simplex_cuts.h"
+#include "core/stages/simplex_tears.h"
 #include "core/stages/standing.h"
 
 #include <fmt/format.h>

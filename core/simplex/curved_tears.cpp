@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simplex/curved_cuts.h"
+#include "core/simplex/curved_tears.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ std::size_t at(int i)
 
 } // namespace
 
-CurvedCuts::CurvedCuts(const SimplexDomain<3>& domain, const std::vector<bool>& inside)
+CurvedTears::CurvedTears(const SimplexDomain<3>& domain, const std::vector<bool>& inside)
     : domain_(domain)
 {
     normals_.assign(domain.vertex_count(), glm::dvec3(0));
@@ -60,7 +60,7 @@ CurvedCuts::CurvedCuts(const SimplexDomain<3>& domain, const std::vector<bool>& 
 }
 
 // The mean of a cubic triangle is that of its ten control points.
-void CurvedCuts::keep_volume()
+void CurvedTears::keep_volume()
 {
     for (std::size_t v = 0; v < normals_.size(); ++v)
         corners_.push_back(domain_.vertex(static_cast<int>(v)));
@@ -85,20 +85,20 @@ void CurvedCuts::keep_volume()
         if (area[v] > 0) corners_[v] -= normals_[v] * (bulge[v] / area[v]);
 }
 
-glm::dvec3 CurvedCuts::towards(int from, int to) const
+glm::dvec3 CurvedTears::towards(int from, int to) const
 {
     const glm::dvec3 p = corners_[at(from)], q = corners_[at(to)];
     return (2.0 * p + q - glm::dot(q - p, normal(from)) * normal(from)) / 3.0;
 }
 
-glm::dvec3 CurvedCuts::on_edge(int a, int b, double t) const
+glm::dvec3 CurvedTears::on_edge(int a, int b, double t) const
 {
     const double s = 1 - t;
     return corners_[at(a)] * (s * s * s) + towards(a, b) * (3 * s * s * t) +
            towards(b, a) * (3 * s * t * t) + corners_[at(b)] * (t * t * t);
 }
 
-glm::dvec3 CurvedCuts::rounded(const std::array<int, 3>& v, const glm::dvec3& w) const
+glm::dvec3 CurvedTears::rounded(const std::array<int, 3>& v, const glm::dvec3& w) const
 {
     glm::dvec3 flat(0);
     for (int k = 0; k < 3; ++k)

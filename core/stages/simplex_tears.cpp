@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/stages/simplex_cuts.h"
+#include "core/stages/simplex_tears.h"
 
 #include "core/split/sever.h"
 

@@ -7,15 +7,15 @@
 
 namespace trivar {
 
-// CurvedCuts round the faces between two parts of the cells of a domain: each flat face becomes a
+// CurvedTears round the faces between two parts of the cells of a domain: each flat face becomes a
 // cubic triangle through its corners that has the faces' mean normals there [Vlachos, Peters, Boyd,
 // Mitchell, Curved PN Triangles, I3D 2001], moved so that these lie in the mean where the flat ones
 // do and the parts keep their volumes. Neighbours meet along their edges, and those on the border
 // stay in it where it is flat.
-class CurvedCuts {
+class CurvedTears {
 public:
     // One flag per cell; the normals go from inside to outside. O(n log n) of the cells.
-    CurvedCuts(const SimplexDomain<3>& domain, const std::vector<bool>& inside);
+    CurvedTears(const SimplexDomain<3>& domain, const std::vector<bool>& inside);
 
     // Returns the unit normal at a vertex on a cut; 0 at others.
     const glm::dvec3& normal(int vertex) const
