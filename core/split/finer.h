@@ -11,7 +11,7 @@ struct FineMesh {
     std::vector<double> heights; // #V x #openings: over each cut surface
     // Upper bounds, in metres, of the distance between triangles and the true surface: for uncut
     // and for cut triangles.
-    double off = 0, cut_off = 0;
+    double off = 0, cut_error = 0;
 };
 
 // Splits the triangles near the openings of a field, at the middles of their edges, until all are

@@ -356,7 +356,7 @@ SplitMesh split_all(FineMesh fine, const Parting& parting)
         take_sides_of_caps(all, cut_mesh, caps, i);
         if (options.closing == SplitClosing::stitched) sew(cut_mesh, caps, field, i);
         out.off =
-            std::max({out.off, fine.cut_off + moved, bound_of(cut_mesh, caps, error, i) + moved});
+            std::max({out.off, fine.cut_error + moved, bound_of(cut_mesh, caps, error, i) + moved});
         out.fans += caps.fans;
         out.gaps += caps.gaps;
         if (options.closing != SplitClosing::stitched) out.open += caps.open;

@@ -89,7 +89,7 @@ struct UnwrappingEffects {
 };
 struct CuttingEffects {
     std::size_t pieces = 0; // into which it is cut; 0: nothing cuts it
-    double cut_off = 0;     // metres: bound of the distance of its cuts from curved cut surfaces
+    double cut_error = 0;   // metres: bound of the distance of its cuts from curved cut surfaces
     // The distance by which the part above each of its own cuts stands off its place, in its own
     // space; the part below stands off as far the other way.
     std::vector<glm::dvec3> cuts_open = {};

@@ -252,7 +252,7 @@ void tell_of_cuts(Stage& stage, const CuttingStep::Pieces& pieces, const CutsOf&
         if (has(pieces.touches & ~pieces.goes_through, i))
             stage.notices.push_back(fmt::format(
                 "its cut {} only touches it, so nothing comes off; move the cut into it", i + 1));
-    stage.cut_off = std::max(stage.cut_off, pieces.off);
+    stage.cut_error = std::max(stage.cut_error, pieces.off);
     stage.pieces = stage.parts.size();
     std::ranges::move(notices_of(pieces.caps), std::back_inserter(stage.notices));
     if (pieces.off > cutting.tolerance)
