@@ -85,6 +85,12 @@ void HeadlessFrames::draw_little()
     resize(size_px_);
 }
 
+void HeadlessFrames::draw_whole()
+{
+    little_ = false;
+    resize(size_px_);
+}
+
 void HeadlessFrames::lose_context(const std::function<void()>& forget)
 {
     forget();

@@ -26,8 +26,9 @@ public:
     int settle(const DrawFrame& body, int limit = 100);
     Image picture() const;           // of the last frame
     void resize(glm::ivec2 size_px); // from the next frame on
-    // Draws one pixel of each frame, where nobody looks at its picture.
+    // Draws one pixel of each frame, where nobody looks at its picture; and all of it again.
     void draw_little();
+    void draw_whole();
     // Simulates a reset of the graphics card: `forget` drops the body's objects, the context ends
     // and another one begins.
     void lose_context(const std::function<void()>& forget);

@@ -14,7 +14,8 @@
 
 namespace trivar::testing {
 
-// The whole editor without a screen, driven by the mouse and keys of nobody.
+// A Rig is the whole editor without a screen, driven by the mouse and keys of nobody. Its pictures
+// are as cheap as they can be, as hardly a test looks at one; draw_whole() is for those that do.
 struct Rig {
     explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {},
                  const std::string& unnamed_folder = {}, OnFailure on_failure = OnFailure::pass_on)
@@ -22,6 +23,9 @@ struct Rig {
           screen(size, options),
           editor([] {}, all_actions(), unnamed_folder, on_failure)
     {
+        screen.draw_little();
+        editor.preferences.quality = "draft";
+        editor.preferences.pace = "240";
     }
     glm::ivec2 size_px;
     ui::HeadlessFrames screen;
@@ -30,6 +34,12 @@ struct Rig {
     ui::DrawFrame body()
     {
         return [this](ui::Frame& frame) { draw_editor(editor, frame); };
+    }
+    void draw_whole()
+    {
+        screen.draw_whole();
+        editor.preferences.quality = Preferences{}.quality;
+        editor.preferences.pace = Preferences{}.pace;
     }
     void frames(int count = 3) { screen.frames(count, body()); }
     // Until nothing works in the background any more.
@@ -101,14 +111,8 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
-    // Makes pictures as cheap as they can be, for tests that look at none.
-    void draw_cheaply()
-    {
-        screen.draw_little();
-        editor.preferences.quality = "draft";
-        editor.preferences.pace = "240";
-        editor.preferences.hints = false; // a card of them lies over the view
-    }
+    // Leaves the card of hints away, which lies over the view.
+    void leave_out_hints() { editor.preferences.hints = false; }
     Layout layout() const
     {
         return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences,

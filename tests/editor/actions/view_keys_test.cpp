@@ -20,6 +20,7 @@ using ::testing::ElementsAre, ::testing::IsEmpty;
 // The window at rest.
 std::vector<std::uint8_t> picture(Rig& rig)
 {
+    rig.draw_whole();
     rig.wait();
     rig.screen.settle(rig.body(), 400);
     return rig.screen.picture().rgba;

@@ -21,6 +21,7 @@ using testing::Rig;
 // The picture of the viewport, first row on top, once it is whole.
 std::vector<std::uint8_t> shown(Rig& rig, glm::ivec2 size_px, int most_frames = 400)
 {
+    rig.draw_whole();
     rig.wait();
     rig.screen.settle(rig.body(), most_frames);
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size_px.x) * size_px.y * 4);
