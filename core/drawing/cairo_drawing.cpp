@@ -38,8 +38,9 @@ void paint_line(cairo_t* cairo, const InkedLine& line)
         if (is_one_stroke(line)) {
             for (const InkedLine::Point& p : piece.points)
                 cairo_line_to(cairo, double{p.at.x}, double{p.at.y});
-            const double dashes[2]{4, 4};
-            cairo_set_dash(cairo, dashes, line.dashed ? 2 : 0, 0);
+            const double dash = dash_of(line), dashes[2]{dash, dash};
+            cairo_set_dash(cairo, dashes, dash > 0 ? 2 : 0, piece.along);
+            cairo_set_line_cap(cairo, dash > 0 ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
             cairo_set_line_width(cairo, double{width_of(line)});
             cairo_stroke(cairo);
         } else {
@@ -57,7 +58,6 @@ void paint(cairo_surface_t* surface, const DrawingSheet& drawing)
         use_color(cairo.get(), *drawing.paper, 1);
         cairo_paint(cairo.get());
     }
-    cairo_set_line_cap(cairo.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
     for (const DrawingLayer& layer : drawing.layers)
         for (const bool hidden : {true, false})

@@ -17,6 +17,8 @@ struct DrawingSheet {
     // What an .svg lists as drawn, see line_list(), where a hand's edits were done to the lines
     // since; empty: the lines as they are.
     std::string list = {};
+    // The .svg that the edits are of: an .svg is written into it; see updated_svg().
+    std::string earlier = {};
 };
 
 } // namespace trivar

@@ -24,7 +24,8 @@ struct HandEdits {
     };
     std::map<std::string, Edit> by_line; // by line_id(); lines that are as drawn are not in it
     std::map<std::string, std::vector<LineRecord>> lines; // of the .svg, by layer_id()
-    std::size_t added = 0; // paths that are not of its list: they are not carried over
+    std::string svg = {};                                 // its text
+    std::size_t added = 0; // a person's own elements in it, that stay there
 };
 
 } // namespace trivar

@@ -2,39 +2,18 @@
 #include "core/drawing/hand_edits.h"
 
 #include "core/base/rejected.h"
-#include "core/drawing/line_list.h"
+#include "core/drawing/drawn_svg.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fmt/format.h>
-#include <pugixml.hpp>
 
 namespace trivar {
 namespace {
 
 constexpr float same_width = 0.011f; // pixels; a list tells widths to a hundredth
-
-// An attribute of an element, or the property of its style of that name, which counts more.
-std::string value_of(const pugi::xml_node& node, std::string_view name)
-{
-    const std::string_view style = node.attribute("style").as_string();
-    for (std::size_t at = 0; at < style.size();) {
-        const std::size_t end = std::min(style.find(';', at), style.size());
-        std::string_view one = style.substr(at, end - at);
-        at = end + 1;
-        const std::size_t colon = one.find(':');
-        if (colon == one.npos) continue;
-        const auto trimmed = [](std::string_view s) {
-            while (!s.empty() && s.front() <= ' ') s.remove_prefix(1);
-            while (!s.empty() && s.back() <= ' ') s.remove_suffix(1);
-            return s;
-        };
-        if (trimmed(one.substr(0, colon)) == name)
-            return std::string(trimmed(one.substr(colon + 1)));
-    }
-    return node.attribute(std::string(name).c_str()).as_string();
-}
 
 std::optional<float> length_of(const std::string& text) // pixels
 {
@@ -49,109 +28,107 @@ std::optional<float> length_of(const std::string& text) // pixels
     return std::nullopt;
 }
 
-std::optional<glm::vec3> color_of(const std::string& text)
+std::optional<glm::vec3> hex_color_of(std::string_view digits)
 {
     unsigned value = 0;
-    if (text.size() != 7 || text[0] != '#') return std::nullopt;
-    const auto [at, trouble] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-    if (trouble != std::errc() || at != text.data() + 7) return std::nullopt;
+    const auto [at, trouble] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (trouble != std::errc() || at != digits.data() + digits.size()) return std::nullopt;
+    if (digits.size() == 3) return glm::vec3(value >> 8, value >> 4 & 0xF, value & 0xF) / 15.0f;
+    if (digits.size() != 6) return std::nullopt;
     return glm::vec3(value >> 16, value >> 8 & 0xFF, value & 0xFF) / 255.0f;
 }
 
-// An id without the number of the path, "bone-s1a_2": "bone-s1a".
-std::string without_number(const std::string& id)
+// A colour as programs write it: #f00, #ff0000, rgb(255,0,0) or by one of the names of HTML 4.
+std::optional<glm::vec3> color_of(const std::string& text)
 {
-    const std::size_t at = id.rfind('_');
-    const bool numbered = at != id.npos && at + 1 < id.size() &&
-                          std::all_of(id.begin() + static_cast<std::ptrdiff_t>(at) + 1, id.end(),
-                                      [](char c) { return c >= '0' && c <= '9'; });
-    return numbered ? id.substr(0, at) : id;
+    constexpr std::pair<std::string_view, std::string_view> named[] = {
+        {"black", "000000"},  {"silver", "c0c0c0"}, {"gray", "808080"},   {"white", "ffffff"},
+        {"maroon", "800000"}, {"red", "ff0000"},    {"purple", "800080"}, {"fuchsia", "ff00ff"},
+        {"green", "008000"},  {"lime", "00ff00"},   {"olive", "808000"},  {"yellow", "ffff00"},
+        {"navy", "000080"},   {"blue", "0000ff"},   {"teal", "008080"},   {"aqua", "00ffff"},
+        {"cyan", "00ffff"},   {"magenta", "ff00ff"}};
+    if (text.starts_with('#')) return hex_color_of(std::string_view(text).substr(1));
+    for (const auto& [name, digits] : named)
+        if (text == name) return hex_color_of(digits);
+    int r = 0, g = 0, b = 0, end = 0;
+    if (std::sscanf(text.c_str(), "rgb(%d ,%d ,%d )%n", &r, &g, &b, &end) != 3 ||
+        static_cast<std::size_t>(end) != text.size() || std::min({r, g, b}) < 0 ||
+        std::max({r, g, b}) > 255)
+        return std::nullopt;
+    return glm::vec3(r, g, b) / 255.0f;
 }
 
 class EditReader {
 public:
-    explicit EditReader(const std::map<std::string, ListedLine>& listed) : listed_(listed)
+    EditReader(std::string_view svg, const DrawnSvg& drawn) : svg_(svg), drawn_(drawn) {}
+    HandEdits operator()()
     {
-        for (const auto& [id, line] : listed) {
+        for (const auto& [id, line] : drawn_.listed) {
             out_.by_line[id] = {.deleted = true, .layer = line.layer, .listed = line.text};
             out_.lines[line.layer].push_back(line.record);
         }
-    }
-    HandEdits operator()(const pugi::xml_node& svg)
-    {
-        look(svg);
+        for (const auto& [own, i] : drawn_.paths)
+            if (!drawn_.off[i]) found(own, i);
         std::erase_if(out_.by_line, [](const auto& one) {
             const HandEdits::Edit& e = one.second;
             return !e.deleted && e.widening == 1 && !e.color;
         });
+        out_.svg = svg_;
+        out_.added = drawn_.own;
         return std::move(out_);
     }
 
 private:
-    void look(const pugi::xml_node& root)
+    void found(const std::string& own, std::size_t i)
     {
-        struct Place {
-            pugi::xml_node node;
-            bool off;
-        };
-        std::vector<Place> open{{root, false}};
-        while (!open.empty()) {
-            const Place at = open.back();
-            open.pop_back();
-            if (at.node.name() == std::string_view("defs")) continue;
-            const bool off = at.off || value_of(at.node, "display") == "none" ||
-                             value_of(at.node, "visibility") == "hidden";
-            if (at.node.name() == std::string_view("path") && !off) found(at.node);
-            for (const pugi::xml_node& child : at.node.children()) open.push_back({child, off});
-        }
-    }
-    void found(const pugi::xml_node& path)
-    {
-        const std::string own = path.attribute("id").as_string(), id = without_number(own);
-        const auto listed = listed_.find(id);
-        if (listed == listed_.end()) {
-            ++out_.added;
-            return;
-        }
+        const std::string id = without_number(own);
+        const auto listed = drawn_.listed.find(id);
+        if (listed == drawn_.listed.end()) return; // the list is lost
         HandEdits::Edit& edit = out_.by_line[id];
         edit.deleted = false;
         if (own != id) return; // the first path of a line counts
         const ListedLine& line = listed->second;
-        const std::string stroke = value_of(path, "stroke"), fill = value_of(path, "fill");
+        const std::string stroke = look(i, "stroke"), fill = look(i, "fill");
         const bool stroked = !stroke.empty() && stroke != "none";
-        if (const float width = width_in(path, stroked, line);
+        if (const float width = width_in(i, stroked, line);
             line.width > 0 && std::abs(width - line.width) > same_width)
             edit.widening = width / line.width;
-        const std::string color = stroked && !line.outline ? stroke : fill;
-        if (color != line.color) edit.color = color_of(color);
+        const auto color = color_of(stroked && !line.outline ? stroke : fill);
+        if (color && hex_color(*color) != line.color) edit.color = color;
+    }
+    std::string look(std::size_t i, std::string_view property) const
+    {
+        const SvgElement& e = drawn_.elements[i];
+        return look_of(svg_.substr(e.begin, e.tag_end - e.begin), property, drawn_.classes);
     }
     // The width that a line has where a hand gave it a stroke.
-    static float width_in(const pugi::xml_node& path, bool stroked, const ListedLine& line)
+    float width_in(std::size_t i, bool stroked, const ListedLine& line) const
     {
-        const std::string told = value_of(path, "stroke-width");
+        const std::string told = look(i, "stroke-width");
         const std::optional<float> width = told.empty() ? 1 : length_of(told);
         if (!stroked || !width) return line.widened;
         return line.outline ? line.widened + *width : *width;
     }
 
-    const std::map<std::string, ListedLine>& listed_;
+    std::string_view svg_;
+    const DrawnSvg& drawn_;
     HandEdits out_;
 };
 
 } // namespace
 
+std::optional<HandEdits> hand_edits_of(std::string_view svg)
+{
+    const std::optional<DrawnSvg> drawn = drawn_svg(svg);
+    if (!drawn) return std::nullopt;
+    return EditReader(svg, *drawn)();
+}
+
 HandEdits read_hand_edits(std::string_view svg)
 {
-    pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(svg.data(), svg.size());
-    if (!parsed) throw Rejected(std::string("it is no .svg: ") + parsed.description());
-    const pugi::xml_node root = document.document_element();
-    const pugi::xml_node list = root.find_node([](const pugi::xml_node& node) {
-        return node.attribute("id").as_string() == line_list_id;
-    });
-    if (!list) throw Rejected("it has no list of lines: it was not drawn here, or lost its <desc>");
-    const std::map<std::string, ListedLine> listed = listed_lines(list.text().as_string());
-    return EditReader(listed)(root);
+    if (std::optional<HandEdits> edits = hand_edits_of(svg)) return std::move(*edits);
+    throw Rejected("it has no list of lines: it was not drawn here, or lost its <desc>");
 }
 
 LineIds& EditedLineIds::operator()(const std::string& layer_name)
@@ -175,13 +152,14 @@ std::string words_of(const AppliedEdits& edits)
     if (!edits.other_layers.empty())
         out += fmt::format(" (no layer is called {})", fmt::join(edits.other_layers, ", "));
     if (edits.added > 0)
-        out += ", " + counted(edits.added, "path", "paths") + " of the hand's own left out";
+        out += ", " + counted(edits.added, "element", "elements") + " of the hand's own kept";
     return out;
 }
 
 AppliedEdits apply(const HandEdits& edits, DrawingSheet& drawing)
 {
     drawing.list = line_list(drawing, edits);
+    drawing.earlier = edits.svg;
     const std::vector<std::string> ids = layer_ids(drawing.layers);
     std::set<std::string> done;
     for (std::size_t i = 0; i < ids.size(); ++i) {

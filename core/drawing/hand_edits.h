@@ -14,11 +14,13 @@ namespace trivar {
 
 inline constexpr std::uintmax_t most_edited_bytes = 256 << 20; // of an .svg that is read
 
-// Reads the edits out of the text of an .svg, as an editor of drawings saved it. Lengths of strokes
-// are read from the attribute stroke-width or from the style; transforms are not looked at. A
+// Reads the edits out of the text of an .svg, as an editor of drawings saved it. Widths and colours
+// are read from styles, classes and attributes; transforms are not looked at. A
 // stroke that a hand gave to an outline makes it wider by as much in the middle of the line, and
 // the colour of an outline is that of its fill. Of a line in several paths the first one counts.
-// Throws Rejected for what is no .svg or has no list of lines.
+// Nothing where no line of it was drawn here. Throws Rejected as svg_elements() does.
+std::optional<HandEdits> hand_edits_of(std::string_view svg);
+// The same. Throws Rejected, too, where no line of it was drawn here.
 HandEdits read_hand_edits(std::string_view svg);
 
 // An EditedLineIds gives the lines of new drawings the ids that they have in an .svg.
@@ -42,7 +44,8 @@ struct AppliedEdits {
 std::string words_of(const AppliedEdits& edits); // "2 edits by hand were done again", and so on
 
 // Does the edits to a drawing. Its list is that of the lines before, so that an .svg of it differs
-// from its list by all edits, and they can be read from it again.
+// from its list by all edits, and they can be read from it again; and an .svg of it has what else
+// is in the one that the edits are of.
 AppliedEdits apply(const HandEdits& edits, DrawingSheet& drawing);
 
 } // namespace trivar

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <sstream>
 
@@ -132,7 +131,7 @@ std::string layer_id(std::string_view name)
 
 std::vector<std::string> names_apart(std::vector<std::string> names)
 {
-    std::set<std::string> taken{std::string(line_list_id)};
+    std::set<std::string> taken{std::string(line_list_id), std::string(paper_id)};
     for (std::string& name : names) {
         const std::string own = name.empty() ? layer_id(name) : name;
         for (int n = 2; !taken.insert(layer_id(name)).second; ++n)
@@ -150,15 +149,17 @@ std::vector<std::string> layer_ids(std::span<const DrawingLayer> layers)
     return out;
 }
 
+std::string short_number(double value)
+{
+    std::string out = fmt::format("{:.1f}", value);
+    if (out.ends_with(".0")) out.resize(out.size() - 2);
+    return out == "-0" ? "0" : out;
+}
+
 std::string hex_color(const glm::vec3& color)
 {
     const glm::ivec3 c(glm::round(glm::clamp(color, 0.0f, 1.0f) * 255.0f));
     return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
-}
-
-float width_of(const InkedLine& line)
-{
-    return line.points.empty() ? 0 : line.points[line.points.size() / 2].width;
 }
 
 std::string line_id(const std::string& layer_id, const InkedLine& line)
@@ -168,7 +169,9 @@ std::string line_id(const std::string& layer_id, const InkedLine& line)
 
 std::string line_list(const DrawingSheet& drawing, const HandEdits& edits)
 {
-    std::string out;
+    std::string out =
+        fmt::format("\nsheet {} {} {}", short_number(drawing.size.x), short_number(drawing.size.y),
+                    drawing.paper ? hex_color(*drawing.paper) : "none");
     std::set<std::string> listed;
     const std::vector<std::string> ids = layer_ids(drawing.layers);
     for (std::size_t i = 0; i < ids.size(); ++i)
@@ -184,6 +187,22 @@ std::string line_list(const DrawingSheet& drawing, const HandEdits& edits)
     for (const auto& [id, edit] : edits.by_line)
         if (edit.deleted && !listed.contains(id)) out += "\n" + edit.listed;
     return out + "\n";
+}
+
+std::optional<std::string> layer_of_line(const std::string& id)
+{
+    const std::optional<ListedLine> line = parts_of(id);
+    return line ? std::optional(line->layer) : std::nullopt;
+}
+
+std::optional<ListedSheet> listed_sheet(std::string_view text)
+{
+    std::istringstream words{std::string(text.substr(0, text.find('\n', text.find("sheet"))))};
+    std::string first;
+    ListedSheet out;
+    if (!(words >> first >> out.width >> out.height >> out.paper) || first != "sheet")
+        return std::nullopt;
+    return out;
 }
 
 std::map<std::string, ListedLine> listed_lines(std::string_view text)

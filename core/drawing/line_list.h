@@ -5,6 +5,7 @@
 #include "core/drawing/edited_lines.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@ namespace trivar {
 
 // The id of the element of an .svg that has the list of its lines.
 inline constexpr std::string_view line_list_id = "trivar-lines";
+inline constexpr std::string_view paper_id = "trivar-paper"; // of the <rect> behind all lines
 
 // The id of a layer in files, of its name: letters of all languages, digits and points stay, and
 // each other letter becomes a dash.
@@ -23,8 +25,6 @@ std::vector<std::string> layer_ids(std::span<const DrawingLayer> layers); // no 
 // lines that are drawn for one stroke have the same.
 std::string line_id(const std::string& layer_id, const InkedLine& line);
 std::string hex_color(const glm::vec3& color); // "#8040ff" of sRGB, 0 .. 1
-// The width that a line of one width has in a file; of others, that of their middle.
-float width_of(const InkedLine& line);
 
 // A ListedLine is a line as it was drawn into a file.
 struct ListedLine {
@@ -37,13 +37,25 @@ struct ListedLine {
     LineRecord record = {};
 };
 
-// A text that lists the lines of a drawing, one per line of text: id, width, colour, and points in
-// whole voxels, each as its difference from the one before, about one per 4 voxels of length. The
-// width of an outline is told twice, as 2.60/3.10: before and after the edits that will be done to
-// it. Lines that they delete are listed, too, also where they are not in this drawing.
+// A ListedSheet is the sheet as it was drawn into a file.
+struct ListedSheet {
+    std::string width, height; // short_number(), pixels
+    std::string paper;         // hex_color(), or "none"
+};
+
+std::string short_number(double value); // with at most one digit after the point
+
+// A text that lists the sheet and the lines of a drawing, one per line of text: id, width, colour,
+// and points in whole voxels, each as its difference from the one before, about one per 4 voxels of
+// length. The width of an outline is told twice, as 2.60/3.10: before and after the edits that will
+// be done to it. Lines that they delete are listed, too, also where they are not in this drawing.
 std::string line_list(const DrawingSheet& drawing, const HandEdits& edits = {});
 
-// Reads such a list: its lines by their ids. Lines of text that are damaged are left out.
+// Reads such a list: its lines by their ids. Lines of text that are damaged are left out. Lists of
+// earlier versions have no sheet.
 std::map<std::string, ListedLine> listed_lines(std::string_view text);
+std::optional<ListedSheet> listed_sheet(std::string_view text);
+// The layer_id() in a line_id(); nothing where it is none.
+std::optional<std::string> layer_of_line(const std::string& id);
 
 } // namespace trivar

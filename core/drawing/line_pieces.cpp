@@ -12,18 +12,33 @@ std::vector<LinePiece> pieces_of(const InkedLine& line)
     std::vector<LinePiece> out;
     const std::span<const InkedLine::Point> all(line.points);
     std::size_t begin = 0;
-    for (std::size_t i = 1; i < all.size(); ++i)
+    double along = 0, begun = 0;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        along += glm::distance(glm::dvec2(all[i - 1].at), glm::dvec2(all[i].at));
         if (shade(all[i].color) != shade(all[begin].color)) {
-            out.push_back({all.subspan(begin, i - begin + 1), all[begin].color});
+            out.push_back({all.subspan(begin, i - begin + 1), all[begin].color, begun});
             begin = i;
+            begun = along;
         }
-    if (begin + 1 < all.size()) out.push_back({all.subspan(begin), all[begin].color});
+    }
+    if (begin + 1 < all.size()) out.push_back({all.subspan(begin), all[begin].color, begun});
     return out;
 }
 
 bool is_one_stroke(const InkedLine& line)
 {
     return line.is_even() || line.dashed;
+}
+
+float width_of(const InkedLine& line)
+{
+    return line.points.empty() ? 0 : line.points[line.points.size() / 2].width;
+}
+
+double dash_of(const InkedLine& line)
+{
+    constexpr double shortest = 4, widths = 3; // shorter ones would be dots
+    return line.dashed ? std::max(shortest, widths * double{width_of(line)}) : 0;
 }
 
 std::vector<glm::dvec2> outline_of(std::span<const InkedLine::Point> points)

@@ -14,15 +14,15 @@
 namespace trivar {
 namespace {
 
-// Reads the edits by hand in the .svg that is about to be written anew; empty if it was not drawn
-// here.
+// Reads the edits in an .svg that is about to be written anew; none if not drawn here. Throws
+// Rejected for one that cannot be read, rather than lose what a person did to it.
 HandEdits edits_of_earlier(const std::string& path)
 {
     if (drawing_format(path) != DrawingFormat::svg || !std::filesystem::exists(path)) return {};
     try {
-        return read_hand_edits(read_bytes(path, most_edited_bytes));
-    } catch (const Rejected&) {
-        return {};
+        return hand_edits_of(read_bytes(path, most_edited_bytes)).value_or(HandEdits{});
+    } catch (const Rejected& rejected) {
+        throw Rejected(fmt::format("{}; delete it first, or give another name", rejected.what()));
     }
 }
 

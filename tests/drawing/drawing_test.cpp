@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/drawing/drawing_file.h"
+#include "core/drawing/line_pieces.h"
 #include "core/drawing/svg.h"
 #include "tests/drawing/two_lines.h"
 
+#include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace trivar::testing {
@@ -51,6 +54,25 @@ TEST(Svg, HasAPathForEachPieceOfOneColor)
     EXPECT_EQ(paths(plain), 1u);
     EXPECT_GT(paths(hues), 20u);
     EXPECT_THAT(plain, HasSubstr("d=\"M0 10 1 10 2 10"));
+}
+
+TEST(Svg, CarriesDashesOnFromPieceToPiece)
+{
+    std::vector<InkedLine> lines =
+        inked(two_lines(),
+              {.color_by = LineColor::hue_by_slope, .taper = 0, .hidden = HiddenLines::dashed});
+    std::erase_if(lines, [](const InkedLine& line) { return !line.dashed; });
+    ASSERT_EQ(lines.size(), 1u);
+    const std::vector<LinePiece> pieces = pieces_of(lines[0]);
+    ASSERT_GT(pieces.size(), 10u);
+    for (const LinePiece& piece : pieces)
+        EXPECT_NEAR(piece.along, double{piece.points.front().at.x}, 1e-4);
+    const std::string text = svg_of({{{"a", lines}}, {100, 100}});
+    const double dash = dash_of(lines[0]);
+    EXPECT_GE(dash, 3 * double{lines[0].points[0].width}) << "longer than wide";
+    EXPECT_THAT(text, HasSubstr(fmt::format("stroke-dasharray=\"{0:.2f} {0:.2f}\" "
+                                            "stroke-dashoffset=\"{1:.2f}\" stroke-linecap=\"butt\"",
+                                            dash, std::fmod(pieces[3].along, 2 * dash))));
 }
 
 TEST(DrawingFiles, AreAllThatTheirNamesSay)
