@@ -2,7 +2,6 @@
 #include "gpu/volume_mirror.h"
 
 #include "core/base/rejected.h"
-#include "core/level/level_mesh.h"
 #include "gpu/context.h"
 
 #include <algorithm>

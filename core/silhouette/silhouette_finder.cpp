@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t bricks_per_view_block = 32;
 
-// Returns the product of view and normal at a vertex, as crossed.comp does. A parallel view needs
-// no position; the 0 that it would add changes no sign.
+// Returns the product of view and normal at a vertex. A parallel view needs no position; the 0
+// that it would add changes no sign.
 template <bool from_an_eye>
 [[gnu::always_inline]] inline float product(const LevelMesh& level, std::size_t v,
                                             const glm::vec4& h)
@@ -43,11 +43,6 @@ void find_products(const LevelMesh& level, const glm::vec4& h, std::size_t begin
     }
 }
 
-float product(const LevelMesh& level, std::size_t v, const glm::vec4& h)
-{
-    return h.w == 0 ? product<false>(level, v, h) : product<true>(level, v, h);
-}
-
 } // namespace
 
 Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const LevelMesh& level,
@@ -60,28 +55,6 @@ Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const 
     const std::size_t tested = find_triangles(level);
     Silhouettes out = curves(field, level, view, options);
     out.tested = tested;
-    return out;
-}
-
-Silhouettes SilhouetteFinder::operator()(const ScalarField<float>& field, const LevelMesh& level,
-                                         const ViewPoint& view,
-                                         std::span<const std::uint32_t> triangles,
-                                         const SilhouetteOptions& options)
-{
-    const glm::vec4 h(view.at);
-    check(view);
-    product_.resize(level.positions.size());
-    crossed_.resize(1);
-    crossed_[0].clear();
-    std::size_t b = 0;
-    for (const std::uint32_t t : triangles) {
-        while (level.bricks[b].triangle_end <= t) ++b;
-        const std::array<std::uint32_t, 3> corners = level.vertices(level.bricks[b], t);
-        for (const std::uint32_t v : corners) product_[v] = product(level, v, h);
-        add_crossed(corners.data(), signs_of(corners.data(), product_.data()), crossed_[0]);
-    }
-    Silhouettes out = curves(field, level, view, options);
-    out.tested = triangles.size();
     return out;
 }
 

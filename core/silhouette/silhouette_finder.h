@@ -5,8 +5,6 @@
 #include "core/silhouette/edge_chains.h"
 #include "core/silhouette/silhouettes.h"
 
-#include <span>
-
 namespace trivar {
 
 // SilhouetteFinder finds the silhouettes of a level, view by view. The signs of <V, n> at the
@@ -25,11 +23,6 @@ public:
     // Throws Rejected if the view has no direction.
     Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
                            const ViewPoint& view, const SilhouetteOptions& options = {});
-    // Finds the same curves if the triangles in which the sign of <V, n> changes are known.
-    // `triangles`: their numbers, ascending.
-    Silhouettes operator()(const ScalarField<float>& field, const LevelMesh& level,
-                           const ViewPoint& view, std::span<const std::uint32_t> triangles,
-                           const SilhouetteOptions& options = {});
     // The triangles of a mesh's first bricks in which the sign changes, in the order of the mesh.
     std::vector<CrossedTriangle> crossed(const LevelMesh& level, const ViewPoint& view,
                                          std::size_t bricks);

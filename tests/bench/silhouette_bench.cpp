@@ -7,8 +7,6 @@
 #include "core/mesh/primitives.h"
 #include "core/silhouette/certified.h"
 #include "core/voxels/read_volume.h"
-#include "gpu/context.h"
-#include "gpu/silhouette/device_silhouettes.h"
 #include "tests/silhouette/scenes.h"
 #include "tests/support/fixtures.h"
 
@@ -178,42 +176,6 @@ BENCHMARK_CAPTURE(silhouette_view, waves, "waves")
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(silhouette_view, cranium, "cranium")
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-
-// The same with the graphics card finding the triangles: all of it, and what the card does alone.
-void silhouette_device_view(benchmark::State& state, const char* name, bool all)
-{
-    const BenchVolume* volume = bench_volume(name);
-    if (lacks(volume, state)) return;
-    const gpu::HeadlessContext context(true);
-    gpu::Programs programs;
-    gpu::DeviceSilhouettes device;
-    device.take(make_ref(LevelMesh(volume->mesh)));
-    SilhouetteFinder find;
-    int step = 0;
-    device.crossed(programs, turned_view(step));
-    for (auto _ : state) {
-        const ViewPoint view = turned_view(++step);
-        const std::vector<std::uint32_t>& crossed = device.crossed(programs, view);
-        if (all) find(volume->field->field(), volume->mesh, view, crossed);
-    }
-    state.SetLabel(gpu::describe_context());
-}
-BENCHMARK_CAPTURE(silhouette_device_view, gauss, "gauss", true)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK_CAPTURE(silhouette_device_view, waves, "waves", true)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK_CAPTURE(silhouette_device_view, cranium, "cranium", true)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK_CAPTURE(silhouette_device_view, waves_card_alone, "waves", false)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

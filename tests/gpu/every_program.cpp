@@ -7,7 +7,6 @@
 #include "gpu/passes/lines.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
-#include "gpu/silhouette/device_silhouettes.h"
 #include "gpu/tiles/tile_sieve.h"
 
 #include <fmt/format.h>
@@ -112,7 +111,6 @@ std::vector<ProgramName> every_program()
     out.push_back({"mesh", "mask", {"COPIES", "TILES", "FOOTPRINTS"}});
     out.push_back({"", "", {}, "arithmetic"});
     for (const ProgramName& name : TileSieve::programs()) out.push_back(name);
-    for (const ProgramName& name : DeviceSilhouettes::programs()) out.push_back(name);
     for (const ProgramName& name : pyramid_programs()) out.push_back(name);
     for (const VertexOutputs outputs :
          {VertexOutputs::positions, VertexOutputs::normals, VertexOutputs::tangents})
