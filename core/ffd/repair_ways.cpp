@@ -2,6 +2,7 @@
 #include "core/ffd/repair_ways.h"
 
 #include "core/base/index.h"
+#include "core/base/unit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,9 +66,7 @@ glm::dvec3 ground_normal(const Lattice& lattice, const glm::ivec3& ground, int a
         if (!neighbour(knots, high[axes[a]], 1)) high = ground;
         along[a] = world(lattice, high) - world(lattice, low);
     }
-    const glm::dvec3 n = glm::cross(along[0], along[1]) * (axis == 1 ? -1.0 : 1.0) * double(sign);
-    const double length = glm::length(n);
-    return length > 0 ? n / length : glm::dvec3(0);
+    return unit_or_zero(glm::cross(along[0], along[1]) * (axis == 1 ? -1.0 : 1.0) * double(sign));
 }
 
 // Returns the heights nearest to the given ones, in least squares, that rise by at least `gap` per
@@ -279,9 +278,7 @@ std::vector<PointMove> smoothed_directions(const RepairSite& site, const Lattice
     const auto direction = [&](glm::ivec3 i) {
         const glm::dvec3 p = world(lattice, i);
         i[axis] = site.options().ground_layer;
-        const glm::dvec3 along = p - world(lattice, i);
-        const double length = glm::length(along);
-        return length > 0 ? along / length : glm::dvec3(0);
+        return unit_or_zero(p - world(lattice, i));
     };
     std::vector<PointMove> moves;
     for (const glm::ivec3& ground : site.columns(lattice.displacement, verdicts))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/birth.h"
 
+#include "core/base/unit.h"
+
 #include <algorithm>
 #include <array>
 
@@ -22,12 +24,6 @@ void extend(std::vector<Value>& values, const std::vector<BirthVertex>& births, 
     if (values.empty()) return;
     values.reserve(values.size() + births.size());
     for (const BirthVertex& v : births) values.push_back(make(v));
-}
-
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise)
-{
-    const float length = glm::length(v);
-    return length > 0 ? v / length : otherwise;
 }
 
 // The four heaviest joints of all, with weights scaled to the sum 1.

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/base/unit.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -123,10 +124,7 @@ void FacetSurface::place(std::span<const glm::dvec3> points)
                 normals_[net_->point(c, k)] += std::atan2(length, glm::dot(a, b)) / length * n;
         }
     }
-    for (glm::dvec3& n : normals_) {
-        const double length = glm::length(n);
-        n = length > 0 ? n / length : glm::dvec3(0, 0, 1);
-    }
+    for (glm::dvec3& n : normals_) n = unit_or(n, {0, 0, 1});
 }
 
 glm::dvec3 FacetSurface::position(const ChartPlace& at) const
@@ -136,9 +134,7 @@ glm::dvec3 FacetSurface::position(const ChartPlace& at) const
 
 glm::dvec3 FacetSurface::normal(const ChartPlace& at) const
 {
-    const glm::dvec3 n = bilinear(net_->chart(at.chart), normals_, at.uv);
-    const double length = glm::length(n);
-    return length > 0 ? n / length : glm::dvec3(0, 0, 1);
+    return unit_or(bilinear(net_->chart(at.chart), normals_, at.uv), {0, 0, 1});
 }
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/base/unit.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -97,9 +98,7 @@ glm::dvec3 across_both(const LimitJet& jet)
 
 SurfaceFrame frame_of(const LimitJet& jet)
 {
-    const glm::dvec3 cross = across_both(jet);
-    const double area = glm::length(cross);
-    const glm::dvec3 n = area > 0 ? cross / area : glm::dvec3(0, 0, 1);
+    const glm::dvec3 n = unit_or(across_both(jet), {0, 0, 1});
     const double e = glm::dot(jet.u, jet.u), f = glm::dot(jet.u, jet.v), g = glm::dot(jet.v, jet.v),
                  d = e * g - f * f;
     if (!(d > 0)) return {n, glm::dvec3(0), glm::dvec3(0)};
@@ -233,9 +232,8 @@ glm::dvec3 LimitSurface::normal(const ChartPlace& at) const
     if (const double length = glm::length(n); length > 1e-14 * diagonal_ * diagonal_)
         return n / length;
     // A corner without a tangent plane: from a little inside.
-    const glm::dvec3 near = across_both(jet({at.chart, at.uv + 1e-3 * (glm::dvec2(0.5) - at.uv)}));
-    const double length = glm::length(near);
-    return length > 0 ? near / length : glm::dvec3(0, 0, 1);
+    return unit_or(across_both(jet({at.chart, at.uv + 1e-3 * (glm::dvec2(0.5) - at.uv)})),
+                   {0, 0, 1});
 }
 
 } // namespace trivar

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/unit.h"
+
 #include <glm/glm.hpp>
 
 namespace trivar {
@@ -8,9 +10,7 @@ namespace trivar {
 // Projects t onto the plane of a unit normal and makes it unit; zero where t has no part in it.
 inline glm::dvec3 in_tangent_plane(const glm::dvec3& t, const glm::dvec3& normal)
 {
-    const glm::dvec3 flat = t - glm::dot(t, normal) * normal;
-    const double length = glm::length(flat);
-    return length > 0 ? flat / length : glm::dvec3(0);
+    return unit_or_zero(t - glm::dot(t, normal) * normal);
 }
 
 // Rotates t as the smallest rotation that takes the unit vector a to the unit vector b.

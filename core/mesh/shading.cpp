@@ -16,7 +16,7 @@
 namespace trivar {
 namespace {
 
-template <class Otherwise> glm::vec3 unit_or(const glm::dvec3& sum, Otherwise otherwise)
+template <class Otherwise> glm::vec3 unit_or_else(const glm::dvec3& sum, Otherwise otherwise)
 {
     const double length = glm::length(sum);
     return length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : otherwise();
@@ -95,7 +95,7 @@ public:
             normals_.resize(corners.size());
             for (std::size_t i = 0; i < corners.size(); ++i)
                 if (fan_[i] == i)
-                    normals_[i] = unit_or(sums_[i], [&] { return faces_->mean_at(point); });
+                    normals_[i] = unit_or_else(sums_[i], [&] { return faces_->mean_at(point); });
             for (std::size_t i = 0; i < corners.size(); ++i) normals_[i] = normals_[fan_[i]];
             return normals_;
         }
@@ -151,7 +151,7 @@ private:
 
     glm::vec3 mean_at(std::size_t point) const
     {
-        return unit_or(sums_[point], [] { return glm::vec3(0, 0, 1); });
+        return unit_or_else(sums_[point], [] { return glm::vec3(0, 0, 1); });
     }
 
     // The points next to a corner in its face.

@@ -2,6 +2,7 @@
 #include "core/mesh/transform.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 
 #include <algorithm>
 
@@ -16,21 +17,18 @@ void transform_again(Mesh& out, const Mesh& mesh, const glm::dmat4& matrix)
         glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                    glm::cross(linear[0], linear[1])) *
         (determinant < 0 ? -1.0 : 1.0);
-    const auto unit = [](const glm::dvec3& mapped, const glm::dvec3& otherwise) {
-        const double length = glm::length(mapped);
-        return glm::vec3(length > 0 ? mapped / length : otherwise);
-    };
     constexpr std::size_t per_block = 1 << 13;
     parallel_blocks(mesh.vertex_count(), per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             out.positions[v] = glm::vec3(matrix * glm::dvec4(mesh.positions[v], 1));
         for (std::size_t v = begin; v < end && !mesh.normals.empty(); ++v)
-            out.normals[v] = unit(cofactors * glm::dvec3(mesh.normals[v]), mesh.normals[v]);
+            out.normals[v] = glm::vec3(
+                unit_or(cofactors * glm::dvec3(mesh.normals[v]), glm::dvec3(mesh.normals[v])));
         for (std::size_t v = begin; v < end && !mesh.tangents.empty(); ++v) {
             const glm::vec4& t = mesh.tangents[v];
             const glm::dvec3 before(t);
-            out.tangents[v] =
-                glm::vec4(unit(linear * before, before), determinant < 0 ? -t.w : t.w);
+            out.tangents[v] = glm::vec4(glm::vec3(unit_or(linear * before, before)),
+                                        determinant < 0 ? -t.w : t.w);
         }
     });
 }

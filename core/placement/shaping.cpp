@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/shaping.h"
 
+#include "core/base/unit.h"
+
 #include <cmath>
 
 namespace trivar {
 namespace {
-
-glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
-{
-    const double length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? v / length : otherwise;
-}
 
 // Returns some unit vector at a right angle to v.
 glm::dvec3 any_across(const glm::dvec3& v)

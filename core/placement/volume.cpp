@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/volume.h"
 
+#include "core/base/unit.h"
 #include "core/placement/contact.h"
 #include "core/spline/greville_grid.h"
 
@@ -17,12 +18,6 @@ using Jets = std::vector<SurfaceJet<glm::dvec3>>;
 constexpr double share_of_radius = 0.8;
 constexpr double told = 0.5; // relative to the height: less lowering is hardly visible
 constexpr int most_smoothings = 40;
-
-glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : otherwise;
-}
 
 // Returns the principal curvatures toward n, the larger one first; negative where the surface
 // curves away.
@@ -99,8 +94,8 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
             rise[k] = wanted * v;
             continue;
         }
-        const glm::dvec3 n = direction_or(glm::cross(s.u, s.v), v);
-        const glm::dvec3 d = direction_or(glm::mix(v, n, offset), v);
+        const glm::dvec3 n = unit_or(glm::cross(s.u, s.v), v);
+        const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
         const glm::dvec2 curvature = curvatures(s, n); // the roof bends in hollows, the floor over
                                                        // ridges
         const double bend =
@@ -119,8 +114,7 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
                 };
                 const glm::dvec3 &before = rise[at(-1)], &after = rise[at(1)];
                 glm::dvec3& on = rise[at(0)];
-                on = glm::length(before + after) / 2 *
-                     direction_or(before + after, direction_or(on, glm::dvec3(0)));
+                on = glm::length(before + after) / 2 * unit_or(before + after, unit_or_zero(on));
             }
         }
     const auto surface = [&](const Points& values) {

@@ -2,6 +2,7 @@
 #include "core/refinement/born_vertices.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 
 #include <algorithm>
 
@@ -15,9 +16,7 @@ template <class Vector> Vector blended(const Vector& a, const Vector& b, float t
 
 glm::vec3 unit_blended(const glm::vec3& a, const glm::vec3& b, float t)
 {
-    const glm::vec3 v = blended(a, b, t);
-    const float length = glm::length(v);
-    return length > 0 ? v / length : a;
+    return unit_or(blended(a, b, t), a);
 }
 
 // Returns the four heaviest joints of both, with weights scaled to the sum 1.

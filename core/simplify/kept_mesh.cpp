@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplify/kept_mesh.h"
 
+#include "core/base/unit.h"
 #include "core/simplify/kept_vertices.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@ glm::dvec3 area_normal_of(const Mesh& mesh, const glm::uvec3& v)
 {
     const glm::dvec3 p(mesh.positions[v.x]);
     return glm::cross(glm::dvec3(mesh.positions[v.y]) - p, glm::dvec3(mesh.positions[v.z]) - p);
-}
-
-glm::vec3 unit_or(const glm::dvec3& normal, const glm::vec3& otherwise)
-{
-    const double length = glm::length(normal);
-    return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
 // Returns the normals of the corners of triangles, #T by 3; empty if the mesh has none.
@@ -47,9 +42,10 @@ std::vector<std::array<glm::vec3, 3>> corner_normals(const Mesh& mesh, const Fan
             if (left.nodes[t].x == Fans::none) continue;
             if (fans.faceted[t]) {
                 if (left.changed[t])
-                    normal = unit_or(area_normal_of(mesh, left.triangles[t]), normal);
+                    normal = glm::vec3(
+                        unit_or(area_normal_of(mesh, left.triangles[t]), glm::dvec3(normal)));
             } else if (touched[node] && !fans.hard[node]) {
-                normal = unit_or(sums[node], normal);
+                normal = glm::vec3(unit_or(sums[node], glm::dvec3(normal)));
             }
         }
     return out;

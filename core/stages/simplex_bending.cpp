@@ -2,6 +2,7 @@
 #include "core/stages/simplex_bending.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 #include "core/stages/simplex_tears.h"
 
 #include <algorithm>
@@ -13,12 +14,6 @@ namespace {
 glm::dmat3 cofactors(const glm::dmat3& m)
 {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
-template <int N> glm::dvec3 unit_or(const glm::dvec3& v, const glm::vec<N, float>& otherwise)
-{
-    const double length = glm::length(v);
-    return length > 1e-30 ? v / length : glm::dvec3(otherwise);
 }
 
 // The mesh in the world, after the displacements of its bound points.
@@ -39,13 +34,13 @@ Mesh displaced(const SimplexBinding& bound, const Part& part, const TetrahedraIn
     const auto turn = [&](std::size_t v) {
         const glm::dmat3 whole = linear * glm::dmat3(moved.jacobians[v]) * inverse * own;
         const glm::dvec3 normal =
-            unit_or(cofactors(whole) * glm::dvec3(mesh.normals[v]), mesh.normals[v]);
+            unit_or(cofactors(whole) * glm::dvec3(mesh.normals[v]), glm::dvec3(mesh.normals[v]));
         out.normals[v] = glm::vec3(normal);
         if (mesh.tangents.empty()) return;
         const glm::dvec3 tangent = whole * glm::dvec3(mesh.tangents[v]);
-        out.tangents[v] = glm::vec4(
-            glm::vec3(unit_or(tangent - normal * glm::dot(normal, tangent), mesh.tangents[v])),
-            mesh.tangents[v].w);
+        out.tangents[v] = glm::vec4(glm::vec3(unit_or(tangent - normal * glm::dot(normal, tangent),
+                                                      glm::dvec3(mesh.tangents[v]))),
+                                    mesh.tangents[v].w);
     };
     constexpr std::size_t block = 4096;
     parallel_blocks(mesh.vertex_count(), block, [&](std::size_t begin, std::size_t end) {

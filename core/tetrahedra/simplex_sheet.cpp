@@ -2,6 +2,7 @@
 #include "core/tetrahedra/simplex_sheet.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 #include "core/mesh/grid_mesh.h"
 #include "core/simplex/box_domain.h"
 #include "core/simplex/clouds.h"
@@ -33,9 +34,7 @@ GridVertex vertex_at(const SimplexBasis<2>& basis, const std::vector<glm::dvec3>
         along += by * each.gradient.x;
         across += by * each.gradient.y;
     }
-    const glm::dvec3 normal = glm::cross(along, across);
-    const double length = glm::length(normal);
-    return {at, length > 0 ? normal / length : glm::dvec3(0, 0, 1), uv};
+    return {at, unit_or(glm::cross(along, across), {0, 0, 1}), uv};
 }
 
 } // namespace

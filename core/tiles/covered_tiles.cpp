@@ -3,6 +3,7 @@
 
 #include "core/base/mistake.h"
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 #include "core/mesh/mesh_copies.h"
 #include "core/patches/pinch.h"
 
@@ -18,12 +19,7 @@ namespace {
 constexpr double hexagon_width = 4.0 / 3, hexagon_reach = 1.0 / 6;
 // A vertex as near to the side of the cell as this share of it lies on the side.
 constexpr double on_side = 1e-5;
-
-glm::vec3 unit_or_zenith(const glm::dvec3& n)
-{
-    const double length = glm::length(n);
-    return length > 0 ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
-}
+constexpr glm::dvec3 zenith{0, 0, 1};
 
 // Onto 0 or 1 where it is there but for rounding.
 double onto_side(double t)
@@ -195,13 +191,13 @@ SurfacePoint shared_place(const Covering& covering, const CoveringPose& pose,
 glm::vec3 displaced_normal(const TilePoint& at, const glm::dvec2& slope, const glm::dvec3& up)
 {
     const double length = glm::length(up);
-    if (!(length > 0)) return unit_or_zenith(glm::cross(at.x, at.y));
+    if (!(length > 0)) return glm::vec3(unit_or(glm::cross(at.x, at.y), zenith));
     const glm::dvec3 n = up / length;
     const auto flat = [&](const glm::dvec3& v) { return v - glm::dot(v, n) * n; };
     const glm::dvec3 x = flat(at.x), y = flat(at.y), around = glm::cross(x, y);
     const double longest = std::max(glm::dot(x, x), glm::dot(y, y));
     if (!(glm::length(around) > 1e-6 * longest)) return glm::vec3(n); // a pole
-    return unit_or_zenith(glm::cross(x + slope.x * up, y + slope.y * up));
+    return glm::vec3(unit_or(glm::cross(x + slope.x * up, y + slope.y * up), zenith));
 }
 
 } // namespace
@@ -237,13 +233,15 @@ Mesh covered_tiles(const Mesh& mesh, const glm::dmat4& to_model, const CoverCell
                 out.positions[to] = glm::vec3(p) + 0.0f; // no negative zeros
                 if (!out.normals.empty()) {
                     const glm::dvec3& n = from.normals[v];
-                    out.normals[to] = unit_or_zenith(
-                        n.x * glm::cross(y, z) + n.y * glm::cross(z, x) + n.z * glm::cross(x, y));
+                    out.normals[to] = glm::vec3(unit_or(
+                        n.x * glm::cross(y, z) + n.y * glm::cross(z, x) + n.z * glm::cross(x, y),
+                        zenith));
                 }
                 if (!out.tangents.empty()) {
                     const glm::dvec3& a = from.tangents[v];
-                    out.tangents[to] = glm::vec4(unit_or_zenith(a.x * x + a.y * y + a.z * z),
-                                                 mesh.tangents[v].w * (mirrored ? -1.0f : 1.0f));
+                    out.tangents[to] =
+                        glm::vec4(glm::vec3(unit_or(a.x * x + a.y * y + a.z * z, zenith)),
+                                  mesh.tangents[v].w * (mirrored ? -1.0f : 1.0f));
                 }
             }
         }

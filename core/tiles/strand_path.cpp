@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/strand_path.h"
 
+#include "core/base/unit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +11,6 @@ namespace {
 
 // The most points of a path.
 constexpr std::size_t most_path_points = 4'000'000;
-
-glm::dvec3 unit_normal(const glm::dvec3& n)
-{
-    const double length = glm::length(n);
-    return length > 0 ? n / length : glm::dvec3(0, 0, 1);
-}
 
 StrandPoint between(const StrandPoint& a, const StrandPoint& b, double share)
 {
@@ -131,7 +127,7 @@ std::vector<StrandPoint> smoothed(const std::vector<StrandPoint>& points, bool c
             sum.normal += weight * other.normal;
             all += weight;
         }
-        out[static_cast<std::size_t>(i)].at = {sum.p / all, unit_normal(sum.normal)};
+        out[static_cast<std::size_t>(i)].at = {sum.p / all, unit_or(sum.normal, {0, 0, 1})};
     }
     return out;
 }

@@ -2,6 +2,7 @@
 #include "core/tiles/strand_tile.h"
 
 #include "core/base/parallel.h"
+#include "core/base/unit.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/mesh_copies.h"
 #include "core/patches/tile_set.h"
@@ -30,12 +31,6 @@ std::vector<char> open_points(const Mesh& mesh)
         if (adjacency.sides(e).size() == 1)
             open[adjacency.edges()[e].x] = open[adjacency.edges()[e].y] = 1;
     return open;
-}
-
-glm::vec3 unit_or_up(const glm::dvec3& n)
-{
-    const double length = glm::length(n);
-    return length > 0 ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
 }
 
 } // namespace
@@ -97,13 +92,15 @@ Mesh strand_mesh(const Mesh& unit, std::span<const PlacedTile> tiles)
                 if (!out.normals.empty()) {
                     const glm::dvec3 n(unit.normals[v]);
                     out.normals[to] =
-                        unit_or_up(n.x * glm::cross(at.y, at.z) + n.y * glm::cross(at.z, at.x) +
-                                   n.z * glm::cross(at.x, at.y));
+                        unit_or(n.x * glm::cross(at.y, at.z) + n.y * glm::cross(at.z, at.x) +
+                                    n.z * glm::cross(at.x, at.y),
+                                {0, 0, 1});
                 }
                 if (!out.tangents.empty()) {
                     const glm::dvec3 a(unit.tangents[v]);
-                    out.tangents[to] = glm::vec4(unit_or_up(a.x * at.x + a.y * at.y + a.z * at.z),
-                                                 unit.tangents[v].w);
+                    out.tangents[to] = glm::vec4(
+                        glm::vec3(unit_or(a.x * at.x + a.y * at.y + a.z * at.z, {0, 0, 1})),
+                        unit.tangents[v].w);
                 }
             }
     });

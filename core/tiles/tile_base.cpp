@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/base/mistake.h"
+#include "core/base/unit.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/barycentric.h"
 
@@ -24,12 +25,6 @@ RayScene scene_of(const std::vector<TileBase::Piece>& pieces)
     return RayScene(std::move(entries));
 }
 
-glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& other)
-{
-    const double length = glm::length(v);
-    return length > 0 ? v / length : other;
-}
-
 } // namespace
 
 SurfacePlace inside(SurfacePlace at)
@@ -44,8 +39,8 @@ std::vector<glm::dvec3> angle_normals(std::span<const glm::dvec3> points,
 {
     std::vector<glm::dvec3> normals(points.size(), glm::dvec3(0));
     for (const glm::uvec3& t : triangles) {
-        const glm::dvec3 n = unit_or(
-            glm::cross(points[t.y] - points[t.x], points[t.z] - points[t.x]), glm::dvec3(0));
+        const glm::dvec3 n =
+            unit_or_zero(glm::cross(points[t.y] - points[t.x], points[t.z] - points[t.x]));
         for (int e = 0; e < 3; ++e) {
             const glm::dvec3 a = points[t[(e + 1) % 3]] - points[t[e]],
                              b = points[t[(e + 2) % 3]] - points[t[e]];
@@ -101,7 +96,7 @@ TileBase::TileBase(std::vector<Piece> pieces)
         corners.insert(corners.end(), {t.x, t.y, t.z});
         const glm::dvec3 n = glm::cross(points_[t.y] - points_[t.x], points_[t.z] - points_[t.x]);
         area_ += glm::length(n) / 2;
-        face_normals_.push_back(unit_or(n, glm::dvec3(0)));
+        face_normals_.push_back(unit_or_zero(n));
     }
     point_normals_ = angle_normals(points_, triangles_);
     across_.assign(corners.size(), none);
