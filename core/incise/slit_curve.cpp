@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/slit_curve.h"
 
+#include "core/base/share_along.h"
 #include "core/base/unit.h"
 
 #include <algorithm>
@@ -70,8 +71,7 @@ glm::dvec3 SlitCurve::mixed(const std::vector<glm::dvec3>& values, double s,
 SlitCurve::Foot SlitCurve::foot_on(const glm::dvec3& p, std::size_t segment) const
 {
     const glm::dvec3 a = points_[segment], d = points_[segment + 1] - a;
-    const double length2 = glm::dot(d, d);
-    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 0;
+    const double t = share_along(p, a, d);
     return {segment, s_[segment] + t * (s_[segment + 1] - s_[segment]),
             glm::distance(p, a + t * d)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incise/thinned_chain.h"
 
+#include "core/base/share_along.h"
 #include "core/base/unit.h"
 
 #include <algorithm>
@@ -102,10 +103,7 @@ private:
             std::size_t bend = from;
             for (std::size_t i = from + 1; i < to; ++i) {
                 const glm::dvec3 x = at(chain_.points[i]);
-                const double length2 = glm::dot(d, d);
-                const double t =
-                    length2 > 0 ? std::clamp(glm::dot(x - a, d) / length2, 0.0, 1.0) : 0;
-                const double away = glm::distance(x, a + t * d);
+                const double away = glm::distance(x, a + share_along(x, a, d) * d);
                 if (away < most) continue;
                 most = away;
                 bend = i;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/surface_distance.h"
 
+#include "core/base/share_along.h"
+
 #include <algorithm>
 
 namespace trivar {
@@ -10,9 +12,7 @@ constexpr std::size_t leaf_size = 4; // triangles, at most
 
 glm::dvec3 nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& x)
 {
-    const glm::dvec3 d = b - a;
-    const double length2 = glm::dot(d, d);
-    return length2 > 0 ? a + d * std::clamp(glm::dot(x - a, d) / length2, 0.0, 1.0) : a;
+    return a + (b - a) * share_along(x, a, b - a);
 }
 
 // Inside of all three edges it is the foot on the plane, else on one of the edges.

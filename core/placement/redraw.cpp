@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/redraw.h"
 
+#include "core/base/share_along.h"
 #include "core/placement/sketch.h"
 #include "core/placement/view.h"
 
@@ -99,8 +100,7 @@ NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p)
     NearestShare nearest{0, glm::distance(samples.front().p_px, p)};
     for (std::size_t i = 1; i < samples.size(); ++i) {
         const glm::dvec2 a = samples[i - 1].p_px, ab = samples[i].p_px - a;
-        const double square = glm::dot(ab, ab);
-        const double f = square > 0 ? std::clamp(glm::dot(p - a, ab) / square, 0.0, 1.0) : 0;
+        const double f = share_along(p, a, ab);
         const double distance = glm::distance(a + f * ab, p);
         if (distance < nearest.distance_px)
             nearest = {share[i - 1] + f * (share[i] - share[i - 1]), distance};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simplify/reach.h"
 
+#include "core/base/share_along.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,9 +32,7 @@ double square(const glm::dvec3& v)
 double segment_distance_squared(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
 {
     const glm::dvec3 along = b - a;
-    const double length = square(along);
-    const double t = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
-    return square(p - a - t * along);
+    return square(p - a - share_along(p, a, along) * along);
 }
 
 double box_distance_squared(const glm::dvec3& p, const Box& box)

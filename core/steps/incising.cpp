@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
+#include "core/base/share_along.h"
 #include "core/stages/inside_material.h"
 
 #include <algorithm>
@@ -215,13 +216,12 @@ double share_near(const std::vector<SurfacePoint>& stroke, const glm::dvec3& p)
     double length = 0, at = 0, nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < stroke.size(); ++i) {
         const glm::dvec3 a = stroke[i - 1].p, way = stroke[i].p - a;
-        const double far = glm::dot(way, way);
-        const double t = far > 0 ? std::clamp(glm::dot(p - a, way) / far, 0.0, 1.0) : 0;
+        const double t = share_along(p, a, way), far = glm::length(way);
         if (const double away = glm::distance(a + t * way, p); away < nearest) {
             nearest = away;
-            at = length + t * std::sqrt(far);
+            at = length + t * far;
         }
-        length += std::sqrt(far);
+        length += far;
     }
     return length > 0 ? at / length : 1;
 }

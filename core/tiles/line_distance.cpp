@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/line_distance.h"
 
+#include "core/base/share_along.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,9 +41,7 @@ double LineDistance::to(const glm::dvec3& p) const
         for (std::size_t i = k * block; i < end; ++i) {
             const auto& [a, b] = pieces_[i];
             const glm::dvec3 way = b - a;
-            const double length = squared(way);
-            const double t = length > 0 ? std::clamp(glm::dot(p - a, way) / length, 0.0, 1.0) : 0;
-            least = std::min(least, squared(a + t * way - p));
+            least = std::min(least, squared(a + share_along(p, a, way) * way - p));
         }
     }
     return std::sqrt(least);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_masks.h"
 
+#include "core/base/share_along.h"
 #include "core/base/smooth_step.h"
 #include "core/tiles/layout.h"
 
@@ -31,9 +32,8 @@ double near_value(double distance, const TileMask& mask)
 double line_value(const glm::dvec3& p, const TileMask& mask)
 {
     const glm::dvec3 way = mask.end - mask.begin;
-    const double length = glm::dot(way, way);
-    if (!(length > 0)) return 0;
-    return eased(std::clamp(glm::dot(p - mask.begin, way) / length, 0.0, 1.0), mask.easing);
+    if (!(glm::dot(way, way) > 0)) return 0;
+    return eased(share_along(p, mask.begin, way), mask.easing);
 }
 
 // The axis along which a place is seen, and whether from its far side.
