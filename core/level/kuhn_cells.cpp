@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/level/kuhn_cells.h"
 
+#include "core/simplex/level_ring.h"
+
 #include <glm/glm.hpp>
 #include <utility>
 #include <vector>
@@ -38,28 +40,22 @@ Triangle turned(Triangle t, const glm::vec3& outward)
 // The triangles of one tetrahedron.
 void add_triangles(const std::array<int, 4>& corners, unsigned inside, std::vector<Triangle>& out)
 {
-    std::vector<int> in, beyond;
+    std::array<bool, 4> is_in{};
     glm::vec3 in_sum(0), beyond_sum(0);
-    for (const int c : corners) {
-        const bool is_in = inside >> c & 1;
-        (is_in ? in : beyond).push_back(c);
-        (is_in ? in_sum : beyond_sum) += place_of(c);
+    int count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        is_in[k] = inside >> corners[k] & 1;
+        (is_in[k] ? in_sum : beyond_sum) += place_of(corners[k]);
+        count += is_in[k] ? 1 : 0;
     }
-    if (in.empty() || beyond.empty()) return;
+    const LevelRing cut = level_ring(is_in);
     const glm::vec3 outward =
-        beyond_sum / static_cast<float>(beyond.size()) - in_sum / static_cast<float>(in.size());
-    if (in.size() == 2) {
-        const KuhnEdge a = edge_between(in[0], beyond[0]), b = edge_between(in[0], beyond[1]),
-                       c = edge_between(in[1], beyond[1]), d = edge_between(in[1], beyond[0]);
-        out.push_back(turned({a, b, c}, outward));
-        out.push_back(turned({a, c, d}, outward));
-        return;
-    }
-    const std::vector<int>&alone = in.size() == 1 ? in : beyond,
-          &others = in.size() == 1 ? beyond : in;
-    out.push_back(turned({edge_between(alone[0], others[0]), edge_between(alone[0], others[1]),
-                          edge_between(alone[0], others[2])},
-                         outward));
+        beyond_sum / static_cast<float>(4 - count) - in_sum / static_cast<float>(count);
+    const auto edge = [&](std::size_t i) {
+        return edge_between(corners[cut.edges[i].above], corners[cut.edges[i].below]);
+    };
+    for (std::size_t i = 1; i + 1 < cut.size; ++i)
+        out.push_back(turned({edge(0), edge(i), edge(i + 1)}, outward));
 }
 
 std::array<std::vector<Triangle>, 256> all_cells()

@@ -5,6 +5,7 @@
 #include "core/simplex/cell_faces.h"
 #include "core/simplex/cell_lattice.h"
 #include "core/simplex/curved_tears.h"
+#include "core/simplex/level_ring.h"
 #include "core/simplex/side_difference.h"
 
 #include <algorithm>
@@ -159,31 +160,16 @@ private:
         const std::uint32_t* const number = &number_[cell * lattice_.points.size()];
         const bool turn = turned(sorted(cell));
         for (const auto& piece : lattice_.pieces) {
-            std::array<std::uint32_t, 4> p, up{}, down{};
-            std::size_t ups = 0, downs = 0;
+            std::array<std::uint32_t, 4> p;
             for (std::size_t k = 0; k < 4; ++k) p[k] = number[static_cast<std::size_t>(piece[k])];
             if (turn) std::swap(p[2], p[3]);
-            bool odd = false;
-            for (std::size_t k = 0; k < 4; ++k)
-                if (above(p[k])) {
-                    up[ups++] = p[k];
-                    odd = odd != (downs % 2 == 1); // steps over so many that are below
-                } else
-                    down[downs++] = p[k];
-            if (ups == 0 || downs == 0) continue;
+            const LevelRing cut = level_ring({above(p[0]), above(p[1]), above(p[2]), above(p[3])});
             std::array<std::uint32_t, 4> ring{};
-            std::size_t size = 3;
-            if (ups == 1)
-                for (std::size_t i = 0; i < 3; ++i) ring[i] = root(up[0], down[i]);
-            else if (downs == 1)
-                for (std::size_t i = 0; i < 3; ++i) ring[i] = root(up[i], down[0]);
-            else {
-                ring = {root(up[0], down[0]), root(up[0], down[1]), root(up[1], down[1]),
-                        root(up[1], down[0])};
-                size = 4;
-            }
-            if (odd) std::reverse(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(size));
-            for (std::size_t i = 1; i + 1 < size; ++i)
+            for (std::size_t i = 0; i < cut.size; ++i)
+                ring[i] = root(p[cut.edges[i].above], p[cut.edges[i].below]);
+            if (cut.odd)
+                std::reverse(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(cut.size));
+            for (std::size_t i = 1; i + 1 < cut.size; ++i)
                 level_triangles_.push_back({ring[0], ring[i], ring[i + 1]});
         }
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/simplex/box_domain.h"
+#include "core/simplex/level_ring.h"
 
 #include <algorithm>
 #include <map>
@@ -109,23 +110,18 @@ Mesh function_surface(const SimplexBasis<3>& basis, int point, double value, int
         return known->second;
     };
     for (const auto& cell : samples.grid.cells) {
-        std::array<int, 4> above{}, below{};
-        std::size_t up = 0, down = 0;
-        for (const int v : cell)
-            (samples.values[static_cast<std::size_t>(v)] >= value ? above[up++] : below[down++]) =
-                v;
-        if (up == 0 || down == 0) continue;
-        std::vector<std::uint32_t> ring;
-        if (up == 1)
-            for (std::size_t i = 0; i < 3; ++i) ring.push_back(vertex(above[0], below[i]));
-        else if (down == 1)
-            for (std::size_t i = 0; i < 3; ++i) ring.push_back(vertex(above[i], below[0]));
-        else
-            ring = {vertex(above[0], below[0]), vertex(above[0], below[1]),
-                    vertex(above[1], below[1]), vertex(above[1], below[0])};
-        const glm::dvec3 toward = samples.grid.vertices[static_cast<std::size_t>(below[0])] -
-                                  samples.grid.vertices[static_cast<std::size_t>(above[0])];
-        for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        std::array<bool, 4> is_above{};
+        for (std::size_t k = 0; k < 4; ++k)
+            is_above[k] = samples.values[static_cast<std::size_t>(cell[k])] >= value;
+        const LevelRing cut = level_ring(is_above);
+        std::array<std::uint32_t, 4> ring{};
+        for (std::size_t i = 0; i < cut.size; ++i)
+            ring[i] = vertex(cell[cut.edges[i].above], cell[cut.edges[i].below]);
+        const auto place = [&](std::size_t k) {
+            return samples.grid.vertices[static_cast<std::size_t>(cell[k])];
+        };
+        const glm::dvec3 toward = place(cut.edges[0].below) - place(cut.edges[0].above);
+        for (std::size_t i = 1; i + 1 < cut.size; ++i) {
             std::array<std::uint32_t, 3> triangle{ring[0], ring[i], ring[i + 1]};
             const glm::dvec3 normal = glm::cross(places[triangle[1]] - places[triangle[0]],
                                                  places[triangle[2]] - places[triangle[0]]);
