@@ -84,14 +84,11 @@ StepTitle title(const CutThrough& c, const StepDocuments& step)
 Document applied(Document document, const RemoveCut& command)
 {
     const std::size_t count = cutting_of(document, command.object).cuts.size();
-    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
-        throw Rejected(fmt::format("{} has {} cuts, and none of number {}",
-                                   named(command.object, object(document, command.object)), count,
-                                   command.number));
+    const std::size_t index = entry_index(document, command.object, count, command.number, "cuts");
     if (count == 1) return made_whole(std::move(document), command.object);
     return with_changed(std::move(document), command.object, [&](Object& o) {
         std::vector<char> gone(count, 0);
-        gone[static_cast<std::size_t>(command.number - 1)] = 1;
+        gone[index] = 1;
         o.tracks = without_entries(o.tracks, cut_tracks, gone);
         o.cutting->cuts.erase(o.cutting->cuts.begin() + (command.number - 1));
         for (PlainCut& cut : o.cutting->cuts)

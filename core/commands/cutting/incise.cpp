@@ -88,11 +88,7 @@ const Incising& incising_of(const Document& document, Id id)
 
 std::size_t incision_index(const Document& document, Id id, int number)
 {
-    const std::size_t count = incising_of(document, id).cuts.size();
-    if (number < 1 || static_cast<std::size_t>(number) > count)
-        throw Rejected(fmt::format("{} has {} incisions, and none of number {}",
-                                   named(document, id), count, number));
-    return static_cast<std::size_t>(number - 1);
+    return entry_index(document, id, incising_of(document, id).cuts.size(), number, "incisions");
 }
 
 void check(const NamedIncision& incision)

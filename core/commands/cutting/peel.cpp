@@ -43,11 +43,9 @@ StepTitle title(const PeelFlap& c, const StepDocuments& step)
 Document applied(Document document, const LayFlap& command)
 {
     const std::size_t count = incising_of(document, command.object).flaps.size();
-    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
-        throw Rejected(fmt::format("{} has {} peeled flaps, and none of number {}",
-                                   named(document, command.object), count, command.number));
+    const std::size_t index =
+        entry_index(document, command.object, count, command.number, "peeled flaps");
     return with_changed(std::move(document), command.object, [&](Object& o) {
-        const auto index = static_cast<std::size_t>(command.number) - 1;
         std::vector<char> gone(count, 0);
         gone[index] = 1;
         o.tracks = without_entries(o.tracks, "incising.flaps.", gone);

@@ -17,6 +17,15 @@ constexpr Id last_id = 100000;
 
 } // namespace
 
+std::size_t entry_index(const Document& document, Id id, std::size_t count, int number,
+                        std::string_view entries)
+{
+    if (number < 1 || static_cast<std::size_t>(number) > count)
+        throw Rejected(fmt::format("{} has {} {}, and none of number {}", named(document, id),
+                                   count, entries, number));
+    return static_cast<std::size_t>(number - 1);
+}
+
 const Tiling& tiling_of(const Document& document, Id id)
 {
     const Object& layer = object(document, id);

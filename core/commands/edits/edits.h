@@ -37,6 +37,11 @@ void check_has_volume(const Object& object, Id id);
 // The tiling of a layer of tiles. Throws Rejected where the object is none.
 const Tiling& tiling_of(const Document& document, Id id);
 
+// The index of an entry of an object's list by its number, which counts from 1. `entries` is its
+// word in the plural. Throws Rejected where the list has `count` entries and none of that number.
+std::size_t entry_index(const Document& document, Id id, std::size_t count, int number,
+                        std::string_view entries);
+
 // The document with one more object, under the next id.
 Document with_added(Document document, Object object);
 

@@ -14,11 +14,7 @@ namespace {
 
 std::size_t mask_index(const Document& document, Id id, int number)
 {
-    const std::size_t count = tiling_of(document, id).masks.size();
-    if (number < 1 || static_cast<std::size_t>(number) > count)
-        throw Rejected(fmt::format("{} has {} masks, and none of number {}", named(document, id),
-                                   count, number));
-    return static_cast<std::size_t>(number - 1);
+    return entry_index(document, id, tiling_of(document, id).masks.size(), number, "masks");
 }
 
 std::string drives_word(const TileMask& mask)

@@ -13,14 +13,9 @@
 namespace trivar {
 namespace {
 
-// Returns the index of a stroke by its number, which counts from 1.
-std::size_t index_of(const Document& document, Id id, int number)
+std::size_t stroke_index(const Document& document, Id id, int number)
 {
-    const std::size_t count = tiling_of(document, id).strokes.size();
-    if (number < 1 || static_cast<std::size_t>(number) > count)
-        throw Rejected(fmt::format("{} has {} strokes, and none of number {}", named(document, id),
-                                   count, number));
-    return static_cast<std::size_t>(number - 1);
+    return entry_index(document, id, tiling_of(document, id).strokes.size(), number, "strokes");
 }
 
 void check_can_be_tile(const Document& document, Id id, Id base)
@@ -142,7 +137,7 @@ StepTitle title(const PaintTiles& c, const StepDocuments& step)
 Document applied(Document document, const EditTileStroke& command)
 {
     check(command.stroke);
-    const std::size_t index = index_of(document, command.object, command.number);
+    const std::size_t index = stroke_index(document, command.object, command.number);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.tiles->strokes[index] = make_ref(command.stroke); });
 }
@@ -156,7 +151,8 @@ Document applied(Document document, const RemoveTileStrokes& command)
 {
     const Tiling& tiling = tiling_of(document, command.object);
     std::vector<char> gone(tiling.strokes.size(), command.numbers.empty() ? 1 : 0);
-    for (const int number : command.numbers) gone[index_of(document, command.object, number)] = 1;
+    for (const int number : command.numbers)
+        gone[stroke_index(document, command.object, number)] = 1;
     return with_changed(std::move(document), command.object, [&](Object& o) {
         std::vector<Ref<TileStroke>> rest;
         for (std::size_t i = 0; i < gone.size(); ++i)

@@ -244,15 +244,12 @@ StepTitle title(const EditTetrahedra& c, const StepDocuments& step)
 
 Document applied(Document document, const RemoveTetrahedraEdit& command)
 {
-    const std::size_t count = volume_of(document, command.object).edits.size();
-    if (command.number < 1 || static_cast<std::size_t>(command.number) > count)
-        throw Rejected(fmt::format("{} has {} edits, and none of number {}",
-                                   named(command.object, object(document, command.object)), count,
-                                   command.number));
+    const std::size_t index =
+        entry_index(document, command.object, volume_of(document, command.object).edits.size(),
+                    command.number, "edits");
     return with_changed(std::move(document), command.object, [&](Object& o) {
         auto& shape = std::get<TetrahedraShape>(o.source);
-        RemainingEdits remaining =
-            without_edit(std::move(shape.edits), static_cast<std::size_t>(command.number - 1));
+        RemainingEdits remaining = without_edit(std::move(shape.edits), index);
         shape.edits = std::move(remaining.edits);
         o.tracks = without_entries(o.tracks, "shape.edits.", remaining.gone);
         check_clouds(shape);
