@@ -27,7 +27,7 @@ public:
     void begin(ExportWish wish);
     void poll() { jobs_.poll(); } // once a frame
     void stop() { jobs_.cancel(); }
-    std::optional<Jobs::Status> status() const { return jobs_.status(); } // while it runs
+    std::optional<Worker::Status> status() const { return jobs_.status(); } // while it runs
 
     // OpenPoints are the points of a file that are not certified, for a person who wants to read
     // them.

@@ -2,27 +2,20 @@
 #pragma once
 
 #include "core/evaluation/view_refining.h"
+#include "editor/jobs/worker.h"
 
-#include <condition_variable>
 #include <exception>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <thread>
 
 namespace trivar {
 
 // A BackgroundEvaluator evaluates documents on a thread of its own, so that the window never waits.
 // A new document replaces one that still waits: only the latest counts. The current one is finished
-// first, so that a drag always shows something new.
+// first, so that a drag always shows something new. Frame thread only.
 class BackgroundEvaluator {
 public:
     // The other thread calls `wake` when there is a result or progress.
     BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake,
                         OnFailure on_failure = OnFailure::pass_on);
-    ~BackgroundEvaluator(); // stops the work
-    BackgroundEvaluator(const BackgroundEvaluator&) = delete;
-    BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
 
     // Returns the document's ticket: 1, 2, ... Parts are deformed on this thread if wanted, else by
     // whoever asks for them.
@@ -56,7 +49,7 @@ public:
     std::optional<SeenResult> poll_view(); // what was finished since the last call
 
     struct Status {
-        bool busy = false;
+        bool busy = false;  // a document is evaluated, or waits
         double seconds = 0; // since the present evaluation began
         double fraction = -1;
         std::string stage;
@@ -65,32 +58,16 @@ public:
     void cancel(); // the present evaluation; its result is a problem
 
 private:
-    void work(const std::stop_token& stop);
-    void evaluate(const std::stop_token& stop, std::unique_lock<std::mutex>& lock);
-    void refine_view(const std::stop_token& stop, std::unique_lock<std::mutex>& lock);
+    void take_in();
 
-    Evaluator evaluator_; // both are touched by the thread only
+    Evaluator evaluator_; // both are touched by the other thread only
     ViewRefining view_refining_;
-    std::function<void()> wake_;
-    mutable std::mutex mutex_;
-    std::condition_variable_any something_new_;
-    struct Request {
-        Document document;
-        double frame;
-        bool deform_parts;
-    };
-    std::optional<Request> waiting_;
     std::optional<Result> finished_;
-    std::optional<ViewRequest> view_waiting_;
+    std::shared_ptr<const ViewRequest> view_; // that is not done
+    bool view_begun_ = false;                 // the worker has it, and no document
     std::optional<SeenResult> view_finished_;
-    Status status_;
-    double started_s_ = 0;
     long submitted_ = 0;
-    bool cancelled_ = false;
-    std::jthread thread_; // last: it stops before the rest goes
+    Worker worker_; // last: it stops before the rest goes
 };
-
-// Seconds on a steady clock.
-double now_s();
 
 } // namespace trivar

@@ -98,7 +98,8 @@ void VolumeFacts::look_at(const EvaluatedObject& placed)
 
 void VolumeFacts::hand_over()
 {
-    work_.start([facts = facts_](const Progress& go_on) -> NewestWork::Finish {
+    work_.drop();
+    work_.start([facts = facts_](const Progress& go_on) -> Worker::Finish {
         (void)*facts.surfaces;
         report(go_on, 0, {});
         (void)*facts.deviations;

@@ -4,7 +4,7 @@
 #include "core/evaluation/evaluate.h"
 #include "core/ffd/overlap.h"
 #include "core/placement/placement.h"
-#include "editor/jobs/newest_work.h"
+#include "editor/jobs/worker.h"
 #include "editor/picture/volume_surface.h"
 #include "ui/palette.h"
 
@@ -72,7 +72,7 @@ private:
     Ref<Placement> drawn_of_;                     // the veils
     std::array<ui::Color, 2> drawn_in_{};
     std::vector<gpu::Translucent> veils_;
-    NewestWork work_;
+    Worker work_;
 };
 
 } // namespace trivar

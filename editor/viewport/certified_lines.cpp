@@ -54,7 +54,7 @@ void CertifiedLines::follow(const Seen& seen, bool moving, double time_s, Volume
     if (moving) moved_s_ = time_s;
     if (wanted_.empty() || asked_ || time_s - moved_s_ < rest_s) return;
     asked_ = true;
-    work_.start([this, &into, views = wanted_](const Progress& progress) -> NewestWork::Finish {
+    work_.start([this, &into, views = wanted_](const Progress& progress) -> Worker::Finish {
         VolumeLines::Given lines;
         ProofGaps gaps;
         for (const VolumeView& view : views) {

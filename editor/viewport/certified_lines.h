@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/jobs/newest_work.h"
+#include "editor/jobs/worker.h"
 #include "editor/picture/volume_lines.h"
 
 #include <optional>
@@ -39,7 +39,7 @@ private:
     double moved_s_ = 0, now_s_ = 0;
     ProofGaps gaps_;
     long number_ = 0;
-    NewestWork work_;
+    Worker work_;
 };
 
 } // namespace trivar

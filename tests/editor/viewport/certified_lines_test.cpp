@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/stages/shown_volume.h"
-#include "editor/jobs/newest_work.h"
 #include "editor/picture/line_sheet.h"
 #include "editor/picture/picture.h"
 #include "editor/viewport/certified_lines.h"
@@ -15,59 +13,6 @@ namespace {
 
 using ::testing::StartsWith;
 using namespace std::chrono_literals;
-
-// Polls until there was something to call.
-bool finishes(NewestWork& work)
-{
-    for (int i = 0; i < 2000; ++i) {
-        if (work.poll()) return true;
-        if (!work.busy()) return false;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-TEST(NewestWork, IsHeardOfAlone)
-{
-    NewestWork work;
-    std::atomic<bool> began = false, ended = false;
-    int first = 0, second = 0;
-    work.start([&](const Progress& progress) -> NewestWork::Finish {
-        began = true;
-        try {
-            while (true) report(progress, 0, "");
-        } catch (const Cancelled&) {
-            ended = true;
-            throw;
-        }
-        return [&] { ++first; };
-    });
-    while (!began) std::this_thread::yield();
-    EXPECT_TRUE(work.busy());
-    EXPECT_FALSE(work.poll());
-    work.start([&](const Progress&) -> NewestWork::Finish { return [&] { ++second; }; });
-    EXPECT_TRUE(finishes(work));
-    EXPECT_TRUE(ended) << "what is old is told to end";
-    EXPECT_FALSE(work.busy());
-    EXPECT_FALSE(work.poll());
-    EXPECT_EQ(first, 0);
-    EXPECT_EQ(second, 1);
-}
-
-TEST(NewestWork, GivesNothingOnceItIsDroppedOrWhereItThrows)
-{
-    NewestWork work;
-    int calls = 0;
-    work.start([&](const Progress&) -> NewestWork::Finish { return [&] { ++calls; }; });
-    std::this_thread::sleep_for(5ms);
-    work.drop();
-    EXPECT_FALSE(work.busy());
-    EXPECT_FALSE(work.poll());
-    work.start([&](const Progress&) -> NewestWork::Finish { throw std::bad_alloc(); });
-    EXPECT_FALSE(finishes(work));
-    EXPECT_FALSE(work.busy());
-    EXPECT_EQ(calls, 0);
-}
 
 // A ball whose lines are wanted with a proof.
 struct CertifiedLinesInWindow : public ::testing::Test {
