@@ -11,6 +11,7 @@
 #include "editor/actions/key_actions.h"
 #include "editor/actions/lattice_actions.h"
 #include "editor/actions/mask_actions.h"
+#include "editor/actions/menu.h"
 #include "editor/actions/model_actions.h"
 #include "editor/actions/placement_actions.h"
 #include "editor/actions/reset_actions.h"
@@ -51,6 +52,7 @@ std::vector<Action> all_actions()
 {
     const std::vector<std::unique_ptr<Tool>> tools = all_tools(); // as the editor has them
     std::vector<Action> a;
+    const Menu add(a, "Add"), edit(a, "Edit"), lattice(a, "Lattice"), tools_menu(a, "Tools");
     add_file_actions(a);
     add_edit_actions(a);
     add_tile_actions(a);
@@ -59,9 +61,7 @@ std::vector<Action> all_actions()
     add_mask_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
-    a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {
-                     e.add_menu_asked = true;
-                 }});
+    add(add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) { e.add_menu_asked = true; });
     a.push_back(add_action<AddPlane>("Plane"));
     a.push_back(add_action<AddBox>("Box"));
     a.push_back(add_action<AddSphere>("Sphere"));
@@ -72,46 +72,37 @@ std::vector<Action> all_actions()
     a.push_back(add_action<AddText>("Text"));
     add_lattice_actions(a);
     add_placement_actions(a);
-    a.push_back({"Edit",
-                 preferences_action,
-                 {ctrl(ui::key_comma)},
-                 [](Editor& e) { e.preferences_dialog.open = true; },
-                 {},
-                 true});
+    edit(
+        preferences_action, {ctrl(ui::key_comma)},
+        [](Editor& e) { e.preferences_dialog.open = true; }, {}, true);
     add_model_actions(a);
     add_view_actions(a);
     add_window_actions(a);
     add_time_actions(a);
     add_key_actions(a);
     for (std::size_t i = 0; i < tools.size(); ++i)
-        a.push_back({"Tools", tools[i]->name(), tools[i]->keys(), [i](Editor& e) {
-                         const std::optional<MotionKind> motion = e.tools[i]->motion();
-                         if (motion && e.active_tool().grab(e.session, *motion)) return;
-                         e.choose_tool(i);
-                         e.active_tool().begin(e.session);
-                     }});
+        tools_menu(tools[i]->name(), tools[i]->keys(), [i](Editor& e) {
+            const std::optional<MotionKind> motion = e.tools[i]->motion();
+            if (motion && e.active_tool().grab(e.session, *motion)) return;
+            e.choose_tool(i);
+            e.active_tool().begin(e.session);
+        });
     for (const auto& [name, key, factor] :
          {std::tuple("Smaller tool", '[', 1 / 1.1), {"Larger tool", ']', 1.1}}) {
-        a.push_back({"Tools", name, {{key}}, [by = factor](Editor& e) {
-                         e.active_tool().resize(e.session, by);
-                     }});
-        a.back().repeats = true;
+        tools_menu(name, {{key}}, [by = factor](Editor& e) {
+            e.active_tool().resize(e.session, by);
+        }).repeats = true;
     }
-    a.push_back({"Lattice",
-                 mend_action,
-                 {{.key = 'M', .shift = true}},
-                 [](Editor& e) { e.session.run(MendVolume{e.session.selected}); },
-                 {[](const Editor& e) { return selected_volume(e.session) != nullptr; },
-                  "select a placed object or a lattice first"}});
-    a.push_back({"Lattice",
-                 allow_folds_action,
-                 {},
-                 [](Editor& e) {
-                     allow_folds(e.session, e.session.selected,
-                                 e.active_tool().held_parts(e.session));
-                 },
-                 {[](const Editor& e) { return !e.active_tool().held_parts(e.session).empty(); },
-                  "choose control points first, or hold the ball of the press somewhere"}});
+    lattice(mend_action, {{.key = 'M', .shift = true}},
+            [](Editor& e) { e.session.run(MendVolume{e.session.selected}); },
+            {[](const Editor& e) { return selected_volume(e.session) != nullptr; },
+             "select a placed object or a lattice first"});
+    lattice(allow_folds_action, {},
+            [](Editor& e) {
+                allow_folds(e.session, e.session.selected, e.active_tool().held_parts(e.session));
+            },
+            {[](const Editor& e) { return !e.active_tool().held_parts(e.session).empty(); },
+             "choose control points first, or hold the ball of the press somewhere"});
     add_help_actions(a);
     let_keys_take(a);
     for (Action& each : a) each.usual_keys = each.keys;

@@ -7,6 +7,7 @@
 #include "editor/actions/chords.h"
 #include "editor/actions/left_behind.h"
 #include "editor/actions/log_lines.h"
+#include "editor/actions/menu.h"
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
@@ -88,19 +89,18 @@ void cut_objects(Editor& e)
 
 void add_clipboard_actions(std::vector<Action>& a)
 {
-    a.push_back({"Edit", "Cut", {ctrl('X')}, cut_objects, something_selected(), true});
-    a.push_back({"Edit",
-                 "Copy",
-                 {ctrl('C')},
-                 [](Editor& e) {
-                     if (!copy_log_lines(e)) copy_objects(e, chosen(e), "copied");
-                 },
-                 {[](const Editor& e) { return e.session.selected != 0 || log_lines_chosen(e); },
-                  "select an object first"}});
-    a.push_back({"Edit", "Paste", {ctrl('V')}, [](Editor& e) {
-                     const char* text = ImGui::GetClipboardText();
-                     paste_text(e.session, text ? text : "");
-                 }});
+    const Menu edit(a, "Edit");
+    edit("Cut", {ctrl('X')}, cut_objects, something_selected(), true);
+    edit("Copy", {ctrl('C')},
+         [](Editor& e) {
+             if (!copy_log_lines(e)) copy_objects(e, chosen(e), "copied");
+         },
+         {[](const Editor& e) { return e.session.selected != 0 || log_lines_chosen(e); },
+          "select an object first"});
+    edit("Paste", {ctrl('V')}, [](Editor& e) {
+        const char* text = ImGui::GetClipboardText();
+        paste_text(e.session, text ? text : "");
+    });
 }
 
 } // namespace
@@ -123,168 +123,129 @@ void attach_as_it_lies(Editor& e, Id id)
 
 void add_edit_actions(std::vector<Action>& a)
 {
-    a.push_back({"Edit",
-                 "Undo",
-                 {ctrl('Z')},
-                 [](Editor& e) { e.session.undo(); },
-                 {[](const Editor& e) { return e.session.scene().history().position() > 0; },
-                  "there is nothing to undo"}});
-    a.push_back({"Edit",
-                 "Redo",
-                 {ctrl('Z', true), ctrl('Y')},
-                 [](Editor& e) { e.session.redo(); },
-                 {[](const Editor& e) {
-                      const History& h = e.session.scene().history();
-                      return h.position() < h.steps().size();
-                  },
-                  "there is nothing to redo"}});
+    const Menu edit(a, "Edit");
+    edit("Undo", {ctrl('Z')}, [](Editor& e) { e.session.undo(); },
+         {[](const Editor& e) { return e.session.scene().history().position() > 0; },
+          "there is nothing to undo"});
+    edit("Redo", {ctrl('Z', true), ctrl('Y')}, [](Editor& e) { e.session.redo(); },
+         {[](const Editor& e) {
+              const History& h = e.session.scene().history();
+              return h.position() < h.steps().size();
+          },
+          "there is nothing to redo"});
     add_clipboard_actions(a);
-    a.push_back({"Edit",
-                 "Duplicate",
-                 {{.key = 'D', .shift = true}, {.key = 'D', .ctrl = true}},
-                 [](Editor& e) {
-                     const Id first = e.session.committed().next_id;
-                     if (!e.session.run(Duplicate{chosen(e), {0, 0, 0}})) return;
-                     e.session.select_new(first);
-                     action(e, "Move").run(e); // else the copies hide in what they are copies of
-                 },
-                 something_selected(),
-                 true});
-    a.push_back({"Edit",
-                 "Rename",
-                 {{ui::key_f1 + 1}},
-                 [](Editor& e) {
-                     const Id id = e.session.selected;
-                     e.outliner.renaming = id;
-                     e.outliner.new_name = name_of(e.session.document(), id);
-                     e.preferences.show_dock = true;
-                     e.only_view = false;
-                 },
-                 something_selected()});
-    a.push_back({"Edit",
-                 "Group",
-                 {ctrl('G')},
-                 [](Editor& e) {
-                     const Id group = e.session.committed().next_id;
-                     if (e.session.run(Group{chosen(e)})) e.session.selected = group;
-                 },
-                 something_selected()});
-    a.push_back({"Edit",
-                 "Ungroup",
-                 {ctrl('G', true)},
-                 [](Editor& e) { e.session.run(Ungroup{e.session.selected}); },
-                 {[](const Editor& e) {
-                      const auto& objects = e.session.document().objects;
-                      const auto found = objects.find(e.session.selected);
-                      return found != objects.end() && holds_others(found->second->source);
-                  },
-                  "select a group first"}});
-    a.push_back({"Edit",
-                 "Attach",
-                 {},
-                 attach_selected,
-                 {[](const Editor& e) { return !laid(e, false).empty(); },
-                  "select a placed object that is not attached first"}});
-    a.push_back({"Edit",
-                 "Detach",
-                 {},
-                 detach_selected,
-                 {[](const Editor& e) { return !laid(e, true).empty(); },
-                  "select an attached object first"}});
-    a.push_back(
-        {"Edit",
-         "Parent",
-         {ctrl('P')},
+    edit(
+        "Duplicate", {{.key = 'D', .shift = true}, {.key = 'D', .ctrl = true}},
+        [](Editor& e) {
+            const Id first = e.session.committed().next_id;
+            if (!e.session.run(Duplicate{chosen(e), {0, 0, 0}})) return;
+            e.session.select_new(first);
+            action(e, "Move").run(e); // else the copies hide in what they are copies of
+        },
+        something_selected(), true);
+    edit(
+        "Rename", {{ui::key_f1 + 1}},
+        [](Editor& e) {
+            const Id id = e.session.selected;
+            e.outliner.renaming = id;
+            e.outliner.new_name = name_of(e.session.document(), id);
+            e.preferences.show_dock = true;
+            e.only_view = false;
+        },
+        something_selected());
+    edit(
+        "Group", {ctrl('G')},
+        [](Editor& e) {
+            const Id group = e.session.committed().next_id;
+            if (e.session.run(Group{chosen(e)})) e.session.selected = group;
+        },
+        something_selected());
+    edit("Ungroup", {ctrl('G', true)},
+         [](Editor& e) { e.session.run(Ungroup{e.session.selected}); },
+         {[](const Editor& e) {
+              const auto& objects = e.session.document().objects;
+              const auto found = objects.find(e.session.selected);
+              return found != objects.end() && holds_others(found->second->source);
+          },
+          "select a group first"});
+    edit("Attach", {}, attach_selected,
+         {[](const Editor& e) { return !laid(e, false).empty(); },
+          "select a placed object that is not attached first"});
+    edit("Detach", {}, detach_selected,
+         {[](const Editor& e) { return !laid(e, true).empty(); },
+          "select an attached object first"});
+    edit("Parent", {ctrl('P')},
          [](Editor& e) {
              e.session.run(SetParent{e.session.selected.but_the_active(), e.session.selected});
          },
          {[](const Editor& e) { return e.session.selected.size() > 1; },
-          "select the objects first, and their parent last"}});
-    a.push_back({"Edit",
-                 "Clear parent",
-                 {alt('P')},
-                 [](Editor& e) {
-                     e.session.run(SetParent{chosen(e), 0});
-                 },
-                 {[](const Editor& e) {
-                      return std::ranges::any_of(chosen(e), [&](Id id) {
-                          return object(e.session.document(), id).parent != 0;
-                      });
-                  },
-                  "select an object with a parent first"}});
-    a.push_back({"Edit",
-                 "Remove from stroke",
-                 {},
-                 [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
-                 {[](const Editor& e) {
-                      const auto& objects = e.session.document().objects;
-                      const auto found = objects.find(e.session.selected);
-                      return found != objects.end() && found->second->stroke.has_value();
-                  },
-                  "select a placed object first"}});
-    a.push_back({"Edit",
-                 "Hide or show",
-                 {{'H'}},
-                 [](Editor& e) {
-                     const auto hidden = [&](Id id) {
-                         return object(e.session.document(), id).hidden;
-                     };
-                     const std::vector<Id> ids = chosen(e);
-                     if (std::all_of(ids.begin(), ids.end(), hidden))
-                         e.session.run(Show{ids});
-                     else
-                         e.session.run(Hide{ids});
-                 },
-                 something_selected()});
-    a.push_back({"Edit",
-                 "Lock or unlock",
-                 {},
-                 [](Editor& e) {
-                     const auto is_locked = [&](Id id) {
-                         return object(e.session.document(), id).locked;
-                     };
-                     const std::vector<Id> ids = chosen(e);
-                     if (std::all_of(ids.begin(), ids.end(), is_locked))
-                         e.session.run(Unlock{ids});
-                     else
-                         e.session.run(Lock{ids});
-                 },
-                 something_selected()});
-    a.push_back({"Edit",
-                 "Delete",
-                 {{ui::key_delete}, {'X'}},
-                 [](Editor& e) {
-                     if (e.active_tool().remove_parts(e.session)) return;
-                     const std::vector<Id> ids = deletable(e, "Nothing was deleted");
-                     if (!ids.empty()) delete_objects(e, ids);
-                 },
-                 something_selected()});
-    a.push_back({"Edit",
-                 "Find in the outliner",
-                 {ctrl('F')},
-                 [](Editor& e) {
-                     e.preferences.show_dock = true;
-                     e.only_view = false;
-                     e.outliner.focus_filter = true;
-                 },
-                 something_there()});
-    a.push_back({"Edit",
-                 "Repeat last",
-                 {{.key = 'R', .shift = true}},
-                 [](Editor& e) {
-                     const auto command = repeated(e.session);
-                     if (!command) return;
-                     const Id first = e.session.committed().next_id;
-                     if (e.session.run(*command)) e.session.select_new(first);
-                 },
-                 {[](const Editor& e) { return repeated(e.session).has_value(); },
-                  "the last step cannot be repeated on the selection"}});
-    a.push_back(
-        {"Edit",
-         "Adjust last",
-         {{ui::key_f1 + 8}},
+          "select the objects first, and their parent last"});
+    edit("Clear parent", {alt('P')},
+         [](Editor& e) {
+             e.session.run(SetParent{chosen(e), 0});
+         },
+         {[](const Editor& e) {
+              return std::ranges::any_of(
+                  chosen(e), [&](Id id) { return object(e.session.document(), id).parent != 0; });
+          },
+          "select an object with a parent first"});
+    edit("Remove from stroke", {}, [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
+         {[](const Editor& e) {
+              const auto& objects = e.session.document().objects;
+              const auto found = objects.find(e.session.selected);
+              return found != objects.end() && found->second->stroke.has_value();
+          },
+          "select a placed object first"});
+    edit(
+        "Hide or show", {{'H'}},
+        [](Editor& e) {
+            const auto hidden = [&](Id id) { return object(e.session.document(), id).hidden; };
+            const std::vector<Id> ids = chosen(e);
+            if (std::all_of(ids.begin(), ids.end(), hidden))
+                e.session.run(Show{ids});
+            else
+                e.session.run(Hide{ids});
+        },
+        something_selected());
+    edit(
+        "Lock or unlock", {},
+        [](Editor& e) {
+            const auto is_locked = [&](Id id) { return object(e.session.document(), id).locked; };
+            const std::vector<Id> ids = chosen(e);
+            if (std::all_of(ids.begin(), ids.end(), is_locked))
+                e.session.run(Unlock{ids});
+            else
+                e.session.run(Lock{ids});
+        },
+        something_selected());
+    edit(
+        "Delete", {{ui::key_delete}, {'X'}},
+        [](Editor& e) {
+            if (e.active_tool().remove_parts(e.session)) return;
+            const std::vector<Id> ids = deletable(e, "Nothing was deleted");
+            if (!ids.empty()) delete_objects(e, ids);
+        },
+        something_selected());
+    edit(
+        "Find in the outliner", {ctrl('F')},
+        [](Editor& e) {
+            e.preferences.show_dock = true;
+            e.only_view = false;
+            e.outliner.focus_filter = true;
+        },
+        something_there());
+    edit("Repeat last", {{.key = 'R', .shift = true}},
+         [](Editor& e) {
+             const auto command = repeated(e.session);
+             if (!command) return;
+             const Id first = e.session.committed().next_id;
+             if (e.session.run(*command)) e.session.select_new(first);
+         },
+         {[](const Editor& e) { return repeated(e.session).has_value(); },
+          "the last step cannot be repeated on the selection"});
+    edit("Adjust last", {{ui::key_f1 + 8}},
          [](Editor& e) { e.adjustment.open = !e.adjustment.open; },
-         {[](const Editor& e) { return e.adjustment.step != 0; }, "the last step has no numbers"}});
+         {[](const Editor& e) { return e.adjustment.step != 0; }, "the last step has no numbers"});
 }
 
 } // namespace trivar

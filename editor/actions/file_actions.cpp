@@ -3,6 +3,7 @@
 
 #include "core/files/pictures/image.h"
 #include "editor/actions/chords.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/files/relink.h"
 
@@ -32,64 +33,41 @@ void render_picture(Editor& e)
 
 void add_file_actions(std::vector<Action>& a)
 {
-    a.push_back({"File", "New scene", {ctrl('N')}, [](Editor& e) {
-                     // Whoever asks for one needs no card that offers it.
-                     e.files.new_scene([&e] {
-                         e.start_card = {.left = e.session.scenes()};
-                         e.choose_tool(0);
-                     });
-                 }});
-    a.push_back({"File", "Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); }});
-    a.push_back(
-        {"File", "Recover discarded scenes...", {}, [](Editor& e) { e.files.ask_discarded(); }});
-    a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
-    a.push_back(
-        {"File", "Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); }});
-    a.push_back(
-        {"File", "Save numbered copy", {{.key = 'S', .ctrl = true, .alt = true}}, [](Editor& e) {
-             e.files.save_numbered_copy();
-         }});
-    a.push_back({"File", "Save without undone steps...", {}, [](Editor& e) {
-                     e.files.ask_save_compact();
-                 }});
-    a.push_back({"File",
-                 import_action,
-                 {ctrl('I', true)},
-                 [](Editor& e) { e.files.ask_import(); },
-                 {},
-                 true});
-    a.push_back({"File",
-                 "Find missing file...",
-                 {},
-                 [](Editor& e) { e.files.ask_missing(); },
-                 something_there()});
-    a.push_back({"File",
-                 "Reload files",
-                 {},
-                 [](Editor& e) { read_anew(e.session, e.session.selected.ids()); },
-                 something_selected()});
-    a.push_back({"File",
-                 "Collect files next to scene",
-                 {},
-                 [](Editor& e) { e.files.collect(); },
-                 something_there()});
-    a.push_back({"File",
-                 "Export...",
-                 {ctrl('E')},
-                 [](Editor& e) { e.files.ask_export(); },
-                 something_there()});
-    a.push_back({"File",
-                 "Export frames...",
-                 {},
-                 [](Editor& e) { ask_export_frames(e); },
-                 something_there()});
-    a.push_back({"File", "Render picture", {{ui::key_f1 + 11}}, render_picture, something_there()});
-    a.push_back({"File",
-                 record_action,
-                 {{.key = ui::key_f1 + 11, .ctrl = true}},
-                 [](Editor& e) { ask_record(e); },
-                 something_there()});
-    a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
+    const Menu file(a, "File");
+    file("New scene", {ctrl('N')}, [](Editor& e) {
+        // Whoever asks for one needs no card that offers it.
+        e.files.new_scene([&e] {
+            e.start_card = {.left = e.session.scenes()};
+            e.choose_tool(0);
+        });
+    });
+    file("Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); });
+    file("Recover discarded scenes...", {}, [](Editor& e) { e.files.ask_discarded(); });
+    file(
+        "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true);
+    file("Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); });
+    file("Save numbered copy", {{.key = 'S', .ctrl = true, .alt = true}},
+         [](Editor& e) { e.files.save_numbered_copy(); });
+    file("Save without undone steps...", {}, [](Editor& e) { e.files.ask_save_compact(); });
+    file(
+        import_action, {ctrl('I', true)}, [](Editor& e) { e.files.ask_import(); }, {}, true);
+    file(
+        "Find missing file...", {}, [](Editor& e) { e.files.ask_missing(); }, something_there());
+    file(
+        "Reload files", {}, [](Editor& e) { read_anew(e.session, e.session.selected.ids()); },
+        something_selected());
+    file(
+        "Collect files next to scene", {}, [](Editor& e) { e.files.collect(); }, something_there());
+    file(
+        "Export...", {ctrl('E')}, [](Editor& e) { e.files.ask_export(); }, something_there());
+    file(
+        "Export frames...", {}, [](Editor& e) { ask_export_frames(e); }, something_there());
+    file("Render picture", {{ui::key_f1 + 11}}, render_picture, something_there());
+    file(
+        record_action, {{.key = ui::key_f1 + 11, .ctrl = true}}, [](Editor& e) { ask_record(e); },
+        something_there());
+    file(
+        "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true);
 }
 
 void ask_export_frames(Editor& editor)

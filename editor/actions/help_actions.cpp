@@ -2,6 +2,7 @@
 #include "editor/actions/help_actions.h"
 
 #include "editor/actions/hint_steps.h"
+#include "editor/actions/menu.h"
 #include "editor/actions/show_manual.h"
 #include "editor/editor.h"
 #include "editor/session/recent_scenes.h"
@@ -14,33 +15,29 @@ namespace {
 
 void tutorial_actions(std::vector<Action>& a)
 {
+    const Menu tutorials(a, "Tutorials");
     const auto at = [](std::string otherwise, auto holds) {
         return Condition{[holds](const Editor& e) {
                              return e.tutorial.runs(e.session) && holds(e.tutorial, e.session);
                          },
                          std::move(otherwise)};
     };
-    a.push_back({"Tutorials",
-                 tutorial_next,
-                 {{ui::key_right}},
-                 [](Editor& e) { e.tutorial.next(e.session, e.preferences.reduced_motion); },
-                 at("no further tutorial step",
-                    [](const Tutorial& t, const Session& s) {
-                        return !t.note(s).empty() && t.step(s) < t.count();
-                    }),
-                 true});
-    a.push_back({"Tutorials",
-                 tutorial_back,
-                 {{ui::key_left}},
-                 [](Editor& e) { e.tutorial.back(e.session); },
-                 at("no earlier tutorial step", [](const Tutorial& t, const Session& s) {
-                     return !t.note(s).empty() && t.step(s) > 1;
-                 })});
-    a.push_back({"Tutorials",
-                 tutorial_close,
-                 {{ui::key_escape}},
-                 [](Editor& e) { e.tutorial.close(e.session); },
-                 at("no tutorial is open", [](const Tutorial&, const Session&) { return true; })});
+    tutorials(
+        tutorial_next, {{ui::key_right}},
+        [](Editor& e) { e.tutorial.next(e.session, e.preferences.reduced_motion); },
+        at("no further tutorial step",
+           [](const Tutorial& t, const Session& s) {
+               return !t.note(s).empty() && t.step(s) < t.count();
+           }),
+        true);
+    tutorials(
+        tutorial_back, {{ui::key_left}}, [](Editor& e) { e.tutorial.back(e.session); },
+        at("no earlier tutorial step", [](const Tutorial& t, const Session& s) {
+            return !t.note(s).empty() && t.step(s) > 1;
+        }));
+    tutorials(
+        tutorial_close, {{ui::key_escape}}, [](Editor& e) { e.tutorial.close(e.session); },
+        at("no tutorial is open", [](const Tutorial&, const Session&) { return true; }));
     for (Action& each : a)
         if (each.menu == "Tutorials") each.keys_in = KeysIn::tutorial;
 }
@@ -49,25 +46,17 @@ void tutorial_actions(std::vector<Action>& a)
 
 void add_help_actions(std::vector<Action>& a)
 {
-    a.push_back({"Help",
-                 palette_action,
-                 {{ui::key_f1 + 2}, {.key = 'P', .ctrl = true, .shift = true}},
-                 [](Editor& e) { e.palette.show(); }});
-    a.push_back({"Help", "Manual", {{ui::key_f1}}, [](Editor& e) {
-                     show_manual(e, e.active_tool().page());
-                 }});
-    a.push_back({"Help", "Start card", {}, [](Editor& e) {
-                     e.start_card = {.asked = e.session.scenes()};
-                 }});
-    a.push_back({"Help",
-                 show_hints_action,
-                 {},
-                 show_hints_again,
-                 {[](const Editor& e) {
-                      return !e.preferences.hints || !e.preferences.closed_hints.empty();
-                  },
-                  "all hints are shown"}});
-    a.push_back({"Help", "Keys and mouse", {}, [](Editor& e) { show_manual(e, keys_page); }});
+    const Menu help(a, "Help");
+    help(palette_action, {{ui::key_f1 + 2}, {.key = 'P', .ctrl = true, .shift = true}},
+         [](Editor& e) { e.palette.show(); });
+    help("Manual", {{ui::key_f1}}, [](Editor& e) { show_manual(e, e.active_tool().page()); });
+    help("Start card", {}, [](Editor& e) { e.start_card = {.asked = e.session.scenes()}; });
+    help(show_hints_action, {}, show_hints_again,
+         {[](const Editor& e) {
+              return !e.preferences.hints || !e.preferences.closed_hints.empty();
+          },
+          "all hints are shown"});
+    help("Keys and mouse", {}, [](Editor& e) { show_manual(e, keys_page); });
     tutorial_actions(a);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/commands/objects/animate.h"
 #include "core/commands/objects/view.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/topics.h"
@@ -165,45 +166,39 @@ void delete_chosen(Editor& e)
 
 void add_key_actions(std::vector<Action>& a)
 {
-    a.push_back({"Animate",
-                 insert_key_action,
-                 {{'I'}},
-                 [](Editor& e) {
-                     if (key_view(e)) return;
-                     change_keys(e, keys_as_shown);
-                     tell_of_parts(e);
-                 },
-                 {[](const Editor& e) { return !targets(e).empty() || numbers_of_parts(e); },
-                  something_to_key().otherwise},
-                 true});
-    a.push_back({"Animate",
-                 remove_key_action,
-                 {{.key = 'I', .alt = true}},
-                 [](Editor& e) {
-                     change_keys(e, [](const Session& session, const std::vector<Id>& ids,
-                                       const std::vector<std::string>& names) {
-                         return without_keys(session.document(), ids, names, session.frame());
-                     });
-                 },
-                 something_to_key()});
+    const Menu animate(a, "Animate");
+    animate(
+        insert_key_action, {{'I'}},
+        [](Editor& e) {
+            if (key_view(e)) return;
+            change_keys(e, keys_as_shown);
+            tell_of_parts(e);
+        },
+        {[](const Editor& e) { return !targets(e).empty() || numbers_of_parts(e); },
+         something_to_key().otherwise},
+        true);
+    animate(
+        remove_key_action, {{.key = 'I', .alt = true}},
+        [](Editor& e) {
+            change_keys(e, [](const Session& session, const std::vector<Id>& ids,
+                              const std::vector<std::string>& names) {
+                return without_keys(session.document(), ids, names, session.frame());
+            });
+        },
+        something_to_key());
     const Condition keyed{
         [](const Editor& e) { return !animated_ids(e.session.document()).empty(); },
         "there are no keys"};
-    a.push_back(
-        {"Animate", next_key_action, {{ui::key_up}}, [](Editor& e) { go_to_key(e, true); }, keyed});
-    a.back().keys_in = KeysIn::picture;
+    animate(
+        next_key_action, {{ui::key_up}}, [](Editor& e) { go_to_key(e, true); }, keyed)
+        .keys_in = KeysIn::picture;
     a.back().repeats = true;
-    a.push_back({"Animate",
-                 previous_key_action,
-                 {{ui::key_down}},
-                 [](Editor& e) { go_to_key(e, false); },
-                 keyed});
-    a.back().keys_in = KeysIn::picture;
+    animate(
+        previous_key_action, {{ui::key_down}}, [](Editor& e) { go_to_key(e, false); }, keyed)
+        .keys_in = KeysIn::picture;
     a.back().repeats = true;
-    a.push_back({"Animate", auto_key_action, {}, [](Editor& e) {
-                     e.session.auto_key = !e.session.auto_key;
-                 }});
-    a.back().on = [](const Editor& e) { return e.session.auto_key; };
+    animate(auto_key_action, {}, [](Editor& e) { e.session.auto_key = !e.session.auto_key; }).on =
+        [](const Editor& e) { return e.session.auto_key; };
 }
 
 void let_keys_take(std::vector<Action>& actions)

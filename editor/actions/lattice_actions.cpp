@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "editor/actions/actions.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/files/kept_shapes.h"
 #include "editor/hands/lattice_round.h"
@@ -56,10 +57,8 @@ std::vector<Id> to_take_out(const Session& session)
 
 void add_member_actions(std::vector<Action>& actions)
 {
-    actions.push_back(
-        {"Lattice",
-         add_to_lattice_action,
-         {},
+    const Menu menu(actions, "Lattice");
+    menu(add_to_lattice_action, {},
          [](Editor& e) {
              const Id lattice = selected_lattice(e.session);
              const std::vector<Id> ids = to_add(e.session, lattice);
@@ -67,90 +66,75 @@ void add_member_actions(std::vector<Action>& actions)
                  e.session.selected = lattice;
          },
          {[](const Editor& e) { return !to_add(e.session, selected_lattice(e.session)).empty(); },
-          "select a lattice and the objects that it should bend"}});
-    actions.push_back({"Lattice",
-                       take_out_of_lattice_action,
-                       {},
-                       [](Editor& e) {
-                           const std::vector<Id> ids = to_take_out(e.session);
-                           const Document& document = e.session.document();
-                           const Id lattice = lattice_of(document, ids.front());
-                           e.session.run(
-                               Reorder{.objects = ids, .parent = object(document, lattice).parent});
-                       },
-                       {[](const Editor& e) { return !to_take_out(e.session).empty(); },
-                        "select an object in a lattice first"}});
-    actions.push_back({"Lattice",
-                       back_to_rest_action,
-                       {},
-                       [](Editor& e) { e.session.run(Ungroup{selected_lattice(e.session)}); },
-                       {[](const Editor& e) {
-                            const Id lattice = selected_lattice(e.session);
-                            return lattice != 0 && !locked(e.session.document(), lattice);
-                        },
-                        "select a lattice first"}});
-    actions.push_back({"Lattice",
-                       keep_shape_action,
-                       {},
-                       [](Editor& e) {
-                           try {
-                               e.session.run(kept_shapes(e.session, selected_lattice(e.session)));
-                           } catch (const Rejected& error) {
-                               e.session.notices.say(ui::NoticeKind::error,
-                                                     "The shape was not kept", error.what());
-                           }
-                       },
-                       {[](const Editor& e) {
-                            const Id lattice = selected_lattice(e.session);
-                            return lattice != 0 && !locked(e.session.document(), lattice) &&
-                                   e.session.up_to_date() && keeps_shapes(e.session);
-                        },
-                        "select a lattice first, in a scene that is saved"}});
+          "select a lattice and the objects that it should bend"});
+    menu(take_out_of_lattice_action, {},
+         [](Editor& e) {
+             const std::vector<Id> ids = to_take_out(e.session);
+             const Document& document = e.session.document();
+             const Id lattice = lattice_of(document, ids.front());
+             e.session.run(Reorder{.objects = ids, .parent = object(document, lattice).parent});
+         },
+         {[](const Editor& e) { return !to_take_out(e.session).empty(); },
+          "select an object in a lattice first"});
+    menu(back_to_rest_action, {},
+         [](Editor& e) { e.session.run(Ungroup{selected_lattice(e.session)}); },
+         {[](const Editor& e) {
+              const Id lattice = selected_lattice(e.session);
+              return lattice != 0 && !locked(e.session.document(), lattice);
+          },
+          "select a lattice first"});
+    menu(keep_shape_action, {},
+         [](Editor& e) {
+             try {
+                 e.session.run(kept_shapes(e.session, selected_lattice(e.session)));
+             } catch (const Rejected& error) {
+                 e.session.notices.say(ui::NoticeKind::error, "The shape was not kept",
+                                       error.what());
+             }
+         },
+         {[](const Editor& e) {
+              const Id lattice = selected_lattice(e.session);
+              return lattice != 0 && !locked(e.session.document(), lattice) &&
+                     e.session.up_to_date() && keeps_shapes(e.session);
+          },
+          "select a lattice first, in a scene that is saved"});
 }
 
 } // namespace
 
 void add_lattice_actions(std::vector<Action>& actions)
 {
-    actions.push_back({"Add",
-                       lattice_action,
-                       {{.key = 'V', .shift = true}},
-                       [](Editor& e) {
-                           if (!put_lattice_round_selection(e.session)) return;
-                           e.choose_tool("Lattice");
-                       },
-                       something_selected(),
-                       true});
-    actions.push_back({"Add",
-                       tetrahedra_action,
-                       {{.key = 'Y', .shift = true}},
-                       [](Editor& e) {
-                           if (!put_tetrahedra_round_selection(e.session)) return;
-                           e.choose_tool("Tetrahedra");
-                       },
-                       something_selected(),
-                       true});
-    actions.push_back({"Add",
-                       fitted_tetrahedra_action,
-                       {},
-                       [](Editor& e) {
-                           if (!put_tetrahedra_round_selection(e.session, Around::fitted)) return;
-                           e.choose_tool("Tetrahedra");
-                       },
-                       something_selected(),
-                       true});
-    actions.push_back({"Tools",
-                       "Proportional editing",
-                       {{'O'}},
-                       [](Editor& e) {
-                           if (const auto on = e.active_tool().proportional())
-                               e.active_tool().set_proportional(!*on);
-                       },
-                       {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
-                        "choose the Lattice tool first"}});
-    actions.back().on = [](const Editor& e) {
-        return e.active_tool().proportional().value_or(false);
-    };
+    const Menu tools(actions, "Tools");
+    const Menu add(actions, "Add");
+    add(
+        lattice_action, {{.key = 'V', .shift = true}},
+        [](Editor& e) {
+            if (!put_lattice_round_selection(e.session)) return;
+            e.choose_tool("Lattice");
+        },
+        something_selected(), true);
+    add(
+        tetrahedra_action, {{.key = 'Y', .shift = true}},
+        [](Editor& e) {
+            if (!put_tetrahedra_round_selection(e.session)) return;
+            e.choose_tool("Tetrahedra");
+        },
+        something_selected(), true);
+    add(
+        fitted_tetrahedra_action, {},
+        [](Editor& e) {
+            if (!put_tetrahedra_round_selection(e.session, Around::fitted)) return;
+            e.choose_tool("Tetrahedra");
+        },
+        something_selected(), true);
+    tools("Proportional editing", {{'O'}},
+          [](Editor& e) {
+              if (const auto on = e.active_tool().proportional())
+                  e.active_tool().set_proportional(!*on);
+          },
+          {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
+           "choose the Lattice tool first"})
+        .on = [](const Editor& e) { return e.active_tool().proportional().value_or(false); };
     add_member_actions(actions);
 }
 

@@ -6,6 +6,7 @@
 #include "core/commands/tiles/heights.h"
 #include "core/commands/tiles/mask_tiles.h"
 #include "core/stages/tiled_base.h"
+#include "editor/actions/menu.h"
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
@@ -161,23 +162,14 @@ void ask_mask_image(Editor& editor, int layer, int number)
 
 void add_mask_actions(std::vector<Action>& actions)
 {
-    actions.push_back({"Tools",
-                       "Mask tiles by image...",
-                       {},
-                       [](Editor& e) { ask_mask_image(e, e.session.selected); },
-                       {selects_layer, "select a layer of tiles first"}});
-    actions.push_back(
-        {"Tools",
-         "Mask tiles by curve",
-         {},
-         mask_by_curve,
-         {[](const Editor& e) { return e.session.selected.size() == 2 && selects_layer(e); },
-          "select an object on a stroke or with lines first, and the layer of tiles last"}});
-    actions.push_back({"Tools",
-                       "Displace by image...",
-                       {},
-                       ask_displacement,
-                       {selects_surface, "select an object with a surface first"}});
+    const Menu tools(actions, "Tools");
+    tools("Mask tiles by image...", {}, [](Editor& e) { ask_mask_image(e, e.session.selected); },
+          {selects_layer, "select a layer of tiles first"});
+    tools("Mask tiles by curve", {}, mask_by_curve,
+          {[](const Editor& e) { return e.session.selected.size() == 2 && selects_layer(e); },
+           "select an object on a stroke or with lines first, and the layer of tiles last"});
+    tools("Displace by image...", {}, ask_displacement,
+          {selects_surface, "select an object with a surface first"});
 }
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "editor/actions/reset_actions.h"
 
 #include "core/commands/cutting/incise.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/hands/motion.h"
 
@@ -49,18 +50,16 @@ std::vector<Id> selected_incised(const Editor& e)
 
 void add_reset_actions(std::vector<Action>& a)
 {
+    const Menu reset(a, "Reset");
     a.push_back(reset_action<&Transform::translation>("Reset position", 'G'));
     a.push_back(reset_action<&Transform::rotation_deg>("Reset rotation", 'R'));
     a.push_back(reset_action<&Transform::scale>("Reset scale", 'S'));
-    a.push_back({"Reset",
-                 "Clear incisions",
-                 {},
-                 [](Editor& e) {
-                     if (e.session.run(ClearIncisions{selected_incised(e)}))
-                         e.session.incision = {};
-                 },
-                 {[](const Editor& e) { return !selected_incised(e).empty(); },
-                  "select an object with incisions first"}});
+    reset("Clear incisions", {},
+          [](Editor& e) {
+              if (e.session.run(ClearIncisions{selected_incised(e)})) e.session.incision = {};
+          },
+          {[](const Editor& e) { return !selected_incised(e).empty(); },
+           "select an object with incisions first"});
 }
 
 } // namespace trivar

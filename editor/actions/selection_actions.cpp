@@ -2,6 +2,7 @@
 #include "editor/actions/selection_actions.h"
 
 #include "core/commands/objects/arrange.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"
@@ -82,79 +83,68 @@ void isolate(Editor& e)
 
 void add_selection_actions(std::vector<Action>& a)
 {
-    a.push_back({"Select",
-                 "Select all",
-                 {{'A'}},
-                 [](Editor& e) {
-                     if (e.active_tool().choose_parts(e.session, PartChoice::all)) return;
-                     select_keeping_active(e, visible_ones(e));
-                 },
-                 something_there()});
-    a.push_back({"Select",
-                 "Deselect all",
-                 {{.key = 'A', .alt = true}},
-                 [](Editor& e) {
-                     if (e.active_tool().choose_parts(e.session, PartChoice::none)) return;
-                     e.session.selected = 0;
-                 },
-                 something_selected()});
-    a.push_back({"Select",
-                 "Invert selection",
-                 {{.key = 'I', .ctrl = true}},
-                 [](Editor& e) {
-                     if (e.active_tool().choose_parts(e.session, PartChoice::others)) return;
-                     std::vector<Id> ids = topmost(e.session.document(), others(e));
-                     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
-                     e.session.selected.set(ids);
-                 },
-                 something_there()});
-    a.push_back({"Select",
-                 "Select more points",
-                 {{ui::key_keypad_plus}, {ui::key_equal}},
-                 [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
-                 {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
-                  "choose control points with the Lattice tool first"}});
-    a.push_back({"Select",
-                 "Select the same type",
-                 {{.key = 'G', .shift = true}},
-                 [](Editor& e) {
-                     if (e.active_tool().choose_parts(e.session, PartChoice::same)) return;
-                     select_keeping_active(e, of_the_same_type(e));
-                 },
-                 something_selected()});
-    a.push_back({"Select",
-                 "Box select",
-                 {{'B'}},
-                 [](Editor& e) {
-                     e.choose_tool(0);
-                     static_cast<SelectTool&>(e.active_tool()).begin_box();
-                 },
-                 something_there()});
-    a.push_back(
-        {"Select",
-         isolate_action,
-         {{ui::key_slash}, {ui::key_keypad_divide}},
-         isolate,
-         {[](const Editor& e) { return e.session.selected != 0 || !e.session.hidden_here.empty(); },
-          "select an object first"},
-         true});
-    a.push_back({"Select",
-                 "Hide others",
-                 {{.key = 'H', .shift = true}},
-                 [](Editor& e) {
-                     if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())
-                         e.session.run(Hide{ids});
-                 },
-                 something_selected()});
-    a.push_back({"Select",
-                 "Show all",
-                 {{.key = 'H', .alt = true}},
-                 [](Editor& e) {
-                     const auto ids = objects_that(
-                         e, [&](Id id) { return object(e.session.document(), id).hidden; });
-                     if (!ids.empty()) e.session.run(Show{ids});
-                 },
-                 something_there()});
+    const Menu select(a, "Select");
+    select(
+        "Select all", {{'A'}},
+        [](Editor& e) {
+            if (e.active_tool().choose_parts(e.session, PartChoice::all)) return;
+            select_keeping_active(e, visible_ones(e));
+        },
+        something_there());
+    select(
+        "Deselect all", {{.key = 'A', .alt = true}},
+        [](Editor& e) {
+            if (e.active_tool().choose_parts(e.session, PartChoice::none)) return;
+            e.session.selected = 0;
+        },
+        something_selected());
+    select(
+        "Invert selection", {{.key = 'I', .ctrl = true}},
+        [](Editor& e) {
+            if (e.active_tool().choose_parts(e.session, PartChoice::others)) return;
+            std::vector<Id> ids = topmost(e.session.document(), others(e));
+            std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+            e.session.selected.set(ids);
+        },
+        something_there());
+    select("Select more points", {{ui::key_keypad_plus}, {ui::key_equal}},
+           [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
+           {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
+            "choose control points with the Lattice tool first"});
+    select(
+        "Select the same type", {{.key = 'G', .shift = true}},
+        [](Editor& e) {
+            if (e.active_tool().choose_parts(e.session, PartChoice::same)) return;
+            select_keeping_active(e, of_the_same_type(e));
+        },
+        something_selected());
+    select(
+        "Box select", {{'B'}},
+        [](Editor& e) {
+            e.choose_tool(0);
+            static_cast<SelectTool&>(e.active_tool()).begin_box();
+        },
+        something_there());
+    select(
+        isolate_action, {{ui::key_slash}, {ui::key_keypad_divide}}, isolate,
+        {[](const Editor& e) { return e.session.selected != 0 || !e.session.hidden_here.empty(); },
+         "select an object first"},
+        true);
+    select(
+        "Hide others", {{.key = 'H', .shift = true}},
+        [](Editor& e) {
+            if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())
+                e.session.run(Hide{ids});
+        },
+        something_selected());
+    select(
+        "Show all", {{.key = 'H', .alt = true}},
+        [](Editor& e) {
+            const auto ids =
+                objects_that(e, [&](Id id) { return object(e.session.document(), id).hidden; });
+            if (!ids.empty()) e.session.run(Show{ids});
+        },
+        something_there());
 }
 
 } // namespace trivar

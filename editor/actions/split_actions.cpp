@@ -3,6 +3,7 @@
 
 #include "core/commands/cutting/cut.h"
 #include "core/commands/cutting/split.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/tools/split/split.h"
 
@@ -47,27 +48,19 @@ std::vector<Id> selected_cut(const Editor& e)
 
 void add_split_actions(std::vector<Action>& actions)
 {
-    actions.push_back({"Tools",
-                       "Split at obstacles",
-                       {},
-                       [](Editor& e) {
-                           if (const std::optional<Split> wish = split_wish(e.session))
-                               e.session.run(*wish);
-                       },
-                       {[](const Editor& e) { return split_wish(e.session).has_value(); },
-                        "select the obstacles and, last, the object to split"}});
-    actions.push_back({"Tools",
-                       "Clear split",
-                       {},
-                       [](Editor& e) { e.session.run(ClearSplit{selected_parted(e)}); },
-                       {[](const Editor& e) { return !selected_parted(e).empty(); },
-                        "select an object that is split first"}});
-    actions.push_back({"Tools",
-                       "Clear cuts",
-                       {},
-                       [](Editor& e) { e.session.run(ClearCuts{selected_cut(e)}); },
-                       {[](const Editor& e) { return !selected_cut(e).empty(); },
-                        "select an object that is cut first"}});
+    const Menu tools(actions, "Tools");
+    tools("Split at obstacles", {},
+          [](Editor& e) {
+              if (const std::optional<Split> wish = split_wish(e.session)) e.session.run(*wish);
+          },
+          {[](const Editor& e) { return split_wish(e.session).has_value(); },
+           "select the obstacles and, last, the object to split"});
+    tools("Clear split", {}, [](Editor& e) { e.session.run(ClearSplit{selected_parted(e)}); },
+          {[](const Editor& e) { return !selected_parted(e).empty(); },
+           "select an object that is split first"});
+    tools("Clear cuts", {}, [](Editor& e) { e.session.run(ClearCuts{selected_cut(e)}); },
+          {[](const Editor& e) { return !selected_cut(e).empty(); },
+           "select an object that is cut first"});
 }
 
 } // namespace trivar

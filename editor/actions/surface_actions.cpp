@@ -3,6 +3,7 @@
 
 #include "core/commands/objects/shade.h"
 #include "core/commands/objects/unwrap.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 
 namespace trivar {
@@ -39,32 +40,26 @@ std::vector<Id> to_shade(const Editor& e, ShadingWay way)
 
 void add_surface_actions(std::vector<Action>& actions)
 {
+    const Menu surface(actions, "Surface");
     for (const auto& [name, way] : {std::pair("Shade smooth", ShadingWay::smooth),
                                     {"Shade by angle", ShadingWay::by_angle},
                                     {"Shade flat", ShadingWay::flat},
                                     {"Clear shading", ShadingWay::own}})
-        actions.push_back({"Surface",
-                           name,
-                           {},
-                           [way = way](Editor& e) {
-                               e.session.run(Shade{to_shade(e, way), {way}});
-                           },
-                           {[way = way](const Editor& e) { return !to_shade(e, way).empty(); },
-                            "select an object with a surface that is not shaded so yet"}});
-    actions.push_back({"Surface",
-                       "Unwrap",
-                       {},
-                       [](Editor& e) {
-                           e.session.run(Unwrap{to_unwrap(e), {}});
-                       },
-                       {[](const Editor& e) { return !to_unwrap(e).empty(); },
-                        "select an object with a surface that is not unwrapped yet"}});
-    actions.push_back({"Surface",
-                       "Clear unwrap",
-                       {},
-                       [](Editor& e) { e.session.run(ClearUnwrap{unwrapped(e)}); },
-                       {[](const Editor& e) { return !unwrapped(e).empty(); },
-                        "select an unwrapped object first"}});
+        surface(name, {},
+                [way = way](Editor& e) {
+                    e.session.run(Shade{to_shade(e, way), {way}});
+                },
+                {[way = way](const Editor& e) { return !to_shade(e, way).empty(); },
+                 "select an object with a surface that is not shaded so yet"});
+    surface("Unwrap", {},
+            [](Editor& e) {
+                e.session.run(Unwrap{to_unwrap(e), {}});
+            },
+            {[](const Editor& e) { return !to_unwrap(e).empty(); },
+             "select an object with a surface that is not unwrapped yet"});
+    surface("Clear unwrap", {}, [](Editor& e) { e.session.run(ClearUnwrap{unwrapped(e)}); },
+            {[](const Editor& e) { return !unwrapped(e).empty(); },
+             "select an unwrapped object first"});
 }
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/commands/tiles/mix_tiles.h"
 #include "core/commands/tiles/tiles.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
 
@@ -38,26 +39,15 @@ void morph_tiles(Editor& e)
 
 void add_tile_actions(std::vector<Action>& actions)
 {
-    actions.push_back(
-        {"Tools",
-         "Mix tiles",
-         {},
-         mix_tiles,
-         {[](const Editor& e) { return e.session.selected.size() > 1 && layer_is_active(e); },
-          "select the objects first, and the layer of tiles last"}});
-    actions.push_back(
-        {"Tools",
-         "Morph tiles",
-         {},
-         morph_tiles,
-         {[](const Editor& e) { return e.session.selected.size() == 2 && layer_is_active(e); },
-          "select another object first, and the layer of tiles last"}});
-    actions.push_back(
-        {"Tools",
-         "Clear tiles",
-         {},
-         [](Editor& e) { e.session.run(ClearTiles{{e.session.selected}}); },
-         {[](const Editor& e) { return layer_is_active(e); }, "select a layer of tiles first"}});
+    const Menu tools(actions, "Tools");
+    tools("Mix tiles", {}, mix_tiles,
+          {[](const Editor& e) { return e.session.selected.size() > 1 && layer_is_active(e); },
+           "select the objects first, and the layer of tiles last"});
+    tools("Morph tiles", {}, morph_tiles,
+          {[](const Editor& e) { return e.session.selected.size() == 2 && layer_is_active(e); },
+           "select another object first, and the layer of tiles last"});
+    tools("Clear tiles", {}, [](Editor& e) { e.session.run(ClearTiles{{e.session.selected}}); },
+          {[](const Editor& e) { return layer_is_active(e); }, "select a layer of tiles first"});
 }
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/commands/objects/play.h"
 #include "core/commands/objects/view.h"
+#include "editor/actions/menu.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
@@ -50,14 +51,14 @@ void begin_clips(Session& session)
 
 void add_time_actions(std::vector<Action>& a)
 {
-    a.push_back({"Animate", play_action, {{ui::key_space}}, [](Editor& e) {
-                     if (e.playback.playing()) return e.playback.pause();
-                     begin_clips(e.session);
-                     e.playback.play(e.session);
-                 }});
-    a.push_back(
-        {"Animate", loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }});
-    a.back().on = [](const Editor& e) { return e.preferences.loop; };
+    const Menu animate(a, "Animate");
+    animate(play_action, {{ui::key_space}}, [](Editor& e) {
+        if (e.playback.playing()) return e.playback.pause();
+        begin_clips(e.session);
+        e.playback.play(e.session);
+    });
+    animate(loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }).on =
+        [](const Editor& e) { return e.preferences.loop; };
     a.push_back(frame_action(next_frame_action, {ui::key_right},
                              [](const Session& s) { return s.frame() + 1; }));
     a.back().group_begins = true;
@@ -69,25 +70,22 @@ void add_time_actions(std::vector<Action>& a)
                              [](const Session& s) { return s.document().time.first_frame; }));
     a.push_back(frame_action(last_frame_action, {.key = ui::key_right, .shift = true},
                              [](const Session& s) { return s.document().time.last_frame; }));
-    a.push_back({"Animate",
-                 make_room_action,
-                 {},
-                 [](Editor& e) {
-                     if (const auto time = time_with_room(e.session)) e.session.run(SetTime{*time});
-                 },
-                 {[](const Editor& e) { return time_with_room(e.session).has_value(); },
-                  "nothing is moving in the last frame"},
-                 true});
-    a.push_back({"Animate",
-                 timeline_action,
-                 {{.key = 'T', .shift = true}},
-                 [](Editor& e) {
-                     e.preferences.timeline_open = !e.preferences.timeline_open || e.only_view;
-                     e.only_view = false;
-                 },
-                 {},
-                 true});
-    a.back().on = [](const Editor& e) { return e.preferences.timeline_open; };
+    animate(
+        make_room_action, {},
+        [](Editor& e) {
+            if (const auto time = time_with_room(e.session)) e.session.run(SetTime{*time});
+        },
+        {[](const Editor& e) { return time_with_room(e.session).has_value(); },
+         "nothing is moving in the last frame"},
+        true);
+    animate(
+        timeline_action, {{.key = 'T', .shift = true}},
+        [](Editor& e) {
+            e.preferences.timeline_open = !e.preferences.timeline_open || e.only_view;
+            e.only_view = false;
+        },
+        {}, true)
+        .on = [](const Editor& e) { return e.preferences.timeline_open; };
 }
 
 } // namespace trivar
