@@ -19,14 +19,6 @@ struct BezierCell {
 // The pieces of a map, the last axis fastest. Closed axes are cut open.
 std::vector<BezierCell> bezier_cells(const Trivariate<glm::dvec3>& f);
 
-// A CellValue is the value and Jacobian [F_x F_y F_z] at local parameters x in [0, 1]^3.
-// O(order^3), no allocation.
-struct CellValue {
-    glm::dvec3 value{0};
-    glm::dmat3 jacobian{0};
-};
-CellValue evaluate(const BezierCell& cell, const glm::dvec3& x);
-
 // The first function gives the same polynomial over the local box [lo, hi]; the second the box
 // round the control points, which holds the piece (convex hull).
 BezierCell part_of(const BezierCell& cell, const glm::dvec3& lo, const glm::dvec3& hi);

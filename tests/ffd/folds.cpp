@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ffd/folds.h"
 
-#include "core/spline/bezier_cell.h"
+#include "tests/support/bezier_values.h"
 
 #include <algorithm>
 #include <cassert>
@@ -38,7 +38,7 @@ double smallest_jacobian(const Lattice& lattice, int samples)
             for (int j = 0; j < samples; ++j)
                 for (int k = 0; k < samples; ++k) {
                     const glm::dvec3 x = glm::dvec3(i, j, k) / static_cast<double>(samples - 1);
-                    glm::dmat3 jacobian = evaluate(cell, x).jacobian;
+                    glm::dmat3 jacobian = cell_value(cell, x).jacobian;
                     for (int a = 0; a < 3; ++a) jacobian[a] /= cell.hi[a] - cell.lo[a];
                     least = std::min(least, glm::determinant(jacobian));
                 }
