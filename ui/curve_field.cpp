@@ -41,18 +41,6 @@ struct Plot {
     }
 };
 
-int point_at(const std::vector<glm::dvec2>& points, const Plot& plot, glm::vec2 mouse, float reach)
-{
-    int nearest = -1;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const float distance = glm::distance(plot.seen(points[i]), mouse);
-        if (distance > reach) continue;
-        reach = distance;
-        nearest = static_cast<int>(i);
-    }
-    return nearest;
-}
-
 // Returns the range of the value of a point between two others; `after` is the index of the next
 // one.
 glm::dvec2 range_between(const std::vector<glm::dvec2>& points, std::size_t before,

@@ -13,4 +13,18 @@ namespace trivar::ui {
 // Returns the resulting edit.
 Edit after_drag(Edit edit, bool held);
 
+// The index of the point that is seen nearest to the mouse, within a reach in pixels; -1: none is.
+template <class Point, class Plot>
+int point_at(const std::vector<Point>& points, const Plot& plot, glm::vec2 mouse, float reach)
+{
+    int nearest = -1;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const float distance = glm::distance(plot.seen(points[i]), mouse);
+        if (distance > reach) continue;
+        reach = distance;
+        nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
 } // namespace trivar::ui

@@ -40,19 +40,6 @@ Color color_of(const glm::vec3& srgb, float alpha = 1)
     return ImGui::ColorConvertFloat4ToU32({srgb.r, srgb.g, srgb.b, alpha});
 }
 
-int point_at(const std::vector<TransferPoint>& points, const TransferPlot& plot, glm::vec2 mouse,
-             float reach)
-{
-    int nearest = -1;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const float distance = glm::distance(plot.seen(points[i]), mouse);
-        if (distance > reach) continue;
-        reach = distance;
-        nearest = static_cast<int>(i);
-    }
-    return nearest;
-}
-
 // Adds a point where the mouse is, of the colour there; its index, or -1 where there are enough.
 int add_point(std::vector<TransferPoint>& points, const TransferPlot& plot, glm::vec2 mouse,
               std::size_t most)

@@ -1,50 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/curve_field.h"
 
-#include "ui/headless.h"
+#include "tests/ui/field_rig.h"
 #include "ui/keys.h"
 
 #include <gmock/gmock.h>
-#include <imgui.h>
 
 namespace trivar::ui {
 namespace {
 
 // A curve 300 wide at (20, 20). Its values go to 2, so the picture is 256 x 84 from (54, 30).
-struct CurveRig {
-    HeadlessFrames screen{{360, 180}};
+struct CurveRig : testing::FieldRig {
+    CurveRig() : FieldRig({360, 180}) {}
     std::vector<glm::dvec2> points{{0, 1}, {0.5, 1.5}, {1, 1}};
-    int chosen = -1, changes = 0, cancels = 0;
-
-    DrawFrame body()
+    Edit draw(const Theme& theme) override
     {
-        return [this](Frame& frame) {
-            ImGui::SetNextWindowPos({0, 0});
-            ImGui::SetNextWindowSize({360, 180});
-            ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-            ImGui::SetCursorScreenPos({20, 20});
-            const auto straight = [&](double t) { return 1 + 0 * t; };
-            const Edit edit = curve_field(frame.theme, "curve", points, chosen,
-                                          {.at = straight, .lo = 0.1, .hi = 5}, 300);
-            changes += edit == Edit::changed;
-            cancels += edit == Edit::cancelled;
-            ImGui::End();
-        };
+        const auto straight = [&](double t) { return 1 + 0 * t; };
+        return curve_field(theme, "curve", points, chosen, {.at = straight, .lo = 0.1, .hi = 5},
+                           300);
     }
     static glm::vec2 seen(glm::dvec2 p) { return {54 + 256 * p.x, 114 - 42 * p.y}; }
-    void drag(glm::vec2 from, glm::vec2 to)
-    {
-        screen.input().push(move_to(from));
-        screen.frames(2, body());
-        screen.input().push(press(Button::left));
-        screen.frames(2, body());
-        for (int i = 1; i <= 4; ++i) {
-            screen.input().push(move_to(glm::mix(from, to, static_cast<float>(i) / 4)));
-            screen.frames(1, body());
-        }
-        screen.input().push(press(Button::left, false));
-        screen.frames(3, body());
-    }
     void ctrl_click(glm::vec2 at)
     {
         screen.input().push(press_key(key_left_control));

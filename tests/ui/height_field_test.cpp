@@ -1,56 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/height_field.h"
 
-#include "ui/headless.h"
+#include "tests/ui/field_rig.h"
 #include "ui/keys.h"
 
 #include <gmock/gmock.h>
-#include <imgui.h>
 
 namespace trivar::ui {
 namespace {
 
 // A surface 300 wide at (20, 20), of 4 values along by 3 across: its cells are 66.5 x 24 from
 // (54, 168), its picture 280 x 124 from (30, 30).
-struct HeightRig {
-    HeadlessFrames screen{{360, 320}};
+struct HeightRig : testing::FieldRig {
+    HeightRig() : FieldRig({360, 320}) {}
     std::vector<std::vector<double>> values{{1, 1, 1}, {1, 1, 1}, {1, 2, 1}, {1, 1, 1}};
-    int chosen = -1, changes = 0, cancels = 0;
-
-    DrawFrame body()
+    Edit draw(const Theme& theme) override
     {
-        return [this](Frame& frame) {
-            ImGui::SetNextWindowPos({0, 0});
-            ImGui::SetNextWindowSize({360, 320});
-            ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-            ImGui::SetCursorScreenPos({20, 20});
-            const auto flat = [](double, double) { return 1.0; };
-            const Edit edit = height_field(frame.theme, "surface", values, chosen,
-                                           {.at = flat,
-                                            .along = {0, 0.25, 0.75, 1},
-                                            .across = {0, 0.5, 1},
-                                            .lo = 0.1,
-                                            .hi = 5},
-                                           300);
-            changes += edit == Edit::changed;
-            cancels += edit == Edit::cancelled;
-            ImGui::End();
-        };
+        const auto flat = [](double, double) { return 1.0; };
+        return height_field(
+            theme, "surface", values, chosen,
+            {.at = flat, .along = {0, 0.25, 0.75, 1}, .across = {0, 0.5, 1}, .lo = 0.1, .hi = 5},
+            300);
     }
     static glm::vec2 cell(int i, int j) { return {54 + 66.5 * (i + 0.5), 168 + 24 * (2.5 - j)}; }
-    void drag(glm::vec2 from, glm::vec2 to, bool let_go = true)
-    {
-        screen.input().push(move_to(from));
-        screen.frames(2, body());
-        screen.input().push(press(Button::left));
-        screen.frames(2, body());
-        for (int i = 1; i <= 4; ++i) {
-            screen.input().push(move_to(glm::mix(from, to, static_cast<float>(i) / 4)));
-            screen.frames(1, body());
-        }
-        if (let_go) screen.input().push(press(Button::left, false));
-        screen.frames(3, body());
-    }
 };
 
 TEST(HeightField, ACellIsDraggedUpAndDownAndNoOtherMoves)

@@ -1,58 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/level_field.h"
 
-#include "ui/headless.h"
+#include "tests/ui/field_rig.h"
 #include "ui/keys.h"
 
 #include <gmock/gmock.h>
-#include <imgui.h>
 
 namespace trivar::ui {
 namespace {
 
 // A histogram of values from 0 to 284, 300 wide at (20, 20): a pixel per value from x = 28 on.
-struct LevelRig {
-    HeadlessFrames screen{{360, 200}};
+struct LevelRig : testing::FieldRig {
+    LevelRig() : FieldRig({360, 200}) {}
     std::vector<std::uint64_t> counts{5, 9, 3, 1};
     std::vector<glm::dvec2> curve{{0, 9}, {100, 1}, {200, 1}, {284, 0}};
     std::vector<double> snaps{100, 200};
     std::vector<LevelMark> marks{{.value = 50, .words = "50"}, {.value = 250, .words = "250"}};
-    int chosen = -1, changes = 0, cancels = 0;
-
-    DrawFrame body()
+    Edit draw(const Theme& theme) override
     {
-        return [this](Frame& frame) {
-            ImGui::SetNextWindowPos({0, 0});
-            ImGui::SetNextWindowSize({360, 200});
-            ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-            ImGui::SetCursorScreenPos({20, 20});
-            const Edit edit = level_field(frame.theme, "levels", marks, chosen,
-                                          {.counts = counts,
-                                           .lo = 0,
-                                           .hi = 284,
-                                           .height = 116,
-                                           .curve = curve,
-                                           .strip = 30,
-                                           .snaps = snaps},
-                                          300);
-            changes += edit == Edit::changed;
-            cancels += edit == Edit::cancelled;
-            ImGui::End();
-        };
+        return level_field(theme, "levels", marks, chosen,
+                           {.counts = counts,
+                            .lo = 0,
+                            .hi = 284,
+                            .height = 116,
+                            .curve = curve,
+                            .strip = 30,
+                            .snaps = snaps},
+                           300);
     }
     static glm::vec2 at(float value) { return {28 + value, 60}; }
     void drag(float from, float to, bool let_go = true)
     {
-        screen.input().push(move_to(at(from)));
-        screen.frames(2, body());
-        screen.input().push(press(Button::left));
-        screen.frames(2, body());
-        for (int i = 1; i <= 4; ++i) {
-            screen.input().push(move_to(glm::mix(at(from), at(to), static_cast<float>(i) / 4)));
-            screen.frames(1, body());
-        }
-        if (let_go) screen.input().push(press(Button::left, false));
-        screen.frames(3, body());
+        FieldRig::drag(at(from), at(to), let_go);
     }
 };
 

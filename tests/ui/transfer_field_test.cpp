@@ -1,39 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transfer_field.h"
 
-#include "ui/headless.h"
+#include "tests/ui/field_rig.h"
 #include "ui/keys.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
-#include <imgui.h>
 
 namespace trivar::ui {
 namespace {
 
 // A function over values from 0 to 284, 300 wide at (20, 20): a pixel per value from x = 28 on, and
 // opacities from y = 114 up to y = 28.
-struct TransferRig {
-    HeadlessFrames screen{{360, 200}};
+struct TransferRig : testing::FieldRig {
+    TransferRig() : FieldRig({360, 200}) {}
     std::vector<std::uint64_t> counts{5, 9, 3, 1};
     std::vector<TransferPoint> points{
         {50, {1, 0, 0}, 0}, {100, {1, 0, 0}, 0.25}, {200, {0, 0, 1}, 0.25}};
-    int chosen = -1, changes = 0, cancels = 0;
-
-    DrawFrame body()
+    Edit draw(const Theme& theme) override
     {
-        return [this](Frame& frame) {
-            ImGui::SetNextWindowPos({0, 0});
-            ImGui::SetNextWindowSize({360, 200});
-            ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-            ImGui::SetCursorScreenPos({20, 20});
-            const Edit edit =
-                transfer_field(frame.theme, "transfer", points, chosen,
-                               {.counts = counts, .lo = 0, .hi = 284, .most_points = 4}, 300);
-            changes += edit == Edit::changed;
-            cancels += edit == Edit::cancelled;
-            ImGui::End();
-        };
+        return transfer_field(theme, "transfer", points, chosen,
+                              {.counts = counts, .lo = 0, .hi = 284, .most_points = 4}, 300);
     }
     static glm::vec2 at(double value, double opacity)
     {
@@ -46,19 +33,6 @@ struct TransferRig {
         screen.input().push(press(button));
         screen.input().push(press(button, false));
         screen.frames(5, body());
-    }
-    void drag(glm::vec2 from, glm::vec2 to, bool let_go = true)
-    {
-        screen.input().push(move_to(from));
-        screen.frames(2, body());
-        screen.input().push(press(Button::left));
-        screen.frames(2, body());
-        for (int i = 1; i <= 4; ++i) {
-            screen.input().push(move_to(glm::mix(from, to, static_cast<float>(i) / 4)));
-            screen.frames(1, body());
-        }
-        if (let_go) screen.input().push(press(Button::left, false));
-        screen.frames(3, body());
     }
 };
 
