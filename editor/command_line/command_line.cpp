@@ -44,20 +44,25 @@ std::string not_empty(const std::string& value)
     return value.empty() ? "must be a number" : "";
 }
 
+// An option whose value is called `type` in the help.
+template <class Value>
+CLI::Option* option(CLI::App& app, const std::string& name, Value& value, const std::string& type,
+                    const std::string& help)
+{
+    return app.add_option(name, value, help)->type_name(type);
+}
+
 void add_shaders(CLI::App& app, std::string& checkout)
 {
-    app.add_option(
-           "--shaders", checkout,
-           "draw with the shaders of a checkout of Trivar, and reload them\nwhen they change")
-        ->type_name("FOLDER");
+    option(app, "--shaders", checkout, "FOLDER",
+           "draw with the shaders of a checkout of Trivar, and reload them\nwhen they change");
 }
 
 void add_scene(CLI::App& app, SceneLog& scene)
 {
-    app.add_option("LOG", scene.path, "the scene")->required()->type_name("FILE");
-    app.add_option("--set", scene.relinked,
-                   "use FILE in place of the file NAME that the scene names")
-        ->type_name("NAME=FILE")
+    option(app, "LOG", scene.path, "FILE", "the scene")->required();
+    option(app, "--set", scene.relinked, "NAME=FILE",
+           "use FILE in place of the file NAME that the scene names")
         ->allow_extra_args(false);
     app.add_flag("--keep-going", scene.keep_going,
                  "leave out models and fonts that cannot be read or are too large; without\nthis "
@@ -69,27 +74,21 @@ void add_scene(CLI::App& app, SceneLog& scene)
 
 void add_drawing(CLI::App& app, DrawingOptions& o)
 {
-    app.add_option("--size", o.size, "size of the picture in pixels; 1280x720 by default")
-        ->type_name("WxH");
-    app.add_option("--quality", o.quality,
-                   "quality of the picture: draft, standard (the default) or high")
-        ->type_name("LEVEL");
-    app.add_option("--deform", o.deform,
-                   "where placed objects are deformed: processor (the default), or on "
-                   "the\ngraphics card in one_phase or two_phases, or by the ways of the "
-                   "thesis:\ndifferences, raised or filtered")
-        ->type_name("WHERE");
-    app.add_option("--camera", o.camera,
-                   "bookmark to look from; by default the one named picture, or all is in\nview")
-        ->type_name("NAME");
+    option(app, "--size", o.size, "WxH", "size of the picture in pixels; 1280x720 by default");
+    option(app, "--quality", o.quality, "LEVEL",
+           "quality of the picture: draft, standard (the default) or high");
+    option(app, "--deform", o.deform, "WHERE",
+           "where placed objects are deformed: processor (the default), or on "
+           "the\ngraphics card in one_phase or two_phases, or by the ways of the "
+           "thesis:\ndifferences, raised or filtered");
+    option(app, "--camera", o.camera, "NAME",
+           "bookmark to look from; by default the one named picture, or all is in\nview");
     add_shaders(app, o.shaders);
 }
 
 void add_threads(CLI::App& app, int& threads)
 {
-    app.add_option("--threads", threads, "use at most N threads")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+    option(app, "--threads", threads, "N", "use at most N threads")->check(CLI::Range(1, 1024));
 }
 
 CLI::App* add_render(CLI::App& app, RenderOptions& o)
@@ -106,30 +105,21 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         "  trivar render ants.trivar --frames 1:240 --sheet 3x2 --size 480x270 --out ants.png\n\n"
         "Ctrl C stops it after the current frame, with status 130.");
     add_scene(*render, o.scene);
-    render->add_option("--frames", o.frames, "frames A to B, every Sth")
-        ->required()
-        ->type_name("A:B[:S]");
-    render
-        ->add_option("--out", o.out,
-                     "a .png or .exr per frame, with its number in place of the #. The folder "
-                     "is\ncreated if only the last part of its path is missing")
-        ->required()
-        ->type_name("DIR/name.####.png");
+    option(*render, "--frames", o.frames, "A:B[:S]", "frames A to B, every Sth")->required();
+    option(*render, "--out", o.out, "DIR/name.####.png",
+           "a .png or .exr per frame, with its number in place of the #. The folder "
+           "is\ncreated if only the last part of its path is missing")
+        ->required();
     add_drawing(*render, o.drawing);
-    render->add_option("--depth", o.depth, "bits per channel of a .png: 8 (the default) or 16")
-        ->type_name("N")
+    option(*render, "--depth", o.depth, "N", "bits per channel of a .png: 8 (the default) or 16")
         ->check(CLI::IsMember({8, 16}));
-    render->add_option("--shard", o.shard, "only every Nth frame, starting with the Ith")
-        ->type_name("I/N");
+    option(*render, "--shard", o.shard, "I/N", "only every Nth frame, starting with the Ith");
     render->add_flag("--resume", o.resume,
                      "keep complete frames of this scene, size and depth; render the rest");
-    render
-        ->add_option("--video", o.video,
-                     "make an .mp4, .mov or .mkv with ffmpeg once all frames are rendered")
-        ->type_name("OUT.mp4");
-    render
-        ->add_option("--sheet", o.sheet, "put that many evenly spaced frames into one picture, OUT")
-        ->type_name("COLUMNSxROWS")
+    option(*render, "--video", o.video, "OUT.mp4",
+           "make an .mp4, .mov or .mkv with ffmpeg once all frames are rendered");
+    option(*render, "--sheet", o.sheet, "COLUMNSxROWS",
+           "put that many evenly spaced frames into one picture, OUT")
         ->excludes("--depth", "--shard", "--resume", "--video");
     add_threads(*render, o.threads);
     return render;
@@ -148,13 +138,11 @@ CLI::App* add_export(CLI::App& app, ExportOptions& o)
                  "  trivar export ants.trivar --to caches/ants.pc2\n\n"
                  "Ctrl C ends it with status 130 and leaves nothing.");
     add_scene(*verb, o.scene);
-    verb->add_option("--to", o.to, "a .glb, .usda, .pc2 or .mdd")->required()->type_name("OUT");
-    verb->add_option("--frames", o.frames, "frames A to B; by default all frames of the scene")
-        ->type_name("A:B");
-    verb->add_option("--epsilon", o.epsilon,
-                     "how far a .glb, or a tile that --instances unbends, may be from the scene at "
-                     "any\ntime, in metres; 0.001 by default")
-        ->type_name("E")
+    option(*verb, "--to", o.to, "OUT", "a .glb, .usda, .pc2 or .mdd")->required();
+    option(*verb, "--frames", o.frames, "A:B", "frames A to B; by default all frames of the scene");
+    option(*verb, "--epsilon", o.epsilon, "E",
+           "how far a .glb, or a tile that --instances unbends, may be from the scene at "
+           "any\ntime, in metres; 0.001 by default")
         ->check(not_empty);
     verb->add_flag("--instances", o.instances,
                    "in a .usda, write every tile type and every copied mesh once, with "
@@ -181,23 +169,18 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay snake.trivar --check          # status 3 if a digest differs\n\n"
         "Every file is complete or not written at all. Ctrl C ends it with status 130.");
     add_scene(*replay, o.scene);
-    replay->add_option("--to", o.to, "stop after line N of the file")
-        ->type_name("N")
+    option(*replay, "--to", o.to, "N", "stop after line N of the file")
         ->check(CLI::Range(1, 1 << 30));
-    replay
-        ->add_option("--frame", o.frame,
-                     "evaluate the scene in frame N; the first frame by default")
-        ->type_name("N")
+    option(*replay, "--frame", o.frame, "N",
+           "evaluate the scene in frame N; the first frame by default")
         ->check(not_empty);
-    replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
-        ->type_name("OUT");
+    option(*replay, "--export", o.exports, "OUT",
+           "write the result as .glb, .obj, .ply, .stl or .off");
     replay->add_flag("--instances", o.instances,
                      "in a .glb, write every tile type and every copied mesh once, with instances: "
                      "tiles\nunbent where that moves them by at most --epsilon, or 0.001 metres");
-    replay
-        ->add_option("--image", o.image,
-                     "draw a picture (.png, .jpg, .exr ...), or its lines alone (.svg, .pdf)")
-        ->type_name("OUT");
+    option(*replay, "--image", o.image, "OUT",
+           "draw a picture (.png, .jpg, .exr ...), or its lines alone (.svg, .pdf)");
     add_drawing(*replay, o.drawing);
     replay->add_flag(
         "--check", o.check,
@@ -205,14 +188,11 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "proven of each volume: where it folds, and where it meets itself");
     replay->add_flag("--digest", o.digest,
                      "print the digests as a line that can be appended to the scene");
-    replay
-        ->add_option("--epsilon", o.epsilon,
-                     "split the triangles of all bent objects until their surfaces are "
-                     "certified\nto be within E metres; a .glb records this, see trivar verify")
-        ->type_name("E")
+    option(*replay, "--epsilon", o.epsilon, "E",
+           "split the triangles of all bent objects until their surfaces are "
+           "certified\nto be within E metres; a .glb records this, see trivar verify")
         ->check(not_empty);
-    replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
-        ->type_name("OUT.json");
+    option(*replay, "--timings", o.timings, "OUT.json", "write how long each stage took, as JSON");
     add_threads(*replay, o.threads);
     return replay;
 }
@@ -226,16 +206,13 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
     verify->footer("Examples:\n"
                    "  trivar verify snake.glb           # status 3 if they are not\n"
                    "  trivar verify out/snake.glb --log snake.trivar");
-    verify->add_option("FILE", o.file, "a file that trivar export or trivar replay --epsilon wrote")
-        ->required()
-        ->type_name("FILE.glb");
-    verify
-        ->add_option("--log", o.log,
-                     "the scene; by default the one that the file names, in the same folder")
-        ->type_name("LOG");
-    verify
-        ->add_option("--set", o.relinked, "use FILE in place of the file NAME that the scene names")
-        ->type_name("NAME=FILE")
+    option(*verify, "FILE", o.file, "FILE.glb",
+           "a file that trivar export or trivar replay --epsilon wrote")
+        ->required();
+    option(*verify, "--log", o.log, "LOG",
+           "the scene; by default the one that the file names, in the same folder");
+    option(*verify, "--set", o.relinked, "NAME=FILE",
+           "use FILE in place of the file NAME that the scene names")
         ->allow_extra_args(false);
     return verify;
 }
@@ -245,9 +222,8 @@ CLI::App* add_info(CLI::App& app, InfoOptions& o)
     CLI::App* info = app.add_subcommand("info", "describe what is in a file");
     info->description("Describes what is in models, volume data, images and scenes.");
     info->footer("Example:\n  trivar info bunny.obj head.nii.gz ct/ photo.png snake.trivar --json");
-    info->add_option("FILE", o.files, "models, volume data or folders of it, images, scenes")
-        ->required()
-        ->type_name("");
+    option(*info, "FILE", o.files, "", "models, volume data or folders of it, images, scenes")
+        ->required();
     info->add_flag("--json", o.json, "as JSON, for programs");
     return info;
 }
@@ -269,21 +245,15 @@ CLI::App* add_bench(CLI::App& app, BenchOptions& o)
         "Measures how fast vertices are deformed by the processor and, in every way that\nthere "
         "is, by the graphics card, compared with the limits of copying and arithmetic.");
     bench->footer("Example:\n  trivar bench gpu --json > rates.json");
-    bench->add_option("WHAT", o.what, "gpu")
-        ->required()
-        ->type_name("")
-        ->check(CLI::IsMember({"gpu"}));
+    option(*bench, "WHAT", o.what, "", "gpu")->required()->check(CLI::IsMember({"gpu"}));
     bench->add_flag("--json", o.json, "as JSON, for programs");
-    bench->add_option("--vertices", o.vertices, "measure with at most N vertices")
-        ->type_name("N")
+    option(*bench, "--vertices", o.vertices, "N", "measure with at most N vertices")
         ->check(CLI::Range(1, 10'000'000));
-    bench
-        ->add_option("--seconds", o.most_s,
-                     "leave out what takes longer per run, in seconds; 1 by default")
-        ->type_name("S")
+    option(*bench, "--seconds", o.most_s, "S",
+           "leave out what takes longer per run, in seconds; 1 by default")
         ->check(CLI::Range(0.001, 1000.0));
-    bench->add_option("--minutes", o.minutes, "begin nothing after this many minutes; 8 by default")
-        ->type_name("M")
+    option(*bench, "--minutes", o.minutes, "M",
+           "begin nothing after this many minutes; 8 by default")
         ->check(CLI::Range(0.01, 1000.0));
     return bench;
 }
@@ -324,8 +294,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "  trivar render ants.trivar --frames 1:240 --out ants/a.####.png      and its frames\n\n"
         "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
         "3 a check failed, 130 stopped by Ctrl C.");
-    app.add_option("FILE", choices.files, "scenes (.trivar), models and volume data to open")
-        ->type_name("");
+    option(app, "FILE", choices.files, "", "scenes (.trivar), models and volume data to open");
     add_shaders(app, choices.shaders);
     app.add_flag("--tell-steps", choices.tell_steps,
                  "write to standard output, before each frame of the window is shown, how\nmany "
