@@ -13,7 +13,7 @@ namespace trivar {
 // The number of control points that an axis keeps when a quarter of them is removed.
 int fewer_points(const Knots& axis);
 
-// Of the volume of a placed object, with what may fold in it.
+// Returns the verdicts on the volume of a placed object, with those parts that may fold.
 Lazy<CellVerdicts> verdicts_of(const EvaluatedObject& placed);
 
 // The cells where a volume is proven to fold, where that is unknown, and where it is allowed to.
@@ -35,10 +35,10 @@ public:
     VolumeFacts(const VolumeFacts&) = delete;
     VolumeFacts& operator=(const VolumeFacts&) = delete;
 
-    // As fold_veils(); those of the previous volume while the new ones are unknown.
+    // Returns fold_veils(); those of the previous volume while the new ones are unknown.
     const std::vector<gpu::Translucent>& folds(const EvaluatedObject& placed,
                                                const ui::Palette& color);
-    // What the colours of those veils mean, one mark per colour that is seen.
+    // Returns the meaning of the colours of those veils, one mark per colour that is seen.
     std::vector<FoldMark> fold_marks(const EvaluatedObject& placed, const ui::Palette& color);
     // The largest movement in a volume if an axis keeps only fewer_points(); empty: the axis
     // cannot.
