@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-namespace trivar::ui::testing {
+namespace trivar::testing {
 
 // A FieldRig draws one field at (20, 20) of a window, and hands do something with it.
 class FieldRig {
@@ -17,41 +17,41 @@ public:
     FieldRig(const FieldRig&) = delete;
     FieldRig& operator=(const FieldRig&) = delete;
 
-    DrawFrame body()
+    ui::DrawFrame body()
     {
-        return [this](Frame& frame) {
+        return [this](ui::Frame& frame) {
             ImGui::SetNextWindowPos({0, 0});
             ImGui::SetNextWindowSize({static_cast<float>(size_.x), static_cast<float>(size_.y)});
             ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
             ImGui::SetCursorScreenPos({20, 20});
-            const Edit edit = draw(frame.theme);
-            changes += edit == Edit::changed;
-            cancels += edit == Edit::cancelled;
+            const ui::Edit edit = draw(frame.theme);
+            changes += edit == ui::Edit::changed;
+            cancels += edit == ui::Edit::cancelled;
             ImGui::End();
         };
     }
     void drag(glm::vec2 from, glm::vec2 to, bool let_go = true)
     {
-        screen.input().push(move_to(from));
+        screen.input().push(ui::move_to(from));
         screen.frames(2, body());
-        screen.input().push(press(Button::left));
+        screen.input().push(ui::press(ui::Button::left));
         screen.frames(2, body());
         for (int i = 1; i <= 4; ++i) {
-            screen.input().push(move_to(glm::mix(from, to, static_cast<float>(i) / 4)));
+            screen.input().push(ui::move_to(glm::mix(from, to, static_cast<float>(i) / 4)));
             screen.frames(1, body());
         }
-        if (let_go) screen.input().push(press(Button::left, false));
+        if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         screen.frames(3, body());
     }
 
-    HeadlessFrames screen;
+    ui::HeadlessFrames screen;
 
 protected:
     explicit FieldRig(glm::ivec2 size_px) : screen(size_px), size_(size_px) {}
-    virtual Edit draw(const Theme& theme) = 0;
+    virtual ui::Edit draw(const ui::Theme& theme) = 0;
 
 private:
     glm::ivec2 size_;
 };
 
-} // namespace trivar::ui::testing
+} // namespace trivar::testing
