@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lines/level_drawing.h"
 
+#include "core/base/parallel.h"
 #include "core/lines/fans.h"
 #include "core/lines/line_budget.h"
 #include "core/silhouette/border_lines.h"
@@ -15,6 +16,20 @@ namespace trivar {
 namespace {
 
 constexpr float shortest_further_line = 12; // pixels
+
+// The points of a level's lines that it, other levels or whatever else hides.
+std::vector<char> hidden_of(const Silhouettes& lines, const DrawnLevel& level,
+                            const ViewPoint& from, const LevelBody& own,
+                            std::span<const LevelBody> others)
+{
+    std::vector<char> out = hidden_points(lines, from, own, others);
+    if (!level.hidden_by_others) return out;
+    parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (!out[i]) out[i] = level.hidden_by_others(lines.points[i].p);
+    });
+    return out;
+}
 
 } // namespace
 
@@ -73,11 +88,11 @@ std::array<std::vector<Stroke>, 2> level_strokes(const ScalarField<float>& field
         silhouettes = std::move(certified.curves);
     }
     std::array<std::vector<Stroke>, 2> out;
-    out[0] = strokes(silhouettes, hidden_points(silhouettes, view.from, own, others), view.to_image,
-                     joining);
+    out[0] = strokes(silhouettes, hidden_of(silhouettes, level, view.from, own, others),
+                     view.to_image, joining);
     if (!level.border) return out;
     const Silhouettes border = border_lines(field, level.mesh);
-    out[1] = strokes(border, hidden_points(border, view.from, own, others), view.to_image,
+    out[1] = strokes(border, hidden_of(border, level, view.from, own, others), view.to_image,
                      options.strokes);
     return out;
 }
@@ -95,7 +110,7 @@ std::vector<KindStrokes> further_strokes(const ScalarField<float>& field, const 
     for (const KindLines& each :
          lines_seen(*level.further, level.more, view.from, field, level.mesh.level))
         out.push_back(
-            {each.kind, strokes(each.lines, hidden_points(each.lines, view.from, own, others),
+            {each.kind, strokes(each.lines, hidden_of(each.lines, level, view.from, own, others),
                                 view.to_image, further)});
     return out;
 }

@@ -39,6 +39,8 @@ struct DrawnLevel {
     // there in these, too. None: all lines count alike.
     std::span<const LevelMesh> nearby = {};
     int certified_depth = -1; // as LevelDrawingOptions has it; the greater one counts
+    // Whether what is no level of this field hides a place, voxels; from any thread. None: nothing.
+    std::function<bool(const glm::vec3&)> hidden_by_others = {};
 };
 
 struct LevelDrawingOptions {

@@ -11,10 +11,11 @@
 namespace trivar {
 namespace {
 
-constexpr float point_spacing = 0.004f; // of the size: no piece of a line is longer
-constexpr float off_surface = 2e-4f;    // of the size, from where a point is looked at
-constexpr float beside_chord = 0.25f;   // of side times turn, twice the height of an arc over it
-constexpr float shortest_on_mesh = 12;  // pixels, of lines that are no outlines
+constexpr float point_spacing = 0.004f;  // of the size: no piece of a line is longer
+constexpr float spacing_on_copy = 0.05f; // the same, where many bodies are one mesh
+constexpr float off_surface = 2e-4f;     // of the size, from where a point is looked at
+constexpr float beside_chord = 0.25f;    // of side times turn, twice the height of an arc over it
+constexpr float shortest_on_mesh = 12;   // pixels, of lines that are no outlines
 
 // From where a point of a line is looked at.
 struct Outlook {
@@ -116,6 +117,56 @@ ProbedLines on_edges(const MeshShape& shape, std::span<const MeshShape::Edge> ed
     return out;
 }
 
+// LineLook makes strokes of lines that lie on a mesh, by what hides them.
+class LineLook {
+public:
+    LineLook(const DrawingView& view, const HidingBodies& bodies, float spacing, bool closed)
+        : view_(view),
+          bodies_(bodies),
+          spacing_(spacing),
+          closed_(closed)
+    {
+    }
+    std::vector<Stroke> operator()(const ProbedLines& found, bool outline,
+                                   const StrokeOptions& options) const
+    {
+        const ProbedLines lines = refined(found, spacing_, view_.to_image);
+        std::vector<char> hidden(lines.lines.points.size(), 0);
+        parallel_blocks(hidden.size(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                hidden[i] = is_hidden(lines.lines.points[i], lines.outlooks[i], outline);
+        });
+        return strokes(lines.lines, hidden, view_.to_image, options);
+    }
+
+private:
+    bool is_hidden(const SilhouettePoint& point, const Outlook& outlook, bool outline) const
+    {
+        if (outline && closed_ && point.bend > 0) return true;
+        const glm::dvec3 to_eye = -view_.from.sight(glm::dvec3(point.p));
+        // An outline is seen from the side on which its surface bends away, else a line is from the
+        // side that faces the eye.
+        const bool turned =
+            outline ? point.bend > 0 : glm::dot(glm::dvec3(outlook.normal), to_eye) < 0;
+        const float length = glm::length(outlook.normal);
+        const glm::vec3 aside = length > 0
+                                    ? outlook.normal * ((turned ? -1 : 1) * outlook.height / length)
+                                    : glm::vec3(0);
+        const glm::dvec3 from(bodies_.to_scene * glm::dvec4(glm::dvec3(point.p + aside), 1)),
+            way(bodies_.to_scene * glm::dvec4(to_eye, 0));
+        const double whole = glm::length(way), scale = whole / glm::length(to_eye);
+        const double end = view_.from.at.w == 0 ? 1e300 : whole;
+        if (bodies_.scene.hit({from, way / whole}, scale * double{outlook.reach}, end)) return true;
+        return bodies_.others &&
+               bodies_.others(glm::dvec3(bodies_.to_scene * glm::dvec4(glm::dvec3(point.p), 1)));
+    }
+
+    const DrawingView& view_;
+    const HidingBodies& bodies_;
+    float spacing_;
+    bool closed_;
+};
+
 class MeshDrawer {
 public:
     MeshDrawer(const ShapedMesh& mesh, const LineDrawing& drawing, const DrawingView& view,
@@ -123,8 +174,8 @@ public:
         : mesh_(mesh),
           drawing_(drawing),
           view_(view),
-          bodies_(bodies),
-          options_(options)
+          options_(options),
+          look_(view, bodies, mesh.spacing, mesh.shape.closed)
     {
     }
     std::vector<KindStrokes> operator()()
@@ -157,57 +208,29 @@ private:
     }
     void add(LineKind kind, const ProbedLines& found)
     {
-        const ProbedLines lines =
-            refined(found, point_spacing * mesh_.shape.surface.size, view_.to_image);
         StrokeOptions options = options_;
         if (kind != LineKind::silhouettes && kind != LineKind::borders && kind != LineKind::creases)
             options.shortest = std::max(options.shortest, shortest_on_mesh);
-        std::vector<Stroke> made = strokes(
-            lines.lines, hidden(lines, kind == LineKind::silhouettes), view_.to_image, options);
+        std::vector<Stroke> made = look_(found, kind == LineKind::silhouettes, options);
         if (!made.empty()) out_.push_back({kind, std::move(made)});
-    }
-    std::vector<char> hidden(const ProbedLines& lines, bool outline) const
-    {
-        std::vector<char> out(lines.lines.points.size(), 0);
-        parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                out[i] = is_hidden(lines.lines.points[i], lines.outlooks[i], outline);
-        });
-        return out;
-    }
-    bool is_hidden(const SilhouettePoint& point, const Outlook& outlook, bool outline) const
-    {
-        if (outline && mesh_.shape.closed && point.bend > 0) return true;
-        const glm::dvec3 to_eye = -view_.from.sight(glm::dvec3(point.p));
-        // An outline is seen from the side on which its surface bends away, else a line is from the
-        // side that faces the eye.
-        const bool turned =
-            outline ? point.bend > 0 : glm::dot(glm::dvec3(outlook.normal), to_eye) < 0;
-        const float length = glm::length(outlook.normal);
-        const glm::vec3 aside = length > 0
-                                    ? outlook.normal * ((turned ? -1 : 1) * outlook.height / length)
-                                    : glm::vec3(0);
-        const glm::dvec3 from(bodies_.to_scene * glm::dvec4(glm::dvec3(point.p + aside), 1)),
-            way(bodies_.to_scene * glm::dvec4(to_eye, 0));
-        const double whole = glm::length(way), scale = whole / glm::length(to_eye);
-        const double end = view_.from.at.w == 0 ? 1e300 : whole;
-        return bodies_.scene.hit({from, way / whole}, scale * double{outlook.reach}, end)
-            .has_value();
     }
 
     const ShapedMesh& mesh_;
     const LineDrawing& drawing_;
     const DrawingView& view_;
-    const HidingBodies& bodies_;
     const StrokeOptions& options_;
+    LineLook look_;
     std::vector<KindStrokes> out_;
 };
 
 } // namespace
 
-ShapedMesh shaped_mesh(const Mesh& mesh, const LineDrawing& drawing, const glm::mat3& stretch)
+ShapedMesh shaped_mesh(const Mesh& mesh, const LineDrawing& drawing, const glm::mat3& stretch,
+                       float copy_size)
 {
     ShapedMesh out{mesh_shape(mesh, drawing.crease_deg, stretch), {}};
+    if (copy_size > 0) out.shape.surface.size = copy_size;
+    out.spacing = (copy_size > 0 ? spacing_on_copy : point_spacing) * out.shape.surface.size;
     const float wide = drawing.more.smoothing;
     if (drawing.more.any())
         smooth_bends(out.shape.surface, static_cast<int>(std::lround(2 * wide * wide)));
@@ -220,6 +243,20 @@ std::vector<KindStrokes> mesh_strokes(const ShapedMesh& mesh, const LineDrawing&
                                       const StrokeOptions& options)
 {
     return MeshDrawer(mesh, drawing, view, bodies, options)();
+}
+
+std::vector<Stroke> intersection_strokes(const IntersectionLines& lines, float size,
+                                         const DrawingView& view, const HidingBodies& bodies,
+                                         const StrokeOptions& options)
+{
+    ProbedLines probed{lines.lines, {}};
+    for (std::size_t i = 0; i < lines.normals.size(); ++i) {
+        const glm::vec3 to_eye(-view.from.sight(glm::dvec3(lines.lines.points[i].p)));
+        glm::vec3 normal(0);
+        for (const glm::vec3& n : lines.normals[i]) normal += glm::dot(n, to_eye) < 0 ? -n : n;
+        probed.outlooks.push_back({normal, off_surface * size, 0});
+    }
+    return LineLook(view, bodies, point_spacing * size, false)(probed, false, options);
 }
 
 LineStyle style_of(LineKind kind, const LineDrawing& drawing)

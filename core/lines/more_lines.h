@@ -28,6 +28,7 @@ enum class LineKind : std::uint8_t {
     silhouettes,
     borders,
     creases,
+    intersections,
     suggestive,
     ridges,
     valleys,

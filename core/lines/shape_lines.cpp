@@ -136,6 +136,7 @@ std::string_view words_of(LineKind kind)
     case LineKind::silhouettes: return "silhouettes";
     case LineKind::borders: return "borders";
     case LineKind::creases: return "creases";
+    case LineKind::intersections: return "intersections";
     case LineKind::suggestive: return "suggestive contours";
     case LineKind::ridges: return "ridges";
     case LineKind::valleys: return "valleys";

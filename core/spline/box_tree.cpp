@@ -43,7 +43,7 @@ int BoxTree::build(const std::vector<Box>& boxes, std::vector<int>::iterator beg
     return here;
 }
 
-std::vector<int> BoxTree::near(const glm::dvec3& p, double distance) const
+std::vector<int> BoxTree::boxes_in(auto&& wanted) const
 {
     std::vector<int> found, open;
     if (!nodes_.empty()) open.push_back(0);
@@ -51,7 +51,7 @@ std::vector<int> BoxTree::near(const glm::dvec3& p, double distance) const
         const int i = open.back();
         const Node& node = nodes_[static_cast<std::size_t>(i)];
         open.pop_back();
-        if (!(node.bounds.distance(p) <= distance)) continue;
+        if (!wanted(node.bounds)) continue;
         if (node.box >= 0)
             found.push_back(node.box);
         else
@@ -59,6 +59,16 @@ std::vector<int> BoxTree::near(const glm::dvec3& p, double distance) const
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+std::vector<int> BoxTree::near(const glm::dvec3& p, double distance) const
+{
+    return boxes_in([&](const Box& bounds) { return bounds.distance(p) <= distance; });
+}
+
+std::vector<int> BoxTree::touching(const Box& box) const
+{
+    return boxes_in([&](const Box& bounds) { return !bounds.apart(box); });
 }
 
 double BoxTree::distance(const glm::dvec3& p) const

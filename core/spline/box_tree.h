@@ -16,6 +16,8 @@ public:
 
     // The boxes within a distance of p (0: those that hold it), ascending.
     std::vector<int> near(const glm::dvec3& p, double distance) const;
+    // The boxes that have a point in common with one, ascending.
+    std::vector<int> touching(const Box& box) const;
     // The smallest distance for which near() reports anything; 1e300 for an empty tree.
     double distance(const glm::dvec3& p) const;
     // box round all of them; not for an empty tree
@@ -30,6 +32,7 @@ private:
     };
     int build(const std::vector<Box>& boxes, std::vector<int>::iterator begin,
               std::vector<int>::iterator end);
+    std::vector<int> boxes_in(auto&& wanted) const; // the boxes in bounds that are wanted
     std::vector<Node> nodes_;
 };
 

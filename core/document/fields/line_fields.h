@@ -99,7 +99,11 @@ template <> struct FieldsOf<LineDrawing> {
               in_range(0, 180).called("Sharp from").in(Unit::degrees));
         field("borders", d.borders, "edges with a face on one side only",
               any_value.called("Borders").says("drawn", "off"));
-        field("surface", d.surface, "whether the surface is shown, too; if not it hides no lines",
+        field("intersections", d.intersections,
+              "lines where its surface goes through those of others, and through itself",
+              later.called("Intersections").says("drawn", "off"));
+        field("surface", d.surface,
+              "whether the surface is shown, too; if not it hides no lines of others",
               any_value.called("Surface").says("shown", "off"));
         field("paper", d.paper, "the surface is plain paper, without light and shade",
               any_value.called("Paper").says("plain", "off"));

@@ -20,7 +20,8 @@ void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
     if (turned == ui::Edit::copied)
         copy_command(editor, on ? Command(SetLineDrawing{{id}, *now}) : ClearLineDrawing{{id}});
     else if (turned == ui::Edit::changed) {
-        session.run(on ? Command(SetLineDrawing{{id}, {.ink = pen}}) : ClearLineDrawing{{id}});
+        session.run(on ? Command(SetLineDrawing{{id}, {.intersections = true, .ink = pen}})
+                       : ClearLineDrawing{{id}});
         return;
     }
     LineDrawing drawing = now.value_or(LineDrawing{});
@@ -34,6 +35,7 @@ void draw_line_drawing(Editor& editor, const ui::Theme& theme, Id id)
         ui::rows_if(theme, drawing.creases, "No creases are drawn.",
                     [&] { fields(&LineDrawing::crease_deg); });
         fields(&LineDrawing::borders);
+        fields(&LineDrawing::intersections);
         fields(&LineDrawing::surface);
         ui::rows_if(theme, drawing.surface, "The surface is not drawn.",
                     [&] { fields(&LineDrawing::paper); });
