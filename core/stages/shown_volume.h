@@ -32,6 +32,7 @@ struct ShownVolume {
         MoreLines more = {};
         Ref<LevelLines> further = {};            // that `more` are found by; null: none of them
         Ref<std::vector<LevelMesh>> nearby = {}; // where only a share of the lines is drawn
+        int surface = -1; // number of the shape's mesh that is its surface; -1: it shows none
     };
     Ref<VoxelField> field; // over the part of the data that is shown
     Ref<VoxelGrid> data;   // all of it, as it was read

@@ -79,6 +79,12 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
     const AssetStore::LoadedVolume loaded = timed(timings, "import", [&] {
         return assets.load_volume(source.path, source.hash, progress, source.reading);
     });
+    return (*this)(source, loaded, timings, progress);
+}
+
+Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore::LoadedVolume& loaded,
+                              Timings& timings, const Progress& progress)
+{
     std::vector<VoxelLevel> levels = source.levels;
     if (levels.empty() && loaded.grid && !source.casting.shown) // a log by hand need not name one
         levels.push_back({.value = usual_level(*loaded.summary, *loaded.grid)});
@@ -153,6 +159,7 @@ Shape VoxelShapes::operator()(const VoxelShape& source, const AssetStore& assets
                 ? fitted_({fitted.volume, level.value, source.body, source.scale, material}, by_fit)
                 : surfaces_({mesh, source.body, source.scale, material}, by_spline);
         if (surface->face_count() == 0) continue;
+        shown.levels.back().surface = static_cast<int>(model.meshes.size());
         model.nodes.push_back(
             {name_of(level), -1, glm::dmat4(1), static_cast<int>(model.meshes.size())});
         model.meshes.push_back(surface);

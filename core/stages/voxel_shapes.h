@@ -24,6 +24,9 @@ public:
     // says so. Throws Cancelled. Stages: import, field, fit, level, lines, casting.
     Shape operator()(const VoxelShape& source, const AssetStore& assets, Timings& timings,
                      const Progress& progress);
+    // The same of data that were read; what the source says of its file does not count.
+    Shape operator()(const VoxelShape& source, const AssetStore::LoadedVolume& loaded,
+                     Timings& timings, const Progress& progress = {});
 
 private:
     struct Fit {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/replay.h"
 #include "core/stages/walk.h"
-#include "editor/picture/line_sheet.h"
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
@@ -15,6 +14,7 @@
 #include "core/files/file_bytes.h"
 #include "core/files/pictures/image.h"
 #include "core/files/write_model.h"
+#include "core/scene_lines/line_sheet.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/words/volume_words.h"
 
@@ -213,9 +213,10 @@ void draw(const ReplayOptions& options, ReplayResult& replayed, const Streams& s
     Drawing drawing(options.drawing, streams);
     const Camera camera = drawing.camera(replayed.evaluated, shown);
     if (is_line_sheet(options.image)) {
-        const DrawingSheet sheet = timed(replayed.timings, "lines", [&] {
+        const auto [sheet, notices] = timed(replayed.timings, "lines", [&] {
             return line_sheet(replayed.evaluated, shown, camera);
         });
+        for (const std::string& notice : notices) streams.talk << "trivar: " << notice << "\n";
         if (sheet.layers.empty())
             streams.talk << "trivar: " << options.image << ": no line is seen\n";
         return write_bytes(options.image, drawing_bytes(sheet, drawing_format(options.image)));

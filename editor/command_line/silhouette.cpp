@@ -11,6 +11,8 @@
 #include "core/files/file_bytes.h"
 #include "core/files/sample_models.h"
 #include "core/lines/slab_drawing.h"
+#include "core/scene_lines/line_sheet.h"
+#include "core/stages/voxel_shapes.h"
 #include "core/voxels/read_volume.h"
 #include "core/voxels/segments.h"
 #include "core/voxels/usual_level.h"
@@ -156,47 +158,14 @@ std::size_t per_slice(const glm::ivec3& size)
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
 }
 
-// `volume` is the box of the samples of `all`; no box: it is all of it.
-LevelDrawing drawing_of(const SilhouetteCommand& command, const VoxelField& volume,
-                        const VoxelField& all, const std::optional<SampleBox>& box,
-                        const std::vector<double>& values, const HandEdits& edits)
+LineOptions options_of(const SilhouetteCommand& command, EditedLineIds& ids)
 {
-    const VoxelGrid& grid = volume.grid();
-    std::vector<LevelMesh> meshes;
-    for (const double value : values) meshes.push_back(volume.level(value));
-    const LevelSide side = volume.side(command.below ? LevelSide::below : LevelSide::above);
-    const MoreLines more = more_lines_of(command);
-    std::vector<LevelLines> further;
-    if (more.any()) {
-        ScalarField<float> smooth = smooth_field(all, more.smoothing);
-        if (box) smooth = smooth.part(box->first, box->size());
-        for (const LevelMesh& mesh : meshes)
-            further.push_back(level_lines(volume, smooth, mesh, side, grid.to_metres, more));
-    }
-    std::vector<std::vector<LevelMesh>> nearby;
-    for (const double value : values)
-        nearby.push_back(more.amount < 1 ? volume.nearby_levels(value) : std::vector<LevelMesh>());
-    const std::vector<std::string> names = layer_names(command, values.size());
-    std::vector<DrawnLevel> levels;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-        levels.push_back({.name = names[i],
-                          .mesh = meshes[i],
-                          .side = side,
-                          .style = style_of(command, i),
-                          .more = more,
-                          .further = more.any() ? &further[i] : nullptr,
-                          .nearby = nearby[i]});
-    SilhouetteView view(aim_of(command), grid.to_metres, grid.size);
-    for (int z = 0; z < grid.size.z; ++z)
-        view.see(grid.samples, static_cast<std::size_t>(z) * per_slice(grid.size), z,
-                 outermost(command, grid, values));
-    EditedLineIds ids(edits);
-    return draw_levels(volume.field(), volume.hulls(), levels,
-                       drawing_view(view.camera(), grid.to_metres, grid.size),
-                       {.hide_each_other = command.hide_each_other,
-                        .certified_depth = command.certified,
-                        .dash_rows = command.dashes,
-                        .ids = std::ref(ids)});
+    LineOptions out;
+    out.ids = [&](const std::string&, const std::string& layer) -> LineIds& { return ids(layer); };
+    out.levels_hide_each_other = command.hide_each_other;
+    out.certified_depth = command.certified;
+    out.dash_rows = command.dashes;
+    return out;
 }
 
 std::uint64_t memory_of(const SilhouetteCommand& command)
@@ -209,7 +178,8 @@ std::uint64_t memory_of(const SilhouetteCommand& command)
 
 // What is drawn, with the values of its levels.
 struct Drawn {
-    LevelDrawing drawing;
+    std::vector<DrawingLayer> layers;
+    ProofGaps gaps;
     glm::dmat4 to_metres;
     std::vector<double> values;
 };
@@ -252,15 +222,47 @@ public:
         if (!fits) read = box_read(read.part, *box);
         say_notices(read.grid);
         const std::vector<double> values = values_of(read.grid);
-        const VoxelField all(make_ref(std::move(read.grid)), field_);
-        std::optional<VoxelField> part;
-        if (box) part.emplace(all, *box);
-        const VoxelField& volume = part ? *part : all;
-        return {drawing_of(command_, volume, all, box, values, edits_), volume.grid().to_metres,
-                values};
+        return draw(make_ref(std::move(read.grid)), box, values);
     }
 
 private:
+    // Draws the levels of data, or of a box of them, as those of a scene.
+    Drawn draw(const Ref<VoxelGrid>& grid, const std::optional<SampleBox>& box,
+               const std::vector<double>& values) const
+    {
+        VoxelShape shape{.spline = field_.spline, .blur = field_.blur};
+        shape.body = command_.below ? LevelSide::below : LevelSide::above;
+        if (box) {
+            const glm::vec3 cells(grid->size - 1);
+            shape.crop_low = glm::vec3(box->first) / cells;
+            shape.crop_high = glm::vec3(box->last) / cells;
+        }
+        const std::vector<std::string> names = layer_names(command_, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            shape.levels.push_back({.name = names[i],
+                                    .value = values[i],
+                                    .surface = false,
+                                    .ink = style_of(command_, i),
+                                    .more = more_lines_of(command_)});
+        AssetStore::LoadedVolume read;
+        read.grid = grid;
+        read.summary = make_ref(summary_of(*grid));
+        Timings timings;
+        EvaluatedObject volume;
+        volume.shape = make_ref(VoxelShapes()(shape, read, timings));
+        const VoxelGrid& drawn = volume.shape->volume->field->grid();
+        SilhouetteView view(aim_of(command_), drawn.to_metres, drawn.size);
+        for (int z = 0; z < drawn.size.z; ++z)
+            view.see(drawn.samples, static_cast<std::size_t>(z) * per_slice(drawn.size), z,
+                     outermost(command_, drawn, values));
+        const glm::dmat4 to_metres = drawn.to_metres;
+        const LineScene scene{
+            {{.effects = make_ref(std::move(volume)), .volume_to_world = glm::dmat4(1)}},
+            view.camera()};
+        EditedLineIds ids(edits_);
+        const SceneLines lines = LineDrawer()(scene, options_of(command_, ids));
+        return {drawing_layers(lines, false), lines.gaps, to_metres, values};
+    }
     void say_notices(const VoxelGrid& grid)
     {
         for (const std::string& notice : grid.notices)
@@ -342,11 +344,10 @@ private:
                 [&](int z, const VoxelGrid::Samples& samples) { view.see(samples, 0, z, body); });
         }
         EditedLineIds ids(edits_);
-        return {draw_levels_by_slabs(
-                    plan, field_, slices, levels,
-                    drawing_view(view.camera(), grid.to_metres, grid.size),
-                    {.hide_each_other = command_.hide_each_other, .ids = std::ref(ids)}),
-                grid.to_metres, values};
+        LevelDrawing drawing = draw_levels_by_slabs(
+            plan, field_, slices, levels, drawing_view(view.camera(), grid.to_metres, grid.size),
+            {.hide_each_other = command_.hide_each_other, .ids = std::ref(ids)});
+        return {std::move(drawing.layers), drawing.gaps, grid.to_metres, values};
     }
 
     const SilhouetteCommand& command_;
@@ -410,7 +411,7 @@ Status run_silhouette(const SilhouetteCommand& typed, const Streams& streams)
     make_sample_model(command.volume);
     const auto start = std::chrono::steady_clock::now();
     Drawn drawn = Drawer(command, streams, edits)();
-    DrawingSheet drawing{std::move(drawn.drawing.layers), picture_size(command.size), paper,
+    DrawingSheet drawing{std::move(drawn.layers), picture_size(command.size), paper,
                          drawn.to_metres};
     const AppliedEdits edited = apply(edits, drawing);
     const std::string text = drawing_bytes(drawing, format);
@@ -426,7 +427,7 @@ Status run_silhouette(const SilhouetteCommand& typed, const Streams& streams)
         streams.talk << "trivar: no line is seen; the level may be beyond the volume's values\n";
     if (!command.edited.empty())
         streams.talk << "trivar: " << command.edited << ": " << words_of(edited) << "\n";
-    if (command.certified >= 0) say_proof(command, drawn.drawing.gaps, streams);
+    if (command.certified >= 0) say_proof(command, drawn.gaps, streams);
     return Status::done;
 }
 

@@ -2,8 +2,8 @@
 #include "core/base/rejected.h"
 #include "core/drawing/drawing_file.h"
 #include "core/files/file_bytes.h"
+#include "core/scene_lines/line_sheet.h"
 #include "editor/files/files.h"
-#include "editor/picture/line_sheet.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 
@@ -36,7 +36,9 @@ void Files::write_lines_to(const std::string& path)
           camera = camera_for_pictures(*session_)](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "finding lines");
              const HandEdits edits = edits_of_earlier(path);
-             DrawingSheet sheet = line_sheet(evaluated, document, camera, edits);
+             const auto [drawn, notices] =
+                 line_sheet(evaluated, document, camera, edits, part_of(progress, 0.1, 0.9));
+             DrawingSheet sheet = drawn;
              const AppliedEdits edited = apply(edits, sheet);
              if (sheet.layers.empty())
                  throw Rejected("no line is seen; give an object lines, or add volume data");
@@ -47,6 +49,7 @@ void Files::write_lines_to(const std::string& path)
                                              sheet.layers.size() == 1 ? "" : "s");
              if (edited.done + edited.lost + edited.added > 0)
                  words += ' ' + words_of(edited) + '.';
+             for (const std::string& notice : notices) words += ' ' + notice + '.';
              return [this, path, words] {
                  session_->notices.say(ui::NoticeKind::good, "Drew " + file_name(path), words);
              };

@@ -3,8 +3,7 @@
 #include "core/commands/objects/import.h"
 #include "editor/panels/panels.h"
 #include "editor/picture/volume_facts.h"
-#include "editor/picture/volume_lines.h"
-#include "editor/viewport/certified_lines.h"
+#include "editor/viewport/lines_at_rest.h"
 #include "editor/viewport/refined_view.h"
 #include "editor/viewport/way_comparison.h"
 #include "gpu/renderer.h"
@@ -174,7 +173,7 @@ std::optional<ui::Rect> labels(Editor& editor, const ui::Theme& theme, ui::Frame
         add(name);
     if (const std::string words = editor.viewport.refined().words(frame.time_s); !words.empty())
         add(words);
-    if (const std::string words = editor.viewport.certified_lines().words(); !words.empty())
+    if (const std::string words = editor.viewport.lines_at_rest().words(); !words.empty())
         add(words);
     glm::vec2 at = view.lo + theme.px(12);
     // The axes stand at the right.

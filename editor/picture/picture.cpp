@@ -94,23 +94,17 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
                 instance.materials = values.checkered(ref->materials->size());
             instances.push_back(std::move(instance));
         }
-        if (const std::optional<LineDrawing> drawing = line_drawing(document, id)) {
-            const std::vector<gpu::Curve>& lines =
-                values.object_lines(*ref, *drawing, camera, wider);
-            picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());
-            values.object_lines.draw_on(instances, *drawing);
-        }
+        if (const std::optional<LineDrawing> drawing = line_drawing(document, id))
+            values.lines.draw_on(instances, *drawing);
         std::ranges::move(instances, std::back_inserter(picture.instances));
     }
+    picture.curves = values.lines(evaluated, document, camera, wider);
     for (const auto& [id, ref] : evaluated.objects)
         for (gpu::Curve& curve : curves_of(*ref, curve_width_px * wider))
             picture.curves.push_back(std::move(curve));
     for (const auto& [id, ref] : evaluated.objects) {
         const auto own = document.objects.find(id);
         if (own == document.objects.end() || own->second->stroke) continue; // deleted, or bent
-        const std::vector<gpu::Curve>& lines =
-            values.volume_lines(*ref, to_world(document, id), camera, wider);
-        picture.curves.insert(picture.curves.end(), lines.begin(), lines.end());
         if (std::optional<gpu::CastVolume> cast = cast_volume_of(*ref))
             picture.volumes.push_back(std::move(*cast));
     }

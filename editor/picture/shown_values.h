@@ -3,9 +3,8 @@
 
 #include "core/evaluation/evaluate.h"
 #include "core/unwrap/uv_stretch.h"
-#include "editor/picture/object_lines.h"
+#include "editor/picture/picture_lines.h"
 #include "editor/picture/tetrahedra_picture.h"
-#include "editor/picture/volume_lines.h"
 
 #include <map>
 #include <optional>
@@ -29,9 +28,7 @@ public:
     // Null where it has none, and for tiles.
     Ref<std::vector<float>> uvs_of(const EvaluatedObject& object, std::size_t part,
                                    UvMeasure measure);
-    // The lines of volume data; see VolumeLines.
-    VolumeLines volume_lines;
-    ObjectLines object_lines; // of objects that are drawn in lines
+    PictureLines lines; // of objects that are drawn in lines, and of volume data
     TetrahedraLines tetrahedra_lines;
 
     // As many materials, all with a checkered texture.

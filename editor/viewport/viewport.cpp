@@ -89,9 +89,9 @@ RefinedView& Viewport::refined()
 {
     return drawn_->refined;
 }
-const CertifiedLines& Viewport::certified_lines() const
+const LinesAtRest& Viewport::lines_at_rest() const
 {
-    return drawn_->certified;
+    return drawn_->lines_at_rest;
 }
 VolumeFacts& Viewport::volume_facts()
 {
@@ -197,13 +197,14 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
-    drawn_->certified.follow(
+    drawn_->lines_at_rest.follow(
         {drawn_->refined.seen(), session.document(), session.view.camera, session.hidden_here},
-        moving || move_ != Move::none, frame.time_s, drawn_->values.volume_lines);
-    if (const std::optional<double> soon = drawn_->certified.again_in_s()) frame.again_in(*soon);
+        moving || move_ != Move::none, frame.time_s, drawn_->values.lines);
+    if (const std::optional<double> soon = drawn_->lines_at_rest.again_in_s())
+        frame.again_in(*soon);
     PictureInputs wanted{session.view.camera,
                          drawn_->refined.number(),
-                         drawn_->certified.number(),
+                         drawn_->lines_at_rest.number(),
                          session.selected,
                          session.hidden_here,
                          size_px,

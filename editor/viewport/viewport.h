@@ -18,7 +18,7 @@ class TimingHistory;
 
 namespace trivar {
 
-class CertifiedLines;
+class LinesAtRest;
 class RefinedView;
 class VolumeFacts;
 struct PictureInputs;
@@ -60,7 +60,7 @@ public:
     unsigned texture() const; // the picture that is shown
     WayComparison& ways();
     RefinedView& refined();                        // the effects of the session as they are drawn
-    const CertifiedLines& certified_lines() const; // of volume data
+    const LinesAtRest& lines_at_rest() const;
     VolumeFacts& volume_facts();                   // of the volume that is shown
     const ui::TimingHistory& drafts() const;
     double draft_scale() const;            // of the next draft's size

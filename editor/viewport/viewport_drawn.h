@@ -3,8 +3,8 @@
 
 #include "editor/picture/shown_values.h"
 #include "editor/picture/volume_facts.h"
-#include "editor/viewport/certified_lines.h"
 #include "editor/viewport/draft_pace.h"
+#include "editor/viewport/lines_at_rest.h"
 #include "editor/viewport/refined_view.h"
 #include "editor/viewport/viewport_style.h"
 #include "editor/viewport/way_comparison.h"
@@ -17,7 +17,7 @@ namespace trivar {
 struct PictureInputs {
     Camera camera;
     long effects = 0; // number of the refined view
-    long lines = 0;   // number of the certified ones
+    long lines = 0;   // number of those at rest
     Selection selected;
     std::vector<Id> hidden_here;
     glm::ivec2 size_px{0};
@@ -34,7 +34,7 @@ struct ViewportDrawn {
     ShownValues values;
     WayComparison ways;
     RefinedView refined;
-    CertifiedLines certified;
+    LinesAtRest lines_at_rest;
     VolumeFacts volume_facts;
     std::unique_ptr<gpu::Renderer> renderer; // made at the first picture
     std::optional<DraftPace> pace;           // as well

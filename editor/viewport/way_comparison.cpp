@@ -13,7 +13,7 @@ void WayComparison::advance(const Evaluation& evaluated, const Document& documen
 {
     if (!running()) return;
     ShownValues none;
-    none.volume_lines.proof = LineProof::none;
+    none.lines.effort = LineEffort::quick;
     gpu::Picture picture = picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
     picture.shaders = shaders;
     if (!timer_) timer_ = std::make_unique<gpu::WayTimer>();

@@ -48,7 +48,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/steps/tiles"},
     {"core/steps"},
     {"core/evaluation"},
-    {"core/scene"},
+    {"core/scene", "core/scene_lines"},
     {"core/certificate"},
     {"core/export"},
     {"gpu"},

@@ -3,7 +3,6 @@
 #include "core/commands/command.h"
 #include "core/scene/tries.h"
 #include "editor/panels/panels.h"
-#include "editor/picture/volume_lines.h"
 #include "editor/session/done_titles.h"
 #include "editor/session/scene_names.h"
 #include "ui/icons.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/line_drawing.h"
-#include "editor/picture/line_sheet.h"
+#include "core/scene_lines/line_sheet.h"
 
 #include "core/base/text.h"
 #include "core/scene/history.h"
@@ -19,7 +19,8 @@ struct SheetRig : testing::VolumeRig {
     DrawingSheet sheet() const
     {
         return line_sheet(editor.session.evaluated(), editor.session.document(),
-                          camera_for_pictures(editor.session));
+                          camera_for_pictures(editor.session))
+            .sheet;
     }
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/document/document_digest.h"
-#include "core/stages/shown_volume.h"
-#include "editor/picture/line_sheet.h"
+#include "core/scene_lines/line_sheet.h"
 #include "editor/picture/picture.h"
-#include "editor/viewport/certified_lines.h"
+#include "editor/viewport/lines_at_rest.h"
 #include "tests/editor/volume_rig.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +41,7 @@ struct CertifiedLinesInWindow : public ::testing::Test {
         }
         rig.frames(2);
     }
-    const CertifiedLines& lines() const { return rig.editor.viewport.certified_lines(); }
+    const LinesAtRest& lines() const { return rig.editor.viewport.lines_at_rest(); }
 };
 
 TEST_F(CertifiedLinesInWindow, ReplaceQuickOnesOnceTheViewRests)
@@ -77,24 +79,28 @@ TEST_F(CertifiedLinesInWindow, AreThereOfCubicSplinesAlone)
     EXPECT_EQ(lines().words(), "");
 }
 
+// The number of points of curves.
+std::size_t points_of(const std::vector<gpu::Curve>& curves)
+{
+    std::size_t points = 0;
+    for (const gpu::Curve& curve : curves) points += curve.line->points.size();
+    return points;
+}
+
 TEST_F(CertifiedLinesInWindow, AreInFilesAtOnce)
 {
     certify();
     const Session& session = rig.editor.session;
-    const EvaluatedObject& ball = *session.evaluated().objects.at(1);
-    const auto count = [](const std::vector<gpu::Curve>& curves) {
-        std::size_t points = 0;
-        for (const gpu::Curve& curve : curves) points += curve.line->points.size();
-        return points;
+    PictureLines in_files, quick;
+    quick.effort = LineEffort::quick;
+    const auto points = [&](PictureLines& lines) {
+        return points_of(lines(session.evaluated(), session.document(), session.view.camera, 1));
     };
-    const VolumeView view{ball.shape->volume, glm::dmat4(1), session.view.camera, 1};
-    const std::size_t quick = count(lines_of(view, 1, LineProof::none).curves),
-                      certified = count(lines_of(view, 1, LineProof::as_wanted).curves);
-    EXPECT_NE(certified, quick);
-    EXPECT_EQ(count(VolumeLines()(ball, view.to_world, view.camera, 1)), certified);
+    const std::size_t certified = points(in_files);
+    EXPECT_NE(certified, points(quick));
     std::size_t on_sheet = 0;
     for (const DrawingLayer& layer :
-         line_sheet(session.evaluated(), session.document(), session.view.camera).layers)
+         line_sheet(session.evaluated(), session.document(), session.view.camera).sheet.layers)
         for (const InkedLine& line : layer.lines) on_sheet += line.points.size();
     EXPECT_EQ(on_sheet, certified);
 }
@@ -103,20 +109,36 @@ TEST_F(CertifiedLinesInWindow, TakeThePlaceOfThoseOfTheirViewAlone)
 {
     certify();
     const Session& session = rig.editor.session;
-    const EvaluatedObject& ball = *session.evaluated().objects.at(1);
-    VolumeLines lines;
-    lines.proof = LineProof::none;
-    const VolumeView view{ball.shape->volume, glm::dmat4(1), session.view.camera, 1};
-    const std::size_t quick = lines(ball, view.to_world, view.camera, 1).size();
-    SeenLines given = lines_of(view, 1, LineProof::as_wanted);
-    given.curves.push_back(given.curves.front());
-    lines.give({{view, given}});
-    EXPECT_EQ(lines(ball, view.to_world, view.camera, 1).size(), given.curves.size());
-    Camera other = view.camera;
+    PictureLines lines;
+    lines.effort = LineEffort::quick;
+    const auto count = [&](const Camera& camera) {
+        return lines(session.evaluated(), session.document(), camera, 1).size();
+    };
+    const Camera& camera = session.view.camera;
+    const std::size_t quick = count(camera);
+    const LineScene scene = line_scene(session.evaluated(), session.document(), camera);
+    SceneLines given = LineDrawer()(scene);
+    given.objects.push_back(given.objects.front());
+    lines.give(scene, make_ref(given));
+    EXPECT_EQ(count(camera), 2 * quick);
+    Camera other = camera;
     other.eye.x += 0.01;
-    EXPECT_EQ(lines(ball, view.to_world, other, 1).size(), quick);
-    lines.give({});
-    EXPECT_EQ(lines(ball, view.to_world, view.camera, 1).size(), quick);
+    EXPECT_EQ(count(other), quick);
+    lines.give({}, nullptr);
+    EXPECT_EQ(count(camera), quick);
+}
+
+// Lines that depend on other objects are drawn once the view rests.
+TEST_F(CertifiedLinesInWindow, AreBesideThoseThatOtherObjectsHide)
+{
+    EXPECT_TRUE(rig.editor.session.run(AddBox{}));
+    settle();
+    EXPECT_EQ(lines().words(), "") << "what is drawn needs no word";
+    EXPECT_GT(lines().number(), 0);
+    const long before = lines().number();
+    EXPECT_TRUE(rig.editor.session.run(Hide{{2}}));
+    settle();
+    EXPECT_EQ(lines().number(), before) << "a scene of one object is drawn at once";
 }
 
 } // namespace
