@@ -45,9 +45,9 @@ glm::vec3 normal_of(const TriangleBody& body, std::uint32_t t)
     return length > 0 ? glm::vec3(n / length) : glm::vec3(0);
 }
 
-// Where an edge crosses a triangle of another body, or of its own. A point in the plane of a
-// triangle, or a line through an edge, counts as on the positive side of what is always told in one
-// order of points, so that all triangles at an edge agree.
+// Returns where an edge crosses a triangle of another body, or of its own. A point in the plane of
+// a triangle, or a line through an edge, counts as on the positive side of what is always told in
+// one order of points, so that all triangles at an edge agree.
 std::optional<glm::dvec3> crossing_at(const TriangleBody& of_edge, std::uint32_t a, std::uint32_t b,
                                       const TriangleBody& other, std::uint32_t triangle)
 {

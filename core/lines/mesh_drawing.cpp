@@ -17,7 +17,7 @@ constexpr float off_surface = 2e-4f;     // of the size, from where a point is l
 constexpr float beside_chord = 0.25f;    // of side times turn, twice the height of an arc over it
 constexpr float shortest_on_mesh = 12;   // pixels, of lines that are no outlines
 
-// From where a point of a line is looked at.
+// An Outlook is a place from which a point of a line is looked at.
 struct Outlook {
     glm::vec3 normal{0};
     float height = 0; // along the normal

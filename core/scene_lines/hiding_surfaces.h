@@ -17,7 +17,7 @@ public:
         double size = 0;                           // metres
         Ref<std::vector<Material>> materials = {}; // faces that blend hide nothing; null: all hide
     };
-    // Whose lines are looked at: surfaces of its own hide none, which is for the object to find.
+    // An Owner is whose lines are looked at: that its own surfaces hide them is not asked here.
     struct Owner {
         int object = 0;
         std::optional<int> number = {}; // that mesh of it alone; none: all of them

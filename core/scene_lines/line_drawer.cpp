@@ -26,7 +26,8 @@ void lift(std::vector<Stroke>& strokes, const ViewPoint& from, float distance)
                 p.p -= distance * glm::vec3(glm::normalize(from.sight(glm::dvec3(p.p))));
 }
 
-// What of a matrix changes angles: nothing of a similarity, else all of it but the place.
+// Returns the part of a matrix that changes angles: nothing of a similarity, else all of it but the
+// place.
 glm::dmat3 stretch_of(const glm::dmat4& to_world)
 {
     constexpr double alike = 1e-6;
@@ -67,7 +68,7 @@ struct LineDrawer::Work {
 
     void tell(std::string_view what) const { report(options.progress, done, what); }
     bool is_full() const { return options.effort == LineEffort::full; }
-    // What hides the lines of an object beside its own surfaces; none: nothing does.
+    // Returns whether surfaces of others hide a place; none where there are no such surfaces.
     std::function<bool(const glm::dvec3&)> hidden_by_others(const HidingSurfaces::Owner& own) const
     {
         if (!surfaces || !surfaces->has_others(own)) return {};

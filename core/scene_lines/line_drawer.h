@@ -42,7 +42,7 @@ struct LineOptions {
     // The ids of the lines of a layer of volume data, kept from view to view. None: where a level
     // shows a share of its lines, those stay that the drawer drew before.
     std::function<LineIds&(const std::string& object, const std::string& layer)> ids = {};
-    // Of levels of volume data; see LevelDrawingOptions.
+    // See LevelDrawingOptions, for levels of volume data.
     bool levels_hide_each_other = false;
     int certified_depth = -1, dash_rows = 0;
     Progress progress = {}; // from any thread
@@ -80,7 +80,7 @@ private:
     Ref<IntersectionLines> intersections(const PlacedMeshes& a, const PlacedMeshes& b);
     Ref<TriangleBody> body_of(const PlacedMeshes& meshes);
 
-    // What is remembered of the lines of an object's levels from view to view, by layer.
+    // A LineMemory keeps lines of an object's levels from view to view, by layer.
     struct LineMemory {
         std::map<std::string, LineIds> ids;
         std::map<std::string, std::vector<std::uint64_t>> kept;

@@ -40,23 +40,23 @@ LineScene line_scene(const Evaluation& evaluated, const Document& document, cons
                      std::span<const Id> hidden_here)
 {
     LineScene out{{}, camera};
-    std::vector<std::string> names;
     bool any = false;
     for (const auto& [id, ref] : evaluated.objects) {
         LineScene::Object object{ref};
-        const auto own = document.objects.find(id);
-        if (own != document.objects.end()) { // else it was deleted since
-            names.push_back(own->second->name);
+        if (const auto own = document.objects.find(id); own != document.objects.end()) {
             object.drawing = drawn_lines(*own->second);
             if (!own->second->stroke && shows_lines(*ref))
                 object.volume_to_world = to_world(document, id);
-        } else {
-            names.emplace_back();
         }
         any |= object.has_lines();
         out.objects.push_back(std::move(object));
     }
     if (!any) return {{}, camera};
+    std::vector<std::string> names;
+    for (const LineScene::Object& object : out.objects) {
+        const auto own = document.objects.find(object.effects->id); // none: deleted since
+        names.push_back(own != document.objects.end() ? own->second->name : std::string());
+    }
     names = names_apart(std::move(names));
     for (std::size_t i = 0; i < names.size(); ++i) out.objects[i].name = names[i];
     std::erase_if(out.objects, [&](const LineScene::Object& object) {

@@ -14,7 +14,7 @@ struct LineScene {
         Ref<EvaluatedObject> effects;
         std::string name = {};                   // no two objects have one layer_id()
         std::optional<LineDrawing> drawing = {}; // of its meshes; none: they have no lines
-        // Of its model to the world, where levels of its volume data have lines.
+        // Takes its model to the world, where levels of its volume data have lines; else none.
         std::optional<glm::dmat4> volume_to_world = {};
         bool has_lines() const { return drawing || volume_to_world; }
         bool operator==(const Object&) const = default;

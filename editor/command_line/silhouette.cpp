@@ -176,7 +176,7 @@ std::uint64_t memory_of(const SilhouetteCommand& command)
     return all > 0 ? all / 2 : 1024 * megabyte;
 }
 
-// What is drawn, with the values of its levels.
+// A Drawn is the lines of a volume, with the values of its levels.
 struct Drawn {
     std::vector<DrawingLayer> layers;
     ProofGaps gaps;

@@ -64,26 +64,58 @@ void PictureToFile::stop()
 {
     still_.reset();
     wanted_px_.reset();
+    lines_of_ = nullptr;
+    lines_ = nullptr;
 }
 
-void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders)
+void PictureToFile::draw(const Session& session, const Camera& camera,
+                         const Ref<gpu::ShaderTexts>& shaders)
 {
     path_ = free_path(session); // something may have been written meanwhile
     const glm::ivec2 size_px = *std::exchange(wanted_px_, std::nullopt);
     still_ = std::make_unique<Still>();
-    still_->begin(session.evaluated(), session.document(),
-                  ui::reshaped(camera_for_pictures(session), glm::dvec2(size_px)),
+    if (lines_of_) still_->give_lines(*lines_of_, lines_);
+    lines_of_ = nullptr;
+    lines_ = nullptr;
+    still_->begin(session.evaluated(), session.document(), camera,
                   {.size_px = size_px, .level = gpu::Level::high, .shaders = shaders});
 }
 
-bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
+bool PictureToFile::has_lines(Session& session, const Camera& camera)
+{
+    const Ref<LineScene> scene =
+        make_ref(line_scene(session.evaluated(), session.document(), camera));
+    const bool asked = lines_of_ && *lines_of_ == *scene;
+    if (scene->is_simple() || (lines_ && asked)) return true;
+    if (asked) { // the job was cancelled
+        stop();
+        return false;
+    }
+    lines_of_ = scene;
+    lines_ = nullptr;
+    session.jobs().start(
+        {"Drawing lines",
+         [this, scene](const Progress& progress) -> Jobs::Finish {
+             return [this, lines = make_ref(LineDrawer()(*scene, {.progress = progress}))] {
+                 lines_ = lines;
+             };
+         },
+         [this, &session](const std::string& why) {
+             stop();
+             tell_failed(session, path_, why);
+         }});
+    return false;
+}
+
+bool PictureToFile::is_whole(Session& session, ui::Frame& frame,
                              const Ref<gpu::ShaderTexts>& shaders)
 {
     constexpr double budget_ms = 40; // as for the window's own picture
     if (wanted_px_) {
         frame.again_in(0.05);
         if (!session.up_to_date() || session.jobs().status()) return false;
-        draw(session, shaders);
+        const Camera camera = ui::reshaped(camera_for_pictures(session), glm::dvec2(*wanted_px_));
+        if (has_lines(session, camera)) draw(session, camera, shaders);
     }
     if (!still_) return false;
     frame.again_in(0);

@@ -13,6 +13,8 @@
 namespace trivar {
 
 class Still;
+struct LineScene;
+struct SceneLines;
 
 // A PictureToFile draws the present view as the scene asks for it, in full quality, and writes it
 // beside the scene's file under the next free number. It draws one piece per frame, so the window
@@ -32,13 +34,16 @@ public:
     void forget_gpu(); // before the context goes; what is being drawn then begins anew
 
 private:
-    void draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders);
-    bool is_whole(const Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders);
+    void draw(const Session& session, const Camera& camera, const Ref<gpu::ShaderTexts>& shaders);
+    bool is_whole(Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders);
+    bool has_lines(Session& session, const Camera& camera); // else they are being drawn
 
     std::unique_ptr<Still> still_;
     std::string path_;
     glm::ivec2 size_px_{0};
     std::optional<glm::ivec2> wanted_px_; // until it begins
+    Ref<LineScene> lines_of_;             // whose lines were asked for; null: none were
+    Ref<SceneLines> lines_;               // null: they are not there
 };
 
 } // namespace trivar

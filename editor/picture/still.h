@@ -21,6 +21,11 @@ struct StillOptions {
 // In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
 class Still {
 public:
+    // Lines that were drawn for a scene before, in place of drawing them when it begins.
+    void give_lines(const LineScene& scene, const Ref<SceneLines>& lines)
+    {
+        values_.lines.give(scene, lines);
+    }
     // Throws Rejected.
     void begin(const Evaluation& evaluated, const Document& document, const Camera& camera,
                const StillOptions& options);

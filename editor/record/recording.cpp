@@ -28,6 +28,10 @@ struct Recording::Run {
     Evaluator evaluator; // of the other thread
     Document shown;      // in the frame at hand
     Evaluation evaluated;
+    Camera camera;
+    LineDrawer drawer;
+    LineScene line_scene; // in that frame
+    Ref<SceneLines> lines;
     std::function<void()> writer;
     std::atomic<std::size_t> at = 0; // of the frames; before it all are there
     int drawn = 0;
@@ -117,6 +121,11 @@ void Recording::next()
             run.shown = document_at(wish.document, run.frame());
             run.evaluated = run.evaluator(wish.document, run.frame(), progress);
             deform_parts(run.evaluated);
+            const glm::ivec2 size_px = wish.sequence.size_px;
+            run.camera = wish.camera ? ui::reshaped(*wish.camera, glm::dvec2(size_px))
+                                     : picture_camera(run.evaluated, run.shown, size_px);
+            run.line_scene = line_scene(run.evaluated, run.shown, run.camera);
+            run.lines = make_ref(run.drawer(run.line_scene, {.progress = progress}));
         },
         &Recording::draw);
 }
@@ -125,12 +134,10 @@ void Recording::draw()
 {
     if (run_->all_there()) return film();
     const RecordingWish& wish = run_->wish;
-    const glm::ivec2 size_px = wish.sequence.size_px;
-    const Camera camera = wish.camera ? ui::reshaped(*wish.camera, glm::dvec2(size_px))
-                                      : picture_camera(run_->evaluated, run_->shown, size_px);
     if (!still_) still_ = std::make_unique<Still>();
-    still_->begin(run_->evaluated, run_->shown, camera,
-                  {.size_px = size_px,
+    still_->give_lines(run_->line_scene, run_->lines);
+    still_->begin(run_->evaluated, run_->shown, run_->camera,
+                  {.size_px = wish.sequence.size_px,
                    .level = wish.level,
                    .deep = wish.sequence.deep(),
                    .shaders = shaders_});

@@ -16,7 +16,7 @@ namespace trivar {
 // it has asks for nothing.
 class LinesAtRest {
 public:
-    // What is seen in the window.
+    // A Seen is what the window shows.
     struct Seen {
         const Evaluation& evaluated;
         const Document& document;
@@ -31,9 +31,9 @@ public:
     bool busy() const { return work_.busy(); }
     bool up_to_date() const { return wanted_.objects.empty() || (asked_ && !busy()); }
     std::optional<double> again_in_s() const; // when it wants to be asked again
-    // What is said of them above the picture: "Drawing lines", or how far certified ones are
-    // proven, "Lines certified to 1/8 voxel, 12 boxes open", with loose ends if there are any, and
-    // "before their share is taken" where only that is seen; then what is not drawn. Empty:
+    // Returns what is said of them above the picture: "Drawing lines", or how far certified ones
+    // are proven, "Lines certified to 1/8 voxel, 12 boxes open", with loose ends if there are any,
+    // and "before their share is taken" where only that is seen; then what is not drawn. Empty:
     // nothing.
     std::string words() const;
 

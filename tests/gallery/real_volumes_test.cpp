@@ -4,11 +4,11 @@
 #include "core/base/text.h"
 #include "core/drawing/drawing_file.h"
 #include "core/scene/log.h"
+#include "core/scene_lines/line_sheet.h"
 #include "core/silhouette/border_lines.h"
 #include "core/silhouette/silhouette_curves.h"
 #include "core/silhouette/silhouette_finder.h"
 #include "core/stages/shown_volume.h"
-#include "editor/picture/line_sheet.h"
 #include "editor/picture/picture.h"
 #include "editor/picture/still.h"
 #include "gpu/context.h"
@@ -74,7 +74,7 @@ TEST_P(RealDataVolumeScenes, HaveCurvesWithoutBranchesThatEndInTheFacesOfTheData
 TEST_P(RealDataVolumeScenes, FillALayerForEachLevelOfASheetThatIsSmall)
 {
     constexpr std::size_t most_bytes = 150'000;
-    const DrawingSheet sheet = line_sheet(evaluated_, document_, camera({1000, 1000}));
+    const DrawingSheet sheet = line_sheet(evaluated_, document_, camera({1000, 1000})).sheet;
     EXPECT_GE(sheet.layers.size(), volume().levels.size());
     for (const DrawingLayer& layer : sheet.layers) {
         EXPECT_FALSE(layer.lines.empty()) << layer.name;

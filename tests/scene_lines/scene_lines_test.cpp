@@ -30,7 +30,7 @@ Camera from_the_front()
     return out;
 }
 
-// What is drawn of an object, in pixels of the length of its lines.
+// Lengths tell how much is drawn of an object, in pixels of its lines.
 struct Lengths {
     double seen = 0, hidden = 0;
 };
