@@ -30,10 +30,19 @@ struct Piece {
 };
 
 // Six times the volume of a tetrahedron: above 0 where d is on the side of a, b, c from which they
-// go round clockwise.
+// go round anticlockwise.
 double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
 {
     return glm::dot(glm::cross(b - a, c - a), d - a);
+}
+
+// Whether a volume is above 0. Where it is 0 but for rounding, its growth tells, for the second
+// body is taken as moved by less than any number: bodies that touch are apart then, and all
+// triangles at an edge agree (simulation of simplicity: Edelsbrunner and Muecke 1990).
+bool is_above(double volume, double growth, double size)
+{
+    constexpr double rounding = 1e-12;
+    return std::abs(volume) > rounding * size ? volume > 0 : growth > 0;
 }
 
 glm::vec3 normal_of(const TriangleBody& body, std::uint32_t t)
@@ -45,38 +54,48 @@ glm::vec3 normal_of(const TriangleBody& body, std::uint32_t t)
     return length > 0 ? glm::vec3(n / length) : glm::vec3(0);
 }
 
-// Returns where an edge crosses a triangle of another body, or of its own. A point in the plane of
-// a triangle, or a line through an edge, counts as on the positive side of what is always told in
-// one order of points, so that all triangles at an edge agree.
+// Returns where an edge crosses a triangle of another body, or of its own. `apart` is the direction
+// in which the second body is taken as moved.
 std::optional<glm::dvec3> crossing_at(const TriangleBody& of_edge, std::uint32_t a, std::uint32_t b,
-                                      const TriangleBody& other, std::uint32_t triangle)
+                                      const TriangleBody& other, std::uint32_t triangle,
+                                      bool of_second, const glm::dvec3& apart)
 {
     const glm::uvec3& c = other.triangles[triangle];
     const glm::dvec3 &p = of_edge.points[a], &q = of_edge.points[b];
-    const std::array<glm::dvec3, 3> corner{other.points[c.x], other.points[c.y], other.points[c.z]};
-    const double before = volume(corner[0], corner[1], corner[2], p),
-                 after = volume(corner[0], corner[1], corner[2], q);
-    if ((before >= 0) == (after >= 0)) return {};
+    const glm::dvec3 &first = other.points[c.x], along = other.points[c.y] - first,
+                     across = other.points[c.z] - first, normal = glm::cross(along, across);
+    const double growth = glm::dot(normal, of_second ? apart : -apart),
+                 size = glm::length(along) * glm::length(across);
+    const double before = glm::dot(normal, p - first), after = glm::dot(normal, q - first);
+    if (is_above(before, growth, size * glm::distance(p, first)) ==
+        is_above(after, growth, size * glm::distance(q, first)))
+        return {};
     std::array<bool, 3> left{};
     for (int k = 0; k < 3; ++k) {
-        const std::uint32_t i = c[k], j = c[(k + 1) % 3];
-        const bool along = i < j;
-        const glm::dvec3 &lower = other.points[along ? i : j], &upper = other.points[along ? j : i];
-        left[static_cast<std::size_t>(k)] = (volume(p, q, lower, upper) >= 0) == along;
+        const std::uint32_t i = std::min(c[k], c[(k + 1) % 3]), j = std::max(c[k], c[(k + 1) % 3]);
+        // The edge of the first body, then that of the second: both triangles see one number.
+        std::array<glm::dvec3, 4> ends{p, q, other.points[i], other.points[j]};
+        if (of_second) std::ranges::rotate(ends, ends.begin() + 2);
+        const auto& [r, s, x, y] = ends;
+        left[static_cast<std::size_t>(k)] =
+            is_above(volume(r, s, x, y), glm::dot(glm::cross(s - r, x - y), apart),
+                     glm::distance(r, s) * glm::distance(r, x) * glm::distance(r, y)) ==
+            (c[k] == i);
     }
     if (left[0] != left[1] || left[1] != left[2]) return {};
-    return p + before / (before - after) * (q - p);
+    const double share = before == after ? 0.5 : before / (before - after);
+    return p + std::clamp(share, 0.0, 1.0) * (q - p);
 }
 
 // Adds the crossings of the edges of a triangle with one of the other body.
 void add_crossings(std::vector<PlacedCrossing>& out, const TriangleBody& a, std::uint32_t t,
-                   const TriangleBody& b, std::uint32_t u, bool of_second)
+                   const TriangleBody& b, std::uint32_t u, bool of_second, const glm::dvec3& apart)
 {
     const glm::uvec3& c = a.triangles[t];
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(c[k], c[(k + 1) % 3]);
-        if (const std::optional<glm::dvec3> at = crossing_at(a, low, high, b, u))
-            out.push_back({{of_second, low, high, u}, *at});
+        if (const std::optional<glm::dvec3> at = crossing_at(a, low, high, b, u, of_second, apart))
+            out.push_back({{of_second && &a != &b, low, high, u}, *at});
     }
 }
 
@@ -91,6 +110,9 @@ bool share_a_point(const glm::uvec3& a, const glm::uvec3& b)
 std::vector<Piece> pieces_between(const TriangleBody& a, const TriangleBody& b)
 {
     const bool own = &a == &b;
+    const glm::dvec3 between = b.tree.bounds().center() - a.tree.bounds().center(),
+                     apart = between + (1e-3 * glm::length(between) + 1e-30) *
+                                           glm::dvec3(0.618, 0.414, 0.732); // along no face
     const std::size_t blocks =
         (a.triangles.size() + triangles_in_a_block - 1) / triangles_in_a_block;
     std::vector<std::vector<Piece>> found(blocks);
@@ -104,8 +126,8 @@ std::vector<Piece> pieces_between(const TriangleBody& a, const TriangleBody& b)
                     const auto u = static_cast<std::uint32_t>(near);
                     if (own && (u <= t || share_a_point(a.triangles[t], b.triangles[u]))) continue;
                     crossings.clear();
-                    add_crossings(crossings, a, t, b, u, false);
-                    add_crossings(crossings, b, u, a, t, !own);
+                    add_crossings(crossings, a, t, b, u, false, apart);
+                    add_crossings(crossings, b, u, a, t, true, apart);
                     // Other than two are of triangles in one plane but for rounding.
                     if (crossings.size() != 2) continue;
                     into.push_back(
@@ -121,11 +143,12 @@ std::vector<Piece> pieces_between(const TriangleBody& a, const TriangleBody& b)
 // PieceJoiner joins pieces to lines.
 class PieceJoiner {
 public:
-    PieceJoiner(const std::vector<Piece>& pieces, const glm::dvec3& origin)
+    PieceJoiner(const std::vector<Piece>& pieces, const Box& bounds)
         : pieces_(pieces),
+          least_(1e-9 * glm::length(bounds.size())),
           seen_(pieces.size(), 0)
     {
-        out_.origin = origin;
+        out_.origin = bounds.center();
         for (const Piece& piece : pieces)
             for (const PlacedCrossing& end : piece.ends) keys_.push_back(end.key);
         std::ranges::sort(keys_);
@@ -160,6 +183,7 @@ private:
         if (here.size() != 2) return none;
         const std::uint32_t next = here[0] == end ? here[1] : here[0];
         const glm::dvec3 in = place(end) - place(end ^ 1), out = place(next ^ 1) - place(next);
+        if (glm::length(in) < least_ || glm::length(out) < least_) return next; // at an edge
         return glm::dot(in, out) >= least_turn * glm::length(in) * glm::length(out) ? next : none;
     }
     void add(std::uint32_t end)
@@ -191,6 +215,7 @@ private:
     bool closes(std::uint32_t next) const { return seen_[next / 2] != 0; }
 
     const std::vector<Piece>& pieces_;
+    double least_; // a length that is none but for rounding
     std::vector<char> seen_;
     std::vector<Crossing> keys_;                 // ascending
     std::vector<std::vector<std::uint32_t>> at_; // the ends at each crossing
@@ -231,7 +256,7 @@ IntersectionLines intersection_lines(const TriangleBody& a, const TriangleBody& 
     if (a.triangles.empty() || b.triangles.empty() || a.tree.bounds().apart(b.tree.bounds()))
         return {};
     const std::vector<Piece> pieces = pieces_between(a, b);
-    return PieceJoiner(pieces, a.tree.bounds().center())();
+    return PieceJoiner(pieces, a.tree.bounds())();
 }
 
 IntersectionLines intersection_lines(const TriangleBody& body)
