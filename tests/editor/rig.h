@@ -15,7 +15,8 @@
 namespace trivar::testing {
 
 // A Rig is the whole editor without a screen, driven by the mouse and keys of nobody. Its pictures
-// are as cheap as they can be, as hardly a test looks at one; draw_whole() is for those that do.
+// are drafts of full size, as tests pick in them but hardly look at one; draw_whole() is for those
+// that do.
 struct Rig {
     explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {},
                  const std::string& unnamed_folder = {}, OnFailure on_failure = OnFailure::pass_on)
@@ -25,7 +26,6 @@ struct Rig {
     {
         screen.draw_little();
         editor.preferences.quality = "draft";
-        editor.preferences.pace = "240";
     }
     glm::ivec2 size_px;
     ui::HeadlessFrames screen;
@@ -39,7 +39,6 @@ struct Rig {
     {
         screen.draw_whole();
         editor.preferences.quality = Preferences{}.quality;
-        editor.preferences.pace = Preferences{}.pace;
     }
     void frames(int count = 3) { screen.frames(count, body()); }
     // Until nothing works in the background any more.
@@ -111,8 +110,12 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
-    // Leaves the card of hints away, which lies over the view.
-    void leave_out_hints() { editor.preferences.hints = false; }
+    // Makes pictures small too, for tests that pick nothing in them.
+    void draw_small()
+    {
+        editor.preferences.pace = "240";
+        editor.preferences.hints = false; // a card of them lies over the view
+    }
     Layout layout() const
     {
         return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences,

@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 struct BentLattice : testing::LatticeRig {
     BentLattice() : LatticeRig(1800) // nothing scrolls
     {
-        leave_out_hints();
+        draw_small();
         EXPECT_TRUE(editor.session.run(WarpVolume{2, {.twist_deg = 20}}));
         EXPECT_TRUE(editor.session.run(
             MovePoints{2, {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.1}}}));

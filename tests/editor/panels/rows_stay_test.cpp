@@ -32,7 +32,7 @@ struct Rows : testing::VolumeRig {
     // The inspector is tall; the timeline takes the height that the view need not have.
     Rows() : VolumeRig({500, 2600})
     {
-        leave_out_hints();
+        draw_small();
         editor.preferences.timeline_open = true;
         editor.preferences.timeline = 2600;
     }

@@ -38,7 +38,7 @@ Hand::Hand(const std::filesystem::path& scene)
 {
     editor().files.own_models_folder = std::filesystem::path(TRIVAR_BINARY_DIR) / "assets/models";
     editor().files.scenes_folder = editor().files.models_folder = folder_.string();
-    rig_->leave_out_hints();
+    rig_->draw_small();
     editor().session.replace_scene(SceneFile(scene.string()));
     settle();
 }
