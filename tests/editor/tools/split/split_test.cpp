@@ -72,6 +72,7 @@ TEST(SplitTool, ShowsWhatAnObstacleWouldDoAndDoesItByAClick)
 TEST(SplitTool, ShowsOneThingToAMouseThatRests)
 {
     testing::Rig rig;
+    rig.draw_whole(); // the mouse is at the rim of what it picks
     ASSERT_TRUE(rig.editor.session.run(
         AddTorus{.shape = {.radius = 0.8, .tube = 0.3, .segments = {24, 12}}}));
     Transform in_the_ring;
@@ -97,6 +98,7 @@ TEST(SplitTool, ShowsOneThingToAMouseThatRests)
 TEST(SplitTool, ShowsTheSameWhereAHandleOfWhatItShowsComesUnderTheMouse)
 {
     SplitRig rig;
+    rig.draw_whole(); // the mouse is at the rim of what it picks
     Transform before; // the middle of the opening is seen on the pillar
     before.translation = {0.1, -0.9, 0};
     ASSERT_TRUE(rig.editor.session.run(SetTransform{split_pillar, before}));
