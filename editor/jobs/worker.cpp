@@ -34,7 +34,7 @@ void Worker::start(Work work, std::string what)
 void Worker::cancel()
 {
     const std::lock_guard lock(mutex_);
-    waiting_.reset();
+    if (waiting_) waiting_->cancelled = true; // it begins, and tells that it was stopped
     if (running_) running_->cancelled = true;
 }
 

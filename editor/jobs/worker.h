@@ -35,8 +35,8 @@ public:
 
     // `what`: its name for the user; without one its progress wakes nobody.
     void start(Work work, std::string what = {});
-    void cancel(); // ends what runs and forgets what waits
-    void drop();   // the same, and nothing is heard any more of what ran or was not taken in
+    void cancel(); // the progress of what runs and of what waits throws Cancelled
+    void drop();   // ends what runs, forgets what waits, and nothing is heard of either any more
     // Calls what finished work has given; true where there was something to call. Once a frame.
     bool poll();
 

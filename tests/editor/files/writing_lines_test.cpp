@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/line_drawing.h"
+#include "core/commands/objects/voxels.h"
 #include "core/scene_lines/line_sheet.h"
 
 #include "core/base/text.h"
@@ -28,6 +29,9 @@ TEST(LineSheets, HaveALayerForEachLevelAndEachKindOfLine)
 {
     SheetRig rig;
     rig.add_ball({30, 60});
+    SetVoxels without_surfaces{1, rig.shape()}; // that of the outer level hides the inner one
+    for (VoxelLevel& level : without_surfaces.shape.levels) level.surface = false;
+    EXPECT_TRUE(rig.editor.session.run(without_surfaces));
     EXPECT_TRUE(rig.editor.session.run(AddBox{}));
     EXPECT_TRUE(rig.editor.session.run(SetLineDrawing{{2}, {}}));
     rig.wait();

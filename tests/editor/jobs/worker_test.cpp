@@ -92,15 +92,22 @@ TEST_F(FramedWorker, EndsWhatIsDroppedAndHearsNothingOfIt)
     EXPECT_FALSE(worker.poll());
 }
 
-TEST_F(FramedWorker, CancelsWhatRunsAndWhatWaits)
+TEST_F(FramedWorker, CancelsWhatRunsAndWhatWaitsWhichMayTellOfIt)
 {
     worker.start(endless());
     begun.get_future().wait();
-    worker.start(giving(1));
+    worker.start([this](const Progress& progress) -> Worker::Finish {
+        try {
+            progress(0, "begun");
+        } catch (const Cancelled&) {
+            return [this] { taken.push_back(-1); };
+        }
+        return [this] { taken.push_back(1); };
+    });
     worker.cancel();
     wait();
     EXPECT_TRUE(ended);
-    EXPECT_TRUE(taken.empty());
+    EXPECT_EQ(taken, std::vector<int>{-1});
 }
 
 TEST_F(FramedWorker, ThrowsAMistakeWhereItIsPolledAndGoesOn)
