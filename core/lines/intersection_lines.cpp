@@ -75,7 +75,7 @@ std::optional<glm::dvec3> crossing_at(const TriangleBody& of_edge, std::uint32_t
         const std::uint32_t i = std::min(c[k], c[(k + 1) % 3]), j = std::max(c[k], c[(k + 1) % 3]);
         // The edge of the first body, then that of the second: both triangles see one number.
         std::array<glm::dvec3, 4> ends{p, q, other.points[i], other.points[j]};
-        if (of_second) std::ranges::rotate(ends, ends.begin() + 2);
+        if (of_second) std::rotate(ends.begin(), ends.begin() + 2, ends.end());
         const auto& [r, s, x, y] = ends;
         left[static_cast<std::size_t>(k)] =
             is_above(volume(r, s, x, y), glm::dot(glm::cross(s - r, x - y), apart),

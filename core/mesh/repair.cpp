@@ -46,7 +46,7 @@ std::vector<bool> doubled_faces(const Mesh& mesh, const FaceEdges& edges)
         std::vector<std::uint32_t>& key = faces.emplace_back(std::vector<std::uint32_t>(), f).first;
         for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
             key.push_back(place.empty() ? mesh.corners[c] : place[mesh.corners[c]]);
-        std::ranges::rotate(key, std::ranges::min_element(key));
+        std::rotate(key.begin(), std::ranges::min_element(key), key.end());
         key.push_back(mesh.face_material.empty() ? 0 : mesh.face_material[f]);
     }
     std::sort(faces.begin(), faces.end());

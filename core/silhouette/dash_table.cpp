@@ -124,8 +124,7 @@ std::vector<std::uint32_t> DashTable::candidate_cells(const glm::dvec3& sight) c
         if (std::abs(glm::dot(rows_[r], along)) <= std::sin(std::min(covering_, 1.57f)))
             out.insert(out.end(), cells_.begin() + first_[r], cells_.begin() + first_[r + 1]);
     std::ranges::sort(out);
-    const auto rest = std::ranges::unique(out);
-    out.erase(rest.begin(), rest.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 

@@ -175,7 +175,8 @@ std::vector<IncisionHoldPoint> InciseTool::paint_holds(const Session& session,
     const IncisionHold lit = drag_ ? drag_->held.hold : hovered_;
     std::vector<IncisionHoldPoint> points = holds(session, input.scale);
     // The one in the hand above the others
-    std::ranges::stable_partition(points, [&](const auto& p) { return p.hold != lit; });
+    std::stable_partition(points.begin(), points.end(),
+                          [&](const auto& p) { return p.hold != lit; });
     const auto in_window = [&](const glm::dvec2& p_px) { return input.rect.lo + glm::vec2(p_px); };
     for (const IncisionHoldPoint& point : points)
         if (point.hold == IncisionHold::depth || point.hold == IncisionHold::zip)
