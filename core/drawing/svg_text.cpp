@@ -177,6 +177,8 @@ std::vector<SvgAttribute> svg_attributes(std::string_view tag)
         one.name = trimmed(tag.substr(at, equals - at));
         if (one.name.empty() || one.name.find_first_of(spaces) != one.name.npos)
             broken("an attribute has no value");
+        if (one.name.find_first_of("\"'#,;()/&<>") != one.name.npos)
+            broken("an attribute has no name");
         const std::size_t end = tag.find(tag[quote], quote + 1);
         if (end == tag.npos) broken("a quotation has no end");
         one.value = tag.substr(quote + 1, end - quote - 1);

@@ -12,7 +12,7 @@ namespace trivar {
 namespace {
 
 // Attributes of a line that go where a drawing does not give them: they were those of the line as
-// it was, or put it somewhere else, or hide it.
+// it was, or put it somewhere else, or hide it. Its ends go only with dashes, which change them.
 constexpr std::array<std::string_view, 12> outdated{"stroke-dasharray",
                                                     "stroke-dashoffset",
                                                     "stroke-linecap",
@@ -248,6 +248,7 @@ private:
     {
         const std::string_view old = tag(i);
         const bool is_line = drawn_.paper != i, keeps_name = !is_line || element(i).name == "path";
+        const bool is_dashed = !attribute_of(old, "stroke-dasharray").empty();
         const std::string classes = classes_of(i);
         std::string out = keeps_name ? "" : "<" + prefix_ + "path";
         std::size_t from = keeps_name ? 0 : old.find_first_of(" \t\r\n/>");
@@ -255,7 +256,8 @@ private:
         bool styled = false;
         for (const SvgAttribute& a : svg_attributes(old)) {
             std::string value(a.value);
-            bool goes = is_line && std::ranges::find(outdated, a.name) != outdated.end();
+            bool goes = is_line && std::ranges::find(outdated, a.name) != outdated.end() &&
+                        (is_dashed || a.name != "stroke-linecap");
             if (const std::string* own = value_in(attributes, a.name)) {
                 told.insert(a.name);
                 value = *own;

@@ -44,6 +44,16 @@ TEST(SvgUpdate, ChangesNoByteOfADrawingThatIsAsItWas)
     EXPECT_EQ(written_over(text, two_layers()), text);
 }
 
+TEST(SvgUpdate, ChangesNoByteOfALayerThatAPersonDrewAfterTheFirstTime)
+{
+    std::string text = svg_of(two_layers());
+    for (std::size_t at; (at = text.find(" stroke-linecap=\"round\"")) != text.npos;)
+        text.erase(at, 23);
+    for (std::size_t at; (at = text.find(" fill=\"none\"")) != text.npos;) text.erase(at, 12);
+    const std::string once = written_over(text, two_layers(2.5f));
+    EXPECT_EQ(written_over(once, two_layers(2.5f)), once);
+}
+
 TEST(SvgUpdate, KeepsElementsAtAnyPlaceByteForByte)
 {
     const std::string text = svg_of(two_layers());
@@ -286,8 +296,9 @@ TEST(SvgUpdate, RefusesWhatIsBrokenOrHostile)
     for (const std::string& text :
          {deep, std::string("<svg"), "<svg>" + list, "<svg>" + list + "</g></svg>",
           "<svg>" + list + "</svg><svg/>", "<html>" + list + "</html>",
-          "<svg>" + list + "<a b></a></svg>", "<svg>" + list + "<a b='<'/></svg>",
-          "<svg>" + list + "<!-- </svg>", "<svg>" + list + "<g><a></g></a></svg>",
+          "<svg>" + list + "<a b></a></svg>", "<svg>" + list + "<a b='c'\"d='e'/></svg>",
+          "<svg>" + list + "<a b='<'/></svg>", "<svg>" + list + "<!-- </svg>",
+          "<svg>" + list + "<g><a></g></a></svg>",
           "<!DOCTYPE svg [<!ENTITY a \"b\"><!ENTITY c \"&a;&a;\">]><svg>" + list + "</svg>",
           "<!DOCTYPE svg [<!ENTITY a SYSTEM \"/etc/passwd\">]><svg>" + list + "</svg>",
           std::string("\xff\xfe<\0s\0v\0g\0", 10)})
