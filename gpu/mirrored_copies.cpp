@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/mirrored_copies.h"
 
+#include "core/base/mean_scale.h"
 #include "gpu/to_scene.h"
 
 #include <algorithm>
@@ -118,7 +119,7 @@ MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at)
         const ToScene there =
             to_scene(at.to_world * copy.to_instance, at.mesh_origin, at.scene_origin_world);
         (there.mirrors ? mirrored : rows).push_back(row_of(copy, there));
-        scales += std::cbrt(std::abs(glm::determinant(glm::dmat3(copy.to_instance))));
+        scales += mean_scale(copy.to_instance);
     }
     out.upright = static_cast<int>(rows.size());
     out.mirrored = static_cast<int>(mirrored.size());

@@ -2,6 +2,7 @@
 #include "gpu/scene.h"
 
 #include "core/base/finite.h"
+#include "core/base/mean_scale.h"
 #include "core/mesh/filling_colors.h"
 #include "gpu/to_scene.h"
 
@@ -72,7 +73,7 @@ CastItem item_of(const CastVolume& volume, const glm::dvec3& origin_world,
 {
     glm::dmat4 to_scene = volume.to_world;
     to_scene[3] -= glm::dvec4(origin_world, 0);
-    const double edge = std::cbrt(std::abs(glm::determinant(glm::dmat3(to_scene))));
+    const double edge = mean_scale(to_scene);
     const glm::dmat4 to_voxels = glm::inverse(to_scene);
     CastItem item{volume.data, mirrored, volume.id, to_voxels, {}, {}};
     item.view.low = glm::vec4(volume.low, 0);

@@ -41,6 +41,7 @@
 
 namespace trivar {
 
+// EachOf does the same to the value of each kind of a list.
 template <class List> struct EachOf;
 template <class... All> struct EachOf<Types<All...>> {
     template <class F> static auto visit(F&& f, const Command& command)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene_lines/line_drawer.h"
 
+#include "core/base/mean_scale.h"
 #include "core/drawing/line_list.h"
 #include "core/level/voxel_field.h"
 #include "core/lines/line_budget.h"
@@ -38,11 +39,6 @@ glm::dmat3 stretch_of(const glm::dmat4& to_world)
         for (int j = 0; j < 3; ++j)
             if (std::abs(square[i][j] - (i == j ? scale : 0)) > alike * scale) return own;
     return glm::determinant(own) > 0 ? glm::dmat3(1) : own;
-}
-
-double scale_of(const glm::dmat4& to_world)
-{
-    return std::cbrt(std::abs(glm::determinant(glm::dmat3(to_world))));
 }
 
 void ink(ObjectLines& out, KindStrokes found, const LineDrawing& drawing, const DrawingView& view,
@@ -124,7 +120,7 @@ LineDrawer::PlacedMeshes LineDrawer::meshes_of(const LineScene::Object& object, 
             });
             placed.mesh = tiles.mesh;
             placed.size = tiles.tile_size;
-            placed.copy_size = static_cast<float>(tiles.tile_size / scale_of(part.to_world));
+            placed.copy_size = static_cast<float>(tiles.tile_size / mean_scale(part.to_world));
             if (object.drawing && tiles.drawn < tiles.all)
                 work.out.notices.push_back(
                     fmt::format("{}: the lines of {} of its {} tiles are drawn; the others are "
@@ -132,7 +128,8 @@ LineDrawer::PlacedMeshes LineDrawer::meshes_of(const LineScene::Object& object, 
                                 object.name, tiles.drawn, tiles.all));
         } else {
             placed.mesh = part.mesh();
-            placed.size = scale_of(part.to_world) * glm::length(bounding_box(*placed.mesh).size());
+            placed.size =
+                mean_scale(part.to_world) * glm::length(bounding_box(*placed.mesh).size());
         }
         out.push_back(std::move(placed));
     }
@@ -219,7 +216,7 @@ void LineDrawer::draw_levels(ObjectLines& out, std::size_t number, Work& work)
     } else {
         memories_.erase(out.object);
     }
-    const double size = scale_of(to_world) * glm::length(glm::dvec3(field.field().size() - 1));
+    const double size = mean_scale(to_world) * glm::length(glm::dvec3(field.field().size() - 1));
     std::size_t next = 0;
     for (const ShownVolume::Level& level : volume.levels) {
         if (!level.lines) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene_lines/seen_tiles.h"
 
+#include "core/base/mean_scale.h"
+
 #include <algorithm>
 
 namespace trivar {
@@ -39,7 +41,7 @@ SeenTiles seen_tiles(const TileSet& set, const glm::dmat4& to_world, const Camer
                      std::size_t most_triangles)
 {
     SeenTiles out{nullptr, 0, 0, set.tiles->size()};
-    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(to_world))));
+    const double scale = mean_scale(to_world);
     for (const auto& run : set.extents.runs())
         for (const TileSet::Extent& extent : *run) out.tile_size += glm::length(extent.hull.size());
     out.tile_size *= scale / static_cast<double>(std::max<std::size_t>(1, out.all));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/incising.h"
 
+#include "core/base/mean_scale.h"
 #include "core/base/number_text.h"
 #include "core/base/rejected.h"
 #include "core/base/share_along.h"
@@ -24,7 +25,7 @@ struct ToMesh {
     explicit ToMesh(const glm::dmat4& to_model)
         : points(glm::inverse(to_model)),
           normals(glm::transpose(glm::dmat3(to_model))),
-          metres(std::cbrt(std::abs(glm::determinant(glm::dmat3(to_model)))))
+          metres(mean_scale(to_model))
     {
     }
     SurfacePoint operator()(const SurfacePoint& on_model) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/steps/unwrapping.h"
 
+#include "core/base/mean_scale.h"
 #include "core/base/rejected.h"
 #include "core/base/watched.h"
 #include "core/unwrap/unwrap.h"
@@ -30,11 +31,6 @@ UnwrapOptions options_of(const Unwrapping& unwrapping)
             .margin = unwrapping.margin};
 }
 
-double size_of(const glm::dmat4& matrix)
-{
-    return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix))));
-}
-
 } // namespace
 
 Ref<Stage> UnwrappingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -45,7 +41,7 @@ Ref<Stage> UnwrappingStep::operator()(const Ref<Stage>& before, const StepInput&
         Meshes meshes; // each once, also if several nodes have it
         for (const Shape::NodeMesh& hung : before->shape->meshes)
             if (std::ranges::find(meshes, hung.rest, &Meshes::value_type::first) == meshes.end())
-                meshes.emplace_back(hung.rest, size_of(hung.to_model));
+                meshes.emplace_back(hung.rest, mean_scale(hung.to_model));
         const Ref<Unwraps> unwraps = unwraps_({meshes, *unwrapping}, [&] {
             return timed(input.timings, "unwrap", [&] {
                 Unwraps out;

@@ -2,6 +2,7 @@
 #include "gpu/passes/segments.h"
 
 #include "core/base/finite.h"
+#include "core/base/mean_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,7 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
     glm::dmat4 to_scene = to_world;
     to_scene[3] -= glm::dvec4(origin_world_, 0);
     const bool in_world = style.width_world > 0;
-    const float size =
-        static_cast<float>(std::cbrt(std::abs(glm::determinant(glm::dmat3(to_world)))));
+    const float size = static_cast<float>(mean_scale(to_world));
     Segment segment{};
     segment.width_taper = {in_world ? 0 : style.width_px * scale_,
                            in_world ? style.width_world * size : 0, style.taper};
