@@ -3,7 +3,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/ref.h"
-#include "core/document/render_settings.h"
+#include "core/base/render_settings.h"
 #include "core/mesh/part_key.h"
 #include "core/mesh/pose.h"
 #include "core/patches/tile_set.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/camera.h"
+#include "core/base/render_settings.h"
 #include "core/document/object.h"
 #include "core/document/object_map.h"
-#include "core/document/render_settings.h"
 
 #include <map>
 #include <string>

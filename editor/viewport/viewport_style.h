@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/render_settings.h"
 #include "core/document/object.h"
-#include "core/document/render_settings.h"
 #include "gpu/level.h"
 #include "gpu/picture.h"
 #include "ui/theme.h"
