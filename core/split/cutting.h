@@ -33,6 +33,8 @@ struct PlainCut {
     std::vector<glm::dvec3> opened = {};
     // Set if it was drawn over an object that obstacles part, and cuts the parts.
     bool parted = false;
+    // Returns whether it cuts: keys can take its direction away.
+    bool cuts() const { return glm::length(normal) > 1e-9; }
     bool operator==(const PlainCut&) const = default;
 };
 

@@ -285,8 +285,7 @@ unsigned made_by(bool of_parted, const Cutting& cutting)
 {
     unsigned out = 0;
     for (std::size_t i = 0; i < cutting.cuts.size(); ++i)
-        if (cutting.cuts[i].parted == of_parted && glm::length(cutting.cuts[i].normal) > 1e-9)
-            out |= 1u << i;
+        if (cutting.cuts[i].parted == of_parted && cutting.cuts[i].cuts()) out |= 1u << i;
     return out;
 }
 

@@ -47,7 +47,7 @@ void check(const Cutting& cutting)
                 fmt::format("field \"opened\" of cut {} has {} entries, but there are only "
                             "{} cuts before it",
                             i + 1, cut.opened.size(), i));
-        if (!(glm::length(cut.normal) > 1e-9)) throw Rejected("field \"normal\" has no direction");
+        if (!cut.cuts()) throw Rejected("field \"normal\" has no direction");
         if (cut.stroke.size() > most_cut_points)
             throw Rejected(fmt::format("field \"stroke\" has {} points but at most {} are taken",
                                        with_commas(cut.stroke.size()),

@@ -14,7 +14,7 @@ constexpr double margin = 0.06;      // of what the object fills
 std::vector<glm::dvec3> grid_on(const Cutting& cutting, std::size_t number,
                                 const EvaluatedObject& object)
 {
-    if (!(glm::length(cutting.cuts[number].normal) > 1e-9)) return {}; // keys took it away
+    if (!cutting.cuts[number].cuts()) return {}; // keys took it away
     const glm::dvec3 beside = shown_cut(cutting, number, object).beside;
     const CutSheet sheet(cutting.cuts[number], glm::inverse(object.own_to_world));
     glm::dvec2 lo(1e300), hi(-1e300);

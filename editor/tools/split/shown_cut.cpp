@@ -24,7 +24,7 @@ ShownCut shown_cut(const Cutting& cutting, std::size_t number, const EvaluatedOb
     std::array<unsigned, 2> sides{0, 0};
     unsigned made = 0; // those of the same step, and of the one before
     for (std::size_t i = 0; i < cuts.size(); ++i)
-        if (cuts[i].parted <= cut.parted && glm::length(cuts[i].normal) > 1e-9) made |= 1u << i;
+        if (cuts[i].parted <= cut.parted && cuts[i].cuts()) made |= 1u << i;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         if ((made >> i & 1u) == 0) continue;
         const CutSheet sheet(cuts[i], glm::dmat4(1));

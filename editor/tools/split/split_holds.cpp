@@ -97,7 +97,7 @@ std::vector<SplitHoldPoint> cut_holds(const Cutting& cutting, const EvaluatedObj
     const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(object.own_to_world)));
     for (std::size_t i = 0; i < cutting.cuts.size(); ++i) {
         const PlainCut& cut = cutting.cuts[i];
-        if (!(glm::length(cut.normal) > 1e-9)) continue;
+        if (!cut.cuts()) continue;
         const ShownCut shown = shown_cut(cutting, i, object);
         SplitHoldPoint point;
         point.hold = {SplitHoldKind::level, static_cast<int>(i), 0};
