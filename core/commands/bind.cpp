@@ -13,12 +13,6 @@
 namespace trivar {
 namespace {
 
-template <class Each> void keep_each_once(std::vector<Each>& list, auto&& id)
-{
-    std::set<Id> seen;
-    std::erase_if(list, [&](const Each& each) { return !seen.insert(id(each)).second; });
-}
-
 Object bound(const Object& before, const Bind& command)
 {
     const std::vector<Id>& from = command.from;
@@ -32,10 +26,6 @@ Object bound(const Object& before, const Bind& command)
         o.stroke = with(0).stroke; // it goes with the rest of what carried it
     if (from.empty() && o.stroke && o.stroke->onto.empty()) o.stroke->onto = {command.to};
     if (from.empty() && o.tiles && o.tiles->base == 0) o.tiles->base = command.to;
-    if (o.stroke) keep_each_once(o.stroke->onto, [](Id id) { return id; });
-    if (o.splitting)
-        keep_each_once(o.splitting->obstacles, [](const ObstacleUse& each) { return each.object; });
-    if (o.tiles) keep_each_once(o.tiles->others, [](const MixedTile& each) { return each.object; });
     return o;
 }
 

@@ -19,11 +19,13 @@ struct Bind {
     bool operator==(const Bind&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of the objects that depend on others", required);
-        field(
-            "from", c.from,
-            "ids of what they depend on now; empty: what they lay or were painted on was deleted");
-        field("to", c.to, "id of the object that takes the place of those", required);
+        field("objects", c.objects, "ids of the objects that depend on others",
+              required.names_object());
+        field("from", c.from,
+              "ids of what they depend on now; empty: what they lay or were painted on was deleted",
+              any_value.names_object());
+        field("to", c.to, "id of the object that takes the place of those",
+              required.names_object());
     }
 };
 Document applied(Document document, const Bind& command);

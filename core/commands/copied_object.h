@@ -98,7 +98,7 @@ template <> struct FieldsOf<CopiedObject> {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "its id when it was copied, by which other copies name it",
-              required);
+              required.names_object());
         field("name", c.name, "its name, with a number if the name is taken", required);
         field("file", c.file,
               "file of an imported model; an object without file and shape is a group");
@@ -116,8 +116,8 @@ template <> struct FieldsOf<CopiedObject> {
         field("tetrahedra", c.tetrahedra, "its tetrahedra, as of add_tetrahedra", later);
         field("simplex_sheet", c.sheet, "its shape, as of add_simplex_sheet", later);
         field("transform", c.transform, "its transform, in its group if that is copied, too");
-        field("parent", c.parent,
-              "id of the copied group it is in, which comes before it; 0: none");
+        field("parent", c.parent, "id of the copied group it is in, which comes before it; 0: none",
+              any_value.names_object());
         field("hidden", c.hidden, "it is not in the picture");
         field("locked", c.locked, "it cannot be picked, moved or deleted by hand");
         field("material", c.material, "one material over all of it; left out: its own");

@@ -19,7 +19,7 @@ template <> struct FieldsOf<CopiedSplitting> {
     static constexpr std::string_view told_as = "values of [split](#split), and `known`";
     static void fields(auto& s, auto&& field)
     {
-        FieldsOf<Splitting>::fields(s.splitting, field);
+        spread(s.splitting, field);
         field("known", s.known, "the obstacles: other copies, or objects of the scene");
     }
 };

@@ -45,7 +45,7 @@ template <> struct FieldsOf<KnownObject> {
     static constexpr std::string_view told_as = "[base](#base)";
     static void fields(auto& k, auto&& field)
     {
-        field("object", k.object, "its id", required);
+        field("object", k.object, "its id", required.names_object());
         field("name", k.name,
               "its name, so that another object of the same id is not mistaken for it", required);
     }

@@ -20,7 +20,8 @@ inline constexpr std::string_view lies_on_words = "laid on";
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the
 // rest, and its stroke stays in the world if nothing else carries it; its tiles are mixed with the
-// rest, the rest part it, and its incisions have no blade.
+// rest, the rest part it, and its incisions have no blade. What a list names twice then is there
+// once.
 Object with_bases(Object object, const std::function<Id(Id)>& other);
 
 } // namespace trivar

@@ -95,6 +95,15 @@ concept Nested = requires(T& value)
     FieldsOf<std::remove_const_t<T>>::fields(value, [](auto&&...) {});
 };
 
+// Gives the fields of a value to a list of fields in which they stand without a name of their own.
+template <class T> void spread(T& value, auto&& field)
+{
+    if constexpr (requires { field.spread(value); })
+        field.spread(value);
+    else
+        FieldsOf<std::remove_const_t<T>>::fields(value, field);
+}
+
 // Calls field(name, value, help, rule) for each field of a command or of a nested value.
 template <class T> void each_field(T& value, auto&& field)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace trivar {
@@ -35,6 +36,9 @@ enum class Counting {
     bare // not counted at its default; else its value alone
 };
 
+// A FileKind says how a file that a field names is read.
+enum class FileKind { model, font, image, volume };
+
 // A Rule holds what is known of a field besides its name and its help. Bounds are inclusive and
 // hold for every component of a vector.
 struct Rule {
@@ -53,7 +57,16 @@ struct Rule {
     // The greatest number per component that works. Some scenes were written with more: such
     // numbers are read, and evaluation adds a notice. 0: hi.
     std::array<int, 3> works_to{};
-    bool inlined = false; // names of parameters leave out the name of this field
+    bool inlined = false;         // names of parameters leave out the name of this field
+    std::string_view in_copies{}; // its name where an object is copied; empty: the same
+    bool object = false;          // it holds ids of objects; 0: none
+    // The objects are to what names them: "painted on" them it is. Its shape depends on them.
+    // Empty: it does not.
+    std::string_view use{};
+    std::optional<FileKind> file{}; // of a text: the path of a file, whose digest is the next field
+    bool in_use = true;             // of a file: it is read at present
+    bool digest = false;            // of a text: the digest of the file before it; empty: any
+    std::string_view no_name{};     // why it names neither object nor file, though it looks so
 
     constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
     constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
@@ -67,6 +80,17 @@ struct Rule {
     constexpr Rule zero_is(std::string_view words) const { return with(&Rule::zero, words); }
     constexpr Rule without_keys() const { return with(&Rule::fixed, true); }
     constexpr Rule as_its_own() const { return with(&Rule::inlined, true); }
+    constexpr Rule copied_as(std::string_view name) const { return with(&Rule::in_copies, name); }
+    constexpr Rule names_object(std::string_view words = {}) const
+    {
+        return with(&Rule::object, true).with(&Rule::use, words);
+    }
+    constexpr Rule names_file(FileKind kind, bool read = true) const
+    {
+        return with(&Rule::file, std::optional(kind)).with(&Rule::in_use, read);
+    }
+    constexpr Rule digest_of_file() const { return with(&Rule::digest, true); }
+    constexpr Rule names_nothing(std::string_view why) const { return with(&Rule::no_name, why); }
 
 private:
     template <class T> constexpr Rule with(T Rule::*member, T value) const

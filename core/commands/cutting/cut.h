@@ -19,8 +19,8 @@ struct CutThrough {
     bool operator==(const CutThrough&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<Cutting>::fields(c.cutting, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.cutting, field);
     }
     static std::optional<CutThrough> as_it_is(const Object& object, Id id)
     {
@@ -43,7 +43,7 @@ struct RemoveCut {
     bool operator==(const RemoveCut&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object that is cut", required);
+        field("object", c.object, "id of an object that is cut", required.names_object());
         field("number", c.number, "of the cut, from 1 on", in_range(1, most_cuts));
     }
 };
@@ -58,7 +58,7 @@ struct ClearCuts {
     bool operator==(const ClearCuts&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects that are cut", required);
+        field("objects", c.objects, "ids of objects that are cut", required.names_object());
     }
 };
 Document applied(Document document, const ClearCuts& command);

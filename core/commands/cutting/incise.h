@@ -32,8 +32,8 @@ struct Incise {
     bool operator==(const Incise&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with a shape", required);
-        FieldsOf<NamedIncision>::fields(c.incision, field);
+        field("object", c.object, "id of an object with a shape", required.names_object());
+        spread(c.incision, field);
         field("layers", c.layers,
               "what walls show, where this is the first incision of the object; else they stay",
               later);
@@ -52,7 +52,7 @@ struct EditIncision {
     bool operator==(const EditIncision&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with incisions", required);
+        field("object", c.object, "id of an object with incisions", required.names_object());
         field("number", c.number, "which of them, the first is 1",
               required_in_range(1, most_incisions));
         field("stroke", c.incision.cut.stroke,
@@ -73,7 +73,7 @@ struct LayerIncisions {
     bool operator==(const LayerIncisions&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with incisions", required);
+        field("objects", c.objects, "ids of objects with incisions", required.names_object());
         FieldsOf<Incising>::layers(c.incising, field);
     }
 };
@@ -91,7 +91,7 @@ struct SwapIncisions {
     bool operator==(const SwapIncisions&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with incisions", required);
+        field("object", c.object, "id of an object with incisions", required.names_object());
         field("first", c.first, "number of one of them", in_range(1, most_incisions));
         field("second", c.second, "number of the other one", in_range(1, most_incisions));
     }
@@ -109,7 +109,7 @@ struct RemoveIncision {
     bool operator==(const RemoveIncision&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with incisions", required);
+        field("object", c.object, "id of an object with incisions", required.names_object());
         field("number", c.number, "which of them, the first is 1", in_range(1, most_incisions));
     }
 };
@@ -124,7 +124,7 @@ struct ClearIncisions {
     bool operator==(const ClearIncisions&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with incisions", required);
+        field("objects", c.objects, "ids of objects with incisions", required.names_object());
     }
 };
 Document applied(Document document, const ClearIncisions& command);

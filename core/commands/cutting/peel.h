@@ -15,8 +15,8 @@ struct PeelFlap {
     bool operator==(const PeelFlap&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with incisions", required);
-        FieldsOf<PeeledFlap>::fields(c.flap, field);
+        field("object", c.object, "id of an object with incisions", required.names_object());
+        spread(c.flap, field);
     }
 };
 Document applied(Document document, const PeelFlap& command);
@@ -32,7 +32,7 @@ struct LayFlap {
     bool operator==(const LayFlap&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object with peeled flaps", required);
+        field("object", c.object, "id of an object with peeled flaps", required.names_object());
         field("number", c.number, "which of them, the first is 1", in_range(1, most_peeled_flaps));
     }
 };

@@ -19,8 +19,8 @@ struct Split {
     bool operator==(const Split&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<Splitting>::fields(c.splitting, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.splitting, field);
     }
     static std::optional<Split> as_it_is(const Object& object, Id id)
     {
@@ -41,7 +41,8 @@ struct ClearSplit {
     bool operator==(const ClearSplit&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects that are parted by obstacles", required);
+        field("objects", c.objects, "ids of objects that are parted by obstacles",
+              required.names_object());
     }
 };
 Document applied(Document document, const ClearSplit& command);

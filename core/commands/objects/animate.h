@@ -15,7 +15,8 @@ template <> struct FieldsOf<ObjectTracks> {
     static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)";
     static void fields(auto& t, auto&& field)
     {
-        field("object", t.object, "id; 0: the scene, with its picture and bookmarks");
+        field("object", t.object, "id; 0: the scene, with its picture and bookmarks",
+              any_value.names_object());
         field("tracks", t.tracks, "one per parameter, replacing its earlier track", required);
     }
 };

@@ -15,8 +15,8 @@ struct SetTransform {
     bool operator==(const SetTransform&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id", required);
-        FieldsOf<Transform>::fields(c.transform, field);
+        field("object", c.object, "id", required.names_object());
+        spread(c.transform, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetTransform> as_it_is(const Object& object, Id id)
@@ -37,7 +37,7 @@ struct Arrange {
     bool operator==(const Arrange&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids", required);
+        field("objects", c.objects, "ids", required.names_object());
         field("transforms", c.transforms, "transforms of the objects, in the same order", required);
     }
 };
@@ -53,7 +53,7 @@ struct Rename {
     bool operator==(const Rename&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id", required);
+        field("object", c.object, "id", required.names_object());
         field("name", c.name, "the new name, not empty", required);
     }
 };
@@ -65,7 +65,10 @@ struct Hide {
     static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Hide&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required.names_object());
+    }
 };
 Document applied(Document document, const Hide& command);
 StepTitle title(const Hide& c, const StepDocuments& step);
@@ -78,7 +81,7 @@ struct Show {
     bool operator==(const Show&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids", required);
+        field("objects", c.objects, "ids", required.names_object());
         field("only", c.only, "hides everything else, and shows the groups that they are in");
     }
 };
@@ -92,7 +95,10 @@ struct Lock {
     static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Lock&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required.names_object());
+    }
 };
 Document applied(Document document, const Lock& command);
 StepTitle title(const Lock& c, const StepDocuments& step);
@@ -103,7 +109,10 @@ struct Unlock {
                                           .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Unlock&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required.names_object());
+    }
 };
 Document applied(Document document, const Unlock& command);
 StepTitle title(const Unlock& c, const StepDocuments& step);
@@ -117,7 +126,10 @@ struct Delete {
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
     bool operator==(const Delete&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required.names_object());
+    }
 };
 Document applied(Document document, const Delete& command);
 StepTitle title(const Delete& c, const StepDocuments& step);
@@ -134,7 +146,8 @@ struct Duplicate {
     bool operator==(const Duplicate&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids; the copies get the next ids in this order", required);
+        field("objects", c.objects, "ids; the copies get the next ids in this order",
+              required.names_object());
         field("offset", c.offset, "added to the copies' translation, metres");
     }
 };

@@ -29,7 +29,7 @@ struct Group {
     bool operator==(const Group&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids", required);
+        field("objects", c.objects, "ids", required.names_object());
         field("name", c.name, "name in the outliner");
     }
 };
@@ -44,7 +44,10 @@ struct Ungroup {
                                           .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Ungroup&) const = default;
-    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id", required.names_object());
+    }
 };
 Document applied(Document document, const Ungroup& command);
 StepTitle title(const Ungroup& c, const StepDocuments& step);
@@ -60,9 +63,10 @@ struct SetParent {
     bool operator==(const SetParent&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids", required);
+        field("objects", c.objects, "ids", required.names_object());
         field("parent", c.parent,
-              "id of the parent: a group, a lattice or any object that lies on no stroke; 0: none");
+              "id of the parent: a group, a lattice or any object that lies on no stroke; 0: none",
+              any_value.names_object());
     }
 };
 Document applied(Document document, const SetParent& command);
@@ -78,10 +82,12 @@ struct Reorder {
     bool operator==(const Reorder&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids, in their new order", required);
-        field("parent", c.parent, "id of the group they go into; 0: none");
+        field("objects", c.objects, "ids, in their new order", required.names_object());
+        field("parent", c.parent, "id of the group they go into; 0: none",
+              any_value.names_object());
         field("before", c.before,
-              "id of the object in that group that follows them; 0: they are last");
+              "id of the object in that group that follows them; 0: they are last",
+              any_value.names_object());
     }
 };
 Document applied(Document document, const Reorder& command);

@@ -16,7 +16,7 @@ struct ImportModel {
     bool operator==(const ImportModel&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        FieldsOf<ImportedFile>::fields(c.file, field);
+        spread(c.file, field);
         field("name", c.name, "name in the outliner; empty: the file's");
         field("transform", c.transform, "its position, rotation and scale");
     }
@@ -33,8 +33,8 @@ struct EditImport {
     bool operator==(const EditImport&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an imported model", required);
-        FieldsOf<ImportedFile>::fields(c.file, field);
+        field("object", c.object, "id of an imported model", required.names_object());
+        spread(c.file, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<EditImport> as_it_is(const Object& object, Id id)
@@ -58,12 +58,14 @@ template <> struct FieldsOf<RelinkedPicture> {
     static constexpr std::string_view told_as = "[picture](#picture)";
     static void fields(auto& p, auto&& field)
     {
-        field("object", p.object, "id of a sheet of heights or a layer of tiles", required);
+        field("object", p.object, "id of a sheet of heights or a layer of tiles",
+              required.names_object());
         field("mask", p.mask, "which of its masks, the first is 1; 0: its heights",
               in_range(0, 1e6));
         field("image", p.image, "file of the picture, relative to the scene file's folder",
-              required);
-        field("image_hash", p.image_hash, "digest of that file's content; empty: any");
+              required.names_file(FileKind::image));
+        field("image_hash", p.image_hash, "digest of that file's content; empty: any",
+              any_value.digest_of_file());
     }
 };
 
@@ -77,9 +79,10 @@ template <> struct FieldsOf<RelinkedVolume> {
     static constexpr std::string_view told_as = "[volume](#volume)";
     static void fields(auto& v, auto&& field)
     {
-        field("object", v.object, "id of volume data", required);
-        field("path", v.path, "its file or folder, relative to the scene file's folder", required);
-        field("hash", v.hash, "digest of its content; empty: any");
+        field("object", v.object, "id of volume data", required.names_object());
+        field("path", v.path, "its file or folder, relative to the scene file's folder",
+              required.names_file(FileKind::volume));
+        field("hash", v.hash, "digest of its content; empty: any", any_value.digest_of_file());
     }
 };
 
@@ -96,7 +99,7 @@ struct Relink {
     bool operator==(const Relink&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of imported models", required);
+        field("objects", c.objects, "ids of imported models", required.names_object());
         field("files", c.files, "files of the objects, in the same order", required);
         field("pictures", c.pictures, "pictures of masks and heights, each with what has it");
         field("volumes", c.volumes, "files of volume data, each with what has it");

@@ -18,8 +18,8 @@ struct KeepShape {
     bool operator==(const KeepShape&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a lattice", required);
-        field("members", c.members, "ids of objects in it", required);
+        field("object", c.object, "id of a lattice", required.names_object());
+        field("members", c.members, "ids of objects in it", required.names_object());
         field("files", c.files,
               "one per member, in the same order: its shape in the space of the group that it is "
               "in afterwards",

@@ -15,8 +15,8 @@ struct SetLineDrawing {
     bool operator==(const SetLineDrawing&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<LineDrawing>::fields(c.drawing, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.drawing, field);
     }
     static std::optional<SetLineDrawing> as_it_is(const Object& object, Id id)
     {
@@ -34,7 +34,7 @@ struct ClearLineDrawing {
     bool operator==(const ClearLineDrawing&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects drawn in lines", required);
+        field("objects", c.objects, "ids of objects drawn in lines", required.names_object());
     }
 };
 Document applied(Document document, const ClearLineDrawing& command);

@@ -15,8 +15,8 @@ struct SetMaterial {
     bool operator==(const SetMaterial&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids", required);
-        FieldsOf<Surfacing>::fields(c.surfacing, field);
+        field("objects", c.objects, "ids", required.names_object());
+        spread(c.surfacing, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetMaterial> as_it_is(const Object& object, Id id)
@@ -35,7 +35,10 @@ struct ClearMaterial {
                                           .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const ClearMaterial&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required.names_object());
+    }
 };
 Document applied(Document document, const ClearMaterial& command);
 StepTitle title(const ClearMaterial& c, const StepDocuments& step);

@@ -17,8 +17,8 @@ struct PlayClip {
     bool operator==(const PlayClip&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of imported models", required);
-        FieldsOf<Playing>::fields(c.playing, field);
+        field("objects", c.objects, "ids of imported models", required.names_object());
+        spread(c.playing, field);
         field("playings", c.playings,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");

@@ -21,7 +21,7 @@ template <class Shape> struct AddShape {
     static void fields(auto& c, auto&& field)
     {
         field("name", c.name, "name in the outliner");
-        FieldsOf<Shape>::fields(c.shape, field);
+        spread(c.shape, field);
         field("transform", c.transform, "its position, rotation and scale");
         field("material", c.material, "one material over all of it; left out: nearly white");
     }

@@ -21,8 +21,8 @@ struct Refine {
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of objects that lie on strokes or are in lattices",
-              required);
-        FieldsOf<Refining>::fields(c.refining, field);
+              required.names_object());
+        spread(c.refining, field);
         field("refinings", c.refinings,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
@@ -43,7 +43,7 @@ struct ClearRefine {
     bool operator==(const ClearRefine&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of refined objects", required);
+        field("objects", c.objects, "ids of refined objects", required.names_object());
     }
 };
 Document applied(Document document, const ClearRefine& command);

@@ -17,8 +17,8 @@ struct Shade {
     bool operator==(const Shade&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<FaceShading>::fields(c.shading, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.shading, field);
     }
     static std::optional<Shade> as_it_is(const Object& object, Id id)
     {

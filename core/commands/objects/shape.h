@@ -26,8 +26,8 @@ struct PressVolume {
     bool operator==(const PressVolume&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
-        FieldsOf<Press>::fields(c.press, field);
+        field("object", c.object, "id of a placed object", required.names_object());
+        spread(c.press, field);
     }
 };
 Document applied(Document document, const PressVolume& command);
@@ -43,8 +43,8 @@ struct MovePoints {
     bool operator==(const MovePoints&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
-        FieldsOf<PointShift>::fields(c.shift, field);
+        field("object", c.object, "id of a placed object", required.names_object());
+        spread(c.shift, field);
     }
 };
 Document applied(Document document, const MovePoints& command);
@@ -61,8 +61,8 @@ struct InsertKnots {
     bool operator==(const InsertKnots&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
-        FieldsOf<KnotInsertion>::fields(c.insertion, field);
+        field("object", c.object, "id of a placed object", required.names_object());
+        spread(c.insertion, field);
     }
 };
 Document applied(Document document, const InsertKnots& command);
@@ -79,8 +79,8 @@ struct CoarsenVolume {
     bool operator==(const CoarsenVolume&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
-        FieldsOf<Coarsening>::fields(c.coarsening, field);
+        field("object", c.object, "id of a placed object", required.names_object());
+        spread(c.coarsening, field);
     }
 };
 Document applied(Document document, const CoarsenVolume& command);
@@ -98,7 +98,7 @@ struct MendVolume {
     bool operator==(const MendVolume&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
+        field("object", c.object, "id of a placed object", required.names_object());
     }
 };
 Document applied(Document document, const MendVolume& command);
@@ -114,8 +114,8 @@ struct AllowFolds {
     bool operator==(const AllowFolds&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
-        FieldsOf<FoldAllowance>::fields(c.allowance, field);
+        field("object", c.object, "id of a placed object", required.names_object());
+        spread(c.allowance, field);
     }
 };
 Document applied(Document document, const AllowFolds& command);
@@ -129,7 +129,7 @@ struct Unshape {
     bool operator==(const Unshape&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
+        field("object", c.object, "id of a placed object", required.names_object());
         field("steps", c.steps, "numbers of the edits, from 1; empty: all", in_range(1, 1e6));
     }
 };

@@ -15,8 +15,8 @@ struct Simplify {
     bool operator==(const Simplify&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<Simplifying>::fields(c.simplifying, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.simplifying, field);
     }
     static std::optional<Simplify> as_it_is(const Object& object, Id id)
     {
@@ -34,7 +34,7 @@ struct ClearSimplify {
     bool operator==(const ClearSimplify&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of simplified objects", required);
+        field("objects", c.objects, "ids of simplified objects", required.names_object());
     }
 };
 Document applied(Document document, const ClearSimplify& command);

@@ -19,8 +19,8 @@ struct SetText {
     bool operator==(const SetText&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a text", required);
-        FieldsOf<TextShape>::fields(c.shape, field);
+        field("object", c.object, "id of a text", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetText> as_it_is(const Object& object, Id id)

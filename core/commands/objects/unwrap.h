@@ -17,8 +17,8 @@ struct Unwrap {
     bool operator==(const Unwrap&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects with a shape", required);
-        FieldsOf<Unwrapping>::fields(c.unwrapping, field);
+        field("objects", c.objects, "ids of objects with a shape", required.names_object());
+        spread(c.unwrapping, field);
     }
     static std::optional<Unwrap> as_it_is(const Object& object, Id id)
     {
@@ -37,7 +37,7 @@ struct ClearUnwrap {
     bool operator==(const ClearUnwrap&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of unwrapped objects", required);
+        field("objects", c.objects, "ids of unwrapped objects", required.names_object());
     }
 };
 Document applied(Document document, const ClearUnwrap& command);

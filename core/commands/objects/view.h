@@ -43,7 +43,7 @@ struct SetTime {
                                           "Set the frame range and the frame rate of the scene.";
     Time time;
     bool operator==(const SetTime&) const = default;
-    static void fields(auto& c, auto&& field) { FieldsOf<Time>::fields(c.time, field); }
+    static void fields(auto& c, auto&& field) { spread(c.time, field); }
 };
 Document applied(Document document, const SetTime& command);
 StepTitle title(const SetTime& c, const StepDocuments& step);
@@ -54,10 +54,7 @@ struct SetRender {
         summary = "Set the look, the light and the overlays of the picture.";
     RenderSettings settings;
     bool operator==(const SetRender&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        FieldsOf<RenderSettings>::fields(c.settings, field);
-    }
+    static void fields(auto& c, auto&& field) { spread(c.settings, field); }
 };
 Document applied(Document document, const SetRender& command);
 StepTitle title(const SetRender& c, const StepDocuments& step);

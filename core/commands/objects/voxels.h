@@ -22,8 +22,8 @@ struct SetVoxels {
     bool operator==(const SetVoxels&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of volume data", required);
-        FieldsOf<VoxelShape>::fields(c.shape, field);
+        field("object", c.object, "id of volume data", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetVoxels> as_it_is(const Object& object, Id id)

@@ -25,15 +25,16 @@ struct ApplyShape {
     bool operator==(const ApplyShape&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of an object on a stroke", required);
-        FieldsOf<ImportedFile>::fields(c.file, field);
+        field("object", c.object, "id of an object on a stroke", required.names_object());
+        spread(c.file, field);
         field("transform", c.transform, "transform of the model in its parent");
         field("tolerance", c.tolerance,
               "metres that the file's triangles may be from the true surface at most; 0: not "
               "certified",
               not_negative.in(Unit::metres));
         field("riders", c.riders,
-              "ids of attached objects that stay attached to it; all others stay in the world");
+              "ids of attached objects that stay attached to it; all others stay in the world",
+              any_value.names_object());
         field("strokes", c.strokes, "strokes of the riders, in the same order, as they are now");
         field("attach", c.attach, "hosts of the riders from now on, in the same order");
     }

@@ -21,13 +21,14 @@ struct Place {
     bool operator==(const Place&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of the object to place", required);
+        field("object", c.object, "id of the object to place", required.names_object());
         field("camera", c.sketch.camera, "the view the stroke was drawn in", required);
         field("samples", c.sketch.samples, "the stroke, [x px, y px, seconds, pressure] each",
               required);
         field("parameters", c.parameters, "how it lies");
         field("onto", c.onto,
-              "ids of objects to lie on; empty: every visible object that does not lie on it");
+              "ids of objects to lie on; empty: every visible object that does not lie on it",
+              any_value.names_object());
         field("attach", c.attach,
               "its hosts, with which it moves; left out: it stays in the world");
         field("copy", c.copy, "lay a copy of the object, which itself stays as it is");
@@ -53,8 +54,8 @@ struct PlaceRound {
     bool operator==(const PlaceRound&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of the object to lay down", required);
-        field("around", c.around, "id of the object it goes round", required);
+        field("object", c.object, "id of the object to lay down", required.names_object());
+        field("around", c.around, "id of the object it goes round", required.names_object());
         field("level", c.level,
               "metres across from the widest circle of that object; with a plane, along its normal "
               "from "
@@ -81,11 +82,12 @@ struct EditPlacement {
     bool operator==(const EditPlacement&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
+        field("object", c.object, "id of a placed object", required.names_object());
         field("parameters", c.parameters, "all parameters; those left out have their defaults",
               required);
         field("sketch", c.sketch, "a new stroke; left out: as it was");
-        field("onto", c.onto, "ids of objects to lie on; left out: as before; empty: chosen again");
+        field("onto", c.onto, "ids of objects to lie on; left out: as before; empty: chosen again",
+              any_value.names_object());
         field("attach", c.attach,
               "its hosts, with which it moves; left out: as before, but none where the stroke is "
               "new");
@@ -111,7 +113,7 @@ struct Attach {
     bool operator==(const Attach&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a placed object", required);
+        field("object", c.object, "id of a placed object", required.names_object());
         field("attach", c.attach,
               "its hosts and where it lies on them; left out: all objects that it lies on, if none "
               "of them lies on a stroke itself");
@@ -128,7 +130,10 @@ struct Unplace {
                                           .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Unplace&) const = default;
-    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id", required.names_object());
+    }
 };
 Document applied(Document document, const Unplace& command);
 StepTitle title(const Unplace& c, const StepDocuments& step);

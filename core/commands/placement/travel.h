@@ -16,8 +16,8 @@ struct SetTravel {
     bool operator==(const SetTravel&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of placed objects", required);
-        FieldsOf<Travel>::fields(c.travel, field);
+        field("objects", c.objects, "ids of placed objects", required.names_object());
+        spread(c.travel, field);
         field("travels", c.travels,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");

@@ -20,8 +20,8 @@ struct SetHeights {
     bool operator==(const SetHeights&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a sheet of heights", required);
-        FieldsOf<HeightShape>::fields(c.shape, field);
+        field("object", c.object, "id of a sheet of heights", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetHeights> as_it_is(const Object& object, Id id)
@@ -50,10 +50,10 @@ struct Displace {
     bool operator==(const Displace&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("base", c.base, "id of what is displaced", required);
+        field("base", c.base, "id of what is displaced", required.names_object());
         field("per_face", c.per_face, "how often the picture lies along each side of a face",
               in_range(1, 1000));
-        FieldsOf<HeightShape>::fields(c.shape, field);
+        spread(c.shape, field);
         field("material", c.material,
               "one material over all of it; left out: the object's, or "
               "nearly white");

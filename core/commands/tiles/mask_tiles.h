@@ -26,10 +26,10 @@ struct MaskTiles {
     bool operator==(const MaskTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
         field("number", c.number, "which of its masks, the first is 1; 0: a new one",
               in_range(0, most_masks));
-        FieldsOf<TileMask>::fields(c.mask, field);
+        spread(c.mask, field);
     }
 };
 Document applied(Document document, const MaskTiles& command);
@@ -43,7 +43,7 @@ struct RemoveTileMasks {
     bool operator==(const RemoveTileMasks&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
         field("numbers", c.numbers, "which of them, the first is 1; empty: all",
               in_range(1, most_masks));
     }

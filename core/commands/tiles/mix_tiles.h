@@ -28,7 +28,7 @@ struct MixTiles {
     bool operator==(const MixTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
         field("weight", c.weight, "how often the object itself is there", in_range(0, 1000));
         field("others", c.others, "the other objects; none: the layer is not mixed");
         field("files", c.files,
@@ -55,8 +55,9 @@ struct MorphTiles {
     bool operator==(const MorphTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
-        field("into", c.into, "id of another object; 0: tiles stay what they are", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
+        field("into", c.into, "id of another object; 0: tiles stay what they are",
+              required.names_object());
     }
 };
 Document applied(Document document, const MorphTiles& command);

@@ -35,9 +35,9 @@ struct PaintTiles {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of what becomes the tile; 0: the first of the files",
-              required);
-        field("base", c.base, "id of what is painted on", required);
-        FieldsOf<TileStroke>::fields(c.stroke, field);
+              required.names_object());
+        field("base", c.base, "id of what is painted on", required.names_object());
+        spread(c.stroke, field);
         field("others", c.others, FieldsOf<MixedTile>::besides_help);
         field("overlap", c.overlap,
               "how far the tiles of a strand reach into the next ones, in shares of their cells; "
@@ -59,10 +59,10 @@ struct EditTileStroke {
     bool operator==(const EditTileStroke&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
         field("number", c.number, "which of its strokes, the first is 1",
               required_in_range(1, 1e6));
-        FieldsOf<TileStroke>::fields(c.stroke, field);
+        spread(c.stroke, field);
     }
 };
 Document applied(Document document, const EditTileStroke& command);
@@ -76,7 +76,7 @@ struct RemoveTileStrokes {
     bool operator==(const RemoveTileStrokes&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a layer of tiles", required);
+        field("object", c.object, "id of a layer of tiles", required.names_object());
         field("numbers", c.numbers, "which of them, the first is 1; empty: all", in_range(1, 1e6));
     }
 };
@@ -91,8 +91,8 @@ struct SetTiles {
     bool operator==(const SetTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of layers of tiles", required);
-        FieldsOf<TileLook>::fields(c.look, field);
+        field("objects", c.objects, "ids of layers of tiles", required.names_object());
+        spread(c.look, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetTiles> as_it_is(const Object& object, Id id)
@@ -112,7 +112,7 @@ struct ClearTiles {
     bool operator==(const ClearTiles&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of layers of tiles", required);
+        field("objects", c.objects, "ids of layers of tiles", required.names_object());
     }
 };
 Document applied(Document document, const ClearTiles& command);
@@ -134,9 +134,9 @@ struct CoverWithTiles {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of what becomes the tile; 0: the first of the files",
-              required);
-        field("base", c.base, "id of what is covered", required);
-        FieldsOf<TileCover>::fields(c.cover, field);
+              required.names_object());
+        field("base", c.base, "id of what is covered", required.names_object());
+        spread(c.cover, field);
         field("others", c.others, FieldsOf<MixedTile>::besides_help);
         field("files", c.files, FieldsOf<TileFile>::help);
     }

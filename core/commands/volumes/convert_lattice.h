@@ -20,7 +20,7 @@ struct ConvertLattice {
     bool operator==(const ConvertLattice&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a lattice", required);
+        field("object", c.object, "id of a lattice", required.names_object());
         field("pieces", c.pieces,
               "into which each span between its knots is cut along each axis: the more, the nearer",
               in_range(1, 16));

@@ -24,9 +24,9 @@ struct AddLattice {
     bool operator==(const AddLattice&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of the objects to bend", required);
+        field("objects", c.objects, "ids of the objects to bend", required.names_object());
         field("name", c.name, "name in the outliner");
-        FieldsOf<LatticeShape>::fields(c.shape, field);
+        spread(c.shape, field);
         field("transform", c.transform,
               "transform of the box, in the group that holds all objects");
         field("in_place", c.in_place,
@@ -47,8 +47,8 @@ struct SetLattice {
     bool operator==(const SetLattice&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a lattice", required);
-        FieldsOf<LatticeShape>::fields(c.shape, field);
+        field("object", c.object, "id of a lattice", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetLattice> as_it_is(const Object& object, Id id)

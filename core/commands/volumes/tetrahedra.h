@@ -25,8 +25,8 @@ struct SetSimplexSheet {
     bool operator==(const SetSimplexSheet&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a surface of simplex splines", required);
-        FieldsOf<SimplexSheetShape>::fields(c.shape, field);
+        field("object", c.object, "id of a surface of simplex splines", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetSimplexSheet> as_it_is(const Object& object, Id id)
@@ -53,9 +53,9 @@ struct AddTetrahedra {
     bool operator==(const AddTetrahedra&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of the objects to bend", required);
+        field("objects", c.objects, "ids of the objects to bend", required.names_object());
         field("name", c.name, "name in the outliner");
-        FieldsOf<TetrahedraShape>::fields(c.shape, field);
+        spread(c.shape, field);
         field("transform", c.transform,
               "transform of the volume, in the group that holds all objects");
     }
@@ -72,8 +72,8 @@ struct SetTetrahedra {
     bool operator==(const SetTetrahedra&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a volume of tetrahedra", required);
-        FieldsOf<TetrahedraShape>::fields(c.shape, field);
+        field("object", c.object, "id of a volume of tetrahedra", required.names_object());
+        spread(c.shape, field);
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<SetTetrahedra> as_it_is(const Object& object, Id id)
@@ -95,8 +95,8 @@ struct EditTetrahedra {
     bool operator==(const EditTetrahedra&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a volume of tetrahedra", required);
-        FieldsOf<TetrahedraEdit>::fields(c.edit, field);
+        field("object", c.object, "id of a volume of tetrahedra", required.names_object());
+        spread(c.edit, field);
     }
 };
 Document applied(Document document, const EditTetrahedra& command);
@@ -113,7 +113,7 @@ struct RemoveTetrahedraEdit {
     bool operator==(const RemoveTetrahedraEdit&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a volume of tetrahedra", required);
+        field("object", c.object, "id of a volume of tetrahedra", required.names_object());
         field("number", c.number, "of the edit, from 1 on", in_range(1, most_tetrahedra_edits));
     }
 };

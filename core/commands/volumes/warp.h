@@ -15,8 +15,8 @@ struct WarpVolume {
     bool operator==(const WarpVolume&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a lattice", required);
-        FieldsOf<Warp>::fields(c.warp, field);
+        field("object", c.object, "id of a lattice", required.names_object());
+        spread(c.warp, field);
     }
 };
 Document applied(Document document, const WarpVolume& command);
@@ -33,10 +33,10 @@ struct SetWarp {
     bool operator==(const SetWarp&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of a lattice", required);
+        field("object", c.object, "id of a lattice", required.names_object());
         field("step", c.step, "number of the step that shaped it, from 1",
               required_in_range(1, 1e6));
-        FieldsOf<Warp>::fields(c.warp, field);
+        spread(c.warp, field);
     }
 };
 Document applied(Document document, const SetWarp& command);

@@ -9,7 +9,7 @@ template <> struct FieldsOf<AttachedHost> {
     static constexpr std::string_view told_as = "[host](#host)";
     static void fields(auto& h, auto&& field)
     {
-        field("object", h.object, "its id, one of onto", required);
+        field("object", h.object, "its id, one of onto", required.names_object());
         field("x", h.x, "its own X axis when the stroke was drawn");
         field("y", h.y, "its own Y axis then");
         field("z", h.z, "its own Z axis then");
@@ -24,9 +24,12 @@ template <> struct FieldsOf<AttachedSample> {
     static constexpr std::string_view told_as = "[anchor](#anchor)";
     static void fields(auto& s, auto&& field)
     {
-        field("host", s.host, "which of the hosts the sample met, from 0; -1: none");
-        field("mesh", s.mesh, "which of its meshes, from 0");
-        field("member", s.member, "which of it and its followers, from 0");
+        field("host", s.host, "which of the hosts the sample met, from 0; -1: none",
+              any_value.names_nothing("a place in a list"));
+        field("mesh", s.mesh, "which of its meshes, from 0",
+              any_value.names_nothing("a place in a list"));
+        field("member", s.member, "which of it and its followers, from 0",
+              any_value.names_nothing("a place in a list"));
         field("rest", s.rest, "position on that mesh, before a clip or a volume moves it");
         field("drawn", s.drawn, "position in the host's own space when the stroke was drawn");
         field("normal", s.normal, "unit normal of the face there, in that space");

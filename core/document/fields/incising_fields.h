@@ -89,7 +89,8 @@ template <> struct FieldsOf<NamedIncision> {
         field("blade", i.blade,
               "id of an object that opens it: up to the place nearest to the object's origin, and "
               "no further than `to`; 0: none does",
-              later_in_range(0, 1e9).called("Blade").zero_is("none").without_keys());
+              later_in_range(0, 1e9).called("Blade").zero_is("none").without_keys().names_object(
+                  "opened by"));
     }
     static void fields(auto& i, auto&& field)
     {
@@ -106,7 +107,7 @@ template <> struct FieldsOf<IncisionLayer> {
         field("depth", l.depth,
               "down to which it goes, metres on the model; the last one goes to the floor",
               not_negative.called("Depth").in(Unit::metres).without_keys());
-        FieldsOf<Surfacing>::fields(l.look, field);
+        spread(l.look, field);
     }
 };
 template <> struct FieldsOf<PeeledFlap> {

@@ -51,7 +51,7 @@ template <> struct FieldsOf<LineStyle> {
         field("fan_length", s.fan_length, "of the longest hairs of a fan, pixels",
               in_range(0.1, 1000).called("Fan length").in(Unit::pixels));
         field("seed", s.seed, "of the wobble and the pencil",
-              any_value.called("Seed").without_keys());
+              any_value.called("Seed").without_keys().names_nothing("a seed"));
         field("hidden_lines", s.hidden, "how hidden lines are drawn",
               any_value.called("Hidden lines").without_keys());
     }

@@ -39,9 +39,9 @@ template <> struct FieldsOf<TileMask> {
         field("hidden", m.hidden, "it does nothing",
               any_value.without_keys().called("Mask").says("off", "on"));
         field("image", m.image, "file of the picture, relative to the scene file's folder",
-              any_value.without_keys());
+              any_value.without_keys().names_file(FileKind::image, m.from == MaskFrom::image));
         field("image_hash", m.image_hash, "digest of that file's content; empty: any",
-              any_value.without_keys());
+              any_value.without_keys().digest_of_file());
         field("lies", m.lies,
               "how the picture lies on the base at rest: by its texture coordinates, or stretched "
               "over its box, along an axis or the one nearest to the normal",
@@ -70,7 +70,7 @@ template <> struct FieldsOf<TileMask> {
     {
         own_fields(m, field);
         field("curve", m.curve, "id of the object with the curves; 0: none",
-              in_range(0, 1e9).without_keys());
+              in_range(0, 1e9).without_keys().names_object("masked by"));
     }
 };
 

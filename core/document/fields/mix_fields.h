@@ -12,7 +12,7 @@ template <> struct FieldsOf<MixedTile> {
         besides_help = "with what the layer is mixed from now on, besides; they are hidden";
     static void fields(auto& m, auto&& field)
     {
-        field("object", m.object, "id of an object", required);
+        field("object", m.object, "id of an object", required.names_object("mixed with"));
         field("weight", m.weight, weight_help, in_range(0, 1000));
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/bases.h"
 #include "core/document/fields/attachment_fields.h"
 #include "core/document/fields/cutting_fields.h"
 #include "core/document/fields/import_fields.h"
@@ -49,7 +50,8 @@ template <> struct FieldsOf<PlacementStep> {
     {
         field("sketch", p.sketch, "the stroke", any_value.without_keys());
         field("parameters", p.parameters, "how it lies", any_value.as_its_own());
-        field("onto", p.onto, "ids of what it lies on", any_value.without_keys());
+        field("onto", p.onto, "ids of what it lies on",
+              any_value.without_keys().names_object(lies_on_words));
         field("round", p.round, "about the only one of onto, in place of the stroke",
               any_value.counts(Counting::marked).as_its_own());
         field("attach", p.attach, "which of them carry it, and where it lay on them",
@@ -65,7 +67,8 @@ template <> struct FieldsOf<Object> {
         field("shape", o.source, "what it is made of");
         field("transform", o.transform, "position, rotation and scale");
         field("material", o.surfacing, "one material over all of it");
-        field("parent", o.parent, "id of the group it is in", any_value.without_keys());
+        field("parent", o.parent, "id of the group it is in",
+              any_value.without_keys().names_object());
         field("hidden", o.hidden, "it is not in the picture");
         field("locked", o.locked, "it cannot be picked, moved or deleted by hand",
               any_value.counts(Counting::marked).without_keys());

@@ -9,7 +9,8 @@ template <> struct FieldsOf<Playing> {
     static constexpr std::string_view told_as = "values of [play_clip](#play_clip)";
     static void fields(auto& p, auto&& field)
     {
-        field("clip", p.clip, "animation clip to play; empty: rest pose", any_value.without_keys());
+        field("clip", p.clip, "animation clip to play; empty: rest pose",
+              any_value.without_keys().names_nothing("part of a model's file"));
         field("speed", p.speed,
               "playback speed relative to the clip's own; negative plays backwards",
               in_range(-1e3, 1e3).in(Unit::times).without_keys());

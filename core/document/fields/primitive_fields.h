@@ -91,9 +91,9 @@ template <> struct FieldsOf<HeightShape> {
     static void fields(auto& s, auto&& field)
     {
         field("image", s.image, "file of the picture, relative to the scene file's folder",
-              required.without_keys());
+              required.without_keys().names_file(FileKind::image));
         field("image_hash", s.image_hash, "digest of that file's content; empty: any",
-              any_value.without_keys());
+              any_value.without_keys().digest_of_file());
         field("size", s.size, "side, metres", positive.in(Unit::metres));
         field("height", s.height, "from black to white, metres",
               in_range(-1e6, 1e6).in(Unit::metres));

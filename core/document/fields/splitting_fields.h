@@ -26,7 +26,7 @@ template <> struct FieldsOf<ObstacleUse> {
     static constexpr std::string_view told_as = "[obstacle](#obstacle)";
     static void fields(auto& o, auto&& field)
     {
-        field("object", o.object, "id of what parts it", required);
+        field("object", o.object, "id of what parts it", required.names_object("split by"));
         field("clearance", o.clearance, "metres that stay free round the obstacle, at least",
               not_negative.called("Clearance").in(Unit::metres));
         field("reach", o.reach,

@@ -17,9 +17,12 @@ template <> struct FieldsOf<TextShape> {
                                       name = "Text";
     static void fields(auto& s, auto&& field)
     {
-        field("text", s.text, "the letters; line breaks begin new lines");
-        field("font", s.font, "family, family and style, or a font file; docs/text.md");
-        field("font_digest", s.font_digest, "digest of the font file; empty: any");
+        field("text", s.text, "the letters; line breaks begin new lines",
+              any_value.names_nothing("letters"));
+        field("font", s.font, "family, family and style, or a font file; docs/text.md",
+              any_value.names_file(FileKind::font));
+        field("font_digest", s.font_digest, "digest of the font file; empty: any",
+              any_value.digest_of_file());
         field("size", s.size, "height of an em, metres", positive.in(Unit::metres));
         field("depth", s.depth, "metres, at most 20 sizes", positive.in(Unit::metres));
         field("bevel", s.bevel, "width of the bevel, metres; at most 0.45 of the depth",

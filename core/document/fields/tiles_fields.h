@@ -12,14 +12,15 @@ namespace trivar {
 template <> struct FieldsOf<Tiling> {
     static void fields(auto& t, auto&& field)
     {
-        field("base", t.base, "id of what it is painted on", any_value.without_keys());
+        field("base", t.base, "id of what it is painted on",
+              any_value.without_keys().names_object("painted on"));
         field("look", t.look, "what holds for all tiles", any_value.as_its_own());
         field("strokes", t.strokes, "the strokes, the first one first", any_value.without_keys());
         field("weight", t.weight, "how often the object itself is there, in a mix of several",
               later_in_range(0, 1000).resting_at(1).without_keys());
         field("others", t.others, "the other objects among the tiles", later.without_keys());
         field("into", t.into, "id of what its own tiles become by the morph; 0: nothing",
-              later.without_keys());
+              later.without_keys().names_object("turned into"));
         field("cover", t.cover, "how they cover all of it", later);
         field("masks", t.masks, "where there are more of them, larger or higher ones",
               later.called("Mask"));

@@ -41,7 +41,7 @@ template <> struct FieldsOf<Track> {
         field("parameter", t.parameter,
               "name of a number of the object, such as transform.translation.z, or of the scene, "
               "such as render.exposure",
-              required);
+              required.names_nothing("a number in the scene"));
         field("keys", t.keys, "ascending by frame; none: it is no longer animated");
         field("repeat", t.repeat,
               "what comes after the last key: the last value, all keys again, or back and forth");

@@ -56,7 +56,7 @@ template <> struct FieldsOf<VoxelLevel> {
         field("hidden", l.hidden, "nothing of it is shown");
         field("surface", l.surface, "whether its surface is shown",
               any_value.called("Surface").says("shown", "off"));
-        FieldsOf<Surfacing>::fields(l.look, field);
+        spread(l.look, field);
         field("lines", l.lines, "whether its silhouettes are drawn",
               any_value.called("Lines").says("drawn", "off"));
         field("ink", l.ink, "how its lines are drawn");
@@ -76,8 +76,9 @@ template <> struct FieldsOf<VoxelShape> {
     static void fields(auto& s, auto&& field)
     {
         field("path", s.path, "file or folder, relative to the scene file's folder",
-              required.without_keys());
-        field("hash", s.hash, "digest of its content; empty: any", any_value.without_keys());
+              required.without_keys().names_file(FileKind::volume));
+        field("hash", s.hash, "digest of its content; empty: any",
+              any_value.without_keys().digest_of_file());
         field("scale", s.scale, "metres in the scene per metre of the data",
               in_range(1e-9, 1e9).called("Scale"));
         field("order", s.order, "of the spline through the samples",
