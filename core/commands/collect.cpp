@@ -30,23 +30,22 @@ struct Bundle {
     }
 };
 
-Bundle bundle_of(const fs::path& path, bool of_model)
+Bundle bundle_of(const fs::path& path, const FileUse& use, const AssetStore& assets)
 {
+    if (use.kind == FileKind::volume) {
+        const bool folder = fs::is_directory(path);
+        Bundle bundle{folder ? path : path.parent_path(), {}, folder};
+        for (const std::string& each : files_of_volume(use, assets))
+            bundle.files.push_back(fs::path(each).lexically_relative(bundle.from));
+        if (bundle.files.empty())
+            throw Rejected(
+                fmt::format("{}: cannot be read; find it first, then collect again", use.path));
+        return bundle;
+    }
     Bundle bundle{path.parent_path(), {path.filename()}};
-    if (!of_model) return bundle;
-    for (const std::string& each : companions_of(path.string())) bundle.files.emplace_back(each);
-    return bundle;
-}
-
-Bundle bundle_of(const VoxelShape& shape, const fs::path& path, const AssetStore& assets)
-{
-    const bool folder = fs::is_directory(path);
-    Bundle bundle{folder ? path : path.parent_path(), {}, folder};
-    for (const std::string& each : files_of_volume(shape, assets))
-        bundle.files.push_back(fs::path(each).lexically_relative(bundle.from));
-    if (bundle.files.empty())
-        throw Rejected(
-            fmt::format("{}: cannot be read; find it first, then collect again", shape.path));
+    if (use.kind == FileKind::model)
+        for (const std::string& each : companions_of(path.string()))
+            bundle.files.emplace_back(each);
     return bundle;
 }
 
@@ -92,12 +91,32 @@ bool lies_in(const fs::path& file, const fs::path& folder)
     return !relative.empty() && *relative.begin() != "..";
 }
 
-// What takes a file.
-struct Users {
-    std::vector<Id> models;
-    std::vector<RelinkedPicture> pictures;
-    std::vector<Id> volumes;
-};
+using Users = std::vector<std::pair<Id, FileUse>>; // of one file
+
+// How a file is copied that is used in several ways: volume data and models with all their files.
+const FileUse& most_of(const Users& users)
+{
+    const auto weight = [](const auto& user) {
+        const FileKind kind = user.second.kind;
+        return kind == FileKind::volume ? 2 : kind == FileKind::model ? 1 : 0;
+    };
+    return std::ranges::max_element(users, {}, weight)->second;
+}
+
+void take_from(Relink& command, const std::string& path, Id id, const FileUse& use,
+               const Document& document)
+{
+    switch (use.kind) {
+    case FileKind::model:
+        command.objects.push_back(id);
+        command.files.push_back(std::get<ImportedFile>(object(document, id).source));
+        command.files.back().path = path;
+        return;
+    case FileKind::image: command.pictures.push_back({id, use.mask, path, use.hash}); return;
+    case FileKind::volume: command.volumes.push_back({id, path, use.hash}); return;
+    case FileKind::font: return;
+    }
+}
 
 } // namespace
 
@@ -105,34 +124,26 @@ Collection collect_files(const Document& document, const AssetStore& assets,
                          const std::string& folder, const Progress& progress)
 {
     std::map<std::string, Users> users; // of each file
-    const auto users_of = [&](const std::string& name, bool or_folder = false) -> Users* {
-        const std::string path = fs::absolute(assets.resolve(name)).lexically_normal().string();
-        if (lies_in(path, folder)) return nullptr;
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored) && !(or_folder && fs::is_directory(path, ignored)))
-            throw Rejected(fmt::format("{}: is missing; find it first, then collect again", name));
-        return &users[path];
-    };
-    for (const auto& [id, each] : document.objects) {
-        if (const auto* file = std::get_if<ImportedFile>(&each->source))
-            if (Users* of_file = users_of(file->path)) of_file->models.push_back(id);
-        if (const auto* voxels = std::get_if<VoxelShape>(&each->source))
-            if (Users* of_file = users_of(voxels->path, true)) of_file->volumes.push_back(id);
-        for (const UsedPicture& picture : pictures_of(*each))
-            if (Users* of_file = users_of(picture.path))
-                of_file->pictures.push_back({id, picture.mask, {}, picture.hash});
-    }
+    for (const auto& [id, each] : document.objects)
+        for (const FileUse& use : files_named(*each)) {
+            if (use.kind == FileKind::font) continue; // named from the root
+            const std::string path =
+                fs::absolute(assets.resolve(use.path)).lexically_normal().string();
+            if (lies_in(path, folder)) continue;
+            std::error_code ignored;
+            if (!fs::is_regular_file(path, ignored) &&
+                !(use.kind == FileKind::volume && fs::is_directory(path, ignored)))
+                throw Rejected(
+                    fmt::format("{}: is missing; find it first, then collect again", use.path));
+            users[path].emplace_back(id, use);
+        }
     Collection result;
     if (users.empty()) return result;
     Copies copies;
     Relink command;
     std::size_t done = 0;
     for (const auto& [path, uses] : users) {
-        const Bundle bundle =
-            uses.volumes.empty()
-                ? bundle_of(path, !uses.models.empty())
-                : bundle_of(std::get<VoxelShape>(object(document, uses.volumes.front()).source),
-                            path, assets);
+        const Bundle bundle = bundle_of(path, most_of(uses), assets);
         const fs::path to = place_for(bundle, folder);
         for (const fs::path& each : bundle.files) {
             report(progress, static_cast<double>(done) / static_cast<double>(users.size()),
@@ -149,19 +160,7 @@ Collection collect_files(const Document& document, const AssetStore& assets,
         const fs::path copy = bundle.folder ? to : to / bundle.files.front();
         std::string name = copy.lexically_relative(assets.folder()).string();
         if (name.empty()) name = copy.string();
-        for (const Id id : uses.models) {
-            ImportedFile file = std::get<ImportedFile>(object(document, id).source);
-            file.path = name;
-            command.objects.push_back(id);
-            command.files.push_back(std::move(file));
-        }
-        for (RelinkedPicture picture : uses.pictures) {
-            picture.image = name;
-            command.pictures.push_back(std::move(picture));
-        }
-        for (const Id id : uses.volumes)
-            command.volumes.push_back(
-                {id, name, std::get<VoxelShape>(object(document, id).source).hash});
+        for (const auto& [id, use] : uses) take_from(command, name, id, use, document);
     }
     copies.keep();
     result.command = std::move(command);

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/commands/command.h"
 #include "core/commands/every_command.h"
-#include "core/commands/objects/keep_shape.h"
-#include "core/commands/paste.h"
-#include "core/commands/placement/apply_shape.h"
-#include "core/commands/tiles/mask_tiles.h"
 #include "core/document/asset_store.h"
-#include "core/document/fields/view_fields.h"
+#include "core/document/each_name.h"
+#include "core/document/fields/object_fields.h"
+#include "core/document/named_files.h"
 #include "core/text/installed_fonts.h"
 #include "core/voxels/usual_level.h"
 
@@ -29,127 +26,77 @@ std::string path_in_log(const std::string& path, const std::string& folder)
     return relative.empty() || ups > near ? named.lexically_normal().string() : relative.string();
 }
 
-// Returns the file as the log names it, with the hash of its present content.
-ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progress& progress)
+// The digest of a file that was read. Throws Rejected where it could not be.
+std::string digest_of_read(const auto& loaded, bool whole, const std::string& path)
 {
-    file.path = path_in_log(file.path, assets.folder());
-    file.hash.clear(); // any content
-    const AssetStore::LoadedModel loaded = assets.load(file, progress);
-    if (!loaded.model)
-        throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
-                                              : loaded.notices.front());
-    file.hash = loaded.hash;
-    return file;
-}
-
-// Names a picture as the log does, with the hash of its present content. Throws Rejected where it
-// cannot be read.
-void prepare_image(std::string& path, std::string& hash, const AssetStore& assets)
-{
-    if (path.empty()) return;
-    path = path_in_log(path, assets.folder());
-    const AssetStore::LoadedImage loaded = assets.load_image(path, {});
-    if (!loaded.image)
+    if (!whole)
         throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
-    hash = loaded.hash;
-}
-
-void prepare_image(HeightShape& shape, const AssetStore& assets)
-{
-    prepare_image(shape.image, shape.image_hash, assets);
-}
-
-// Volume data with the hash of their present content; without levels they get the one that parts
-// their values best. Throws Rejected where they cannot be read.
-void prepare_voxels(VoxelShape& shape, const AssetStore& assets, const Progress& progress)
-{
-    if (shape.path.empty()) return;
-    shape.path = path_in_log(shape.path, assets.folder());
-    const AssetStore::LoadedVolume loaded =
-        assets.load_volume(shape.path, {}, progress, shape.reading);
-    if (!loaded.grid)
-        throw Rejected(loaded.notices.empty() ? shape.path + ": cannot be read"
-                                              : loaded.notices.front());
-    shape.hash = loaded.hash;
-    if (shape.levels.empty())
-        shape.levels.push_back({.value = usual_level(*loaded.summary, *loaded.grid)});
+    return loaded.hash;
 }
 
 // Stores the digest of the font that was found, or none if another one replaces it. A font file
 // gets an absolute path, so that it is found wherever the scene is kept.
-void prepare_font(TextShape& text, const AssetStore& assets)
+void prepare_font(std::string& font, std::string& digest, const AssetStore& assets)
 {
-    if (is_font_path(text.font))
-        text.font =
-            std::filesystem::absolute(assets.resolve(text.font)).lexically_normal().string();
-    text.font_digest.clear();
+    if (is_font_path(font))
+        font = std::filesystem::absolute(assets.resolve(font)).lexically_normal().string();
+    digest.clear();
     try {
-        const FoundFont found = find_font(text.font);
-        if (found.notices.empty()) text.font_digest = found.font.digest();
+        const FoundFont found = find_font(font);
+        if (found.notices.empty()) digest = found.font.digest();
     } catch (const Rejected&) { // reported for the object
     }
 }
 
-// The models of tiles; each without a name gets that of its file.
-void prepare_tiles(std::vector<TileFile>& files, const AssetStore& assets, const Progress& progress)
+// Names a file as the log does, with the digest of its present content. Volume data without levels
+// get the one that parts their values best. Throws Rejected where the file cannot be read.
+template <class Name, class Owner>
+void prepare_file(const Name& file, Owner& owner, const AssetStore& assets,
+                  const Progress& progress)
 {
-    for (TileFile& each : files) {
-        each.file = prepared(std::move(each.file), assets, progress);
-        if (each.name.empty()) each.name = std::filesystem::path(each.file.path).stem().string();
+    if (file.kind == FileKind::font) return prepare_font(file.path, file.digest, assets);
+    if (file.kind != FileKind::model && (!file.in_use || file.path.empty())) return;
+    file.path = path_in_log(file.path, assets.folder());
+    if constexpr (std::is_same_v<Owner, ImportedFile>) {
+        file.digest.clear(); // any content
+        const auto loaded = assets.load(owner, progress);
+        file.digest = digest_of_read(loaded, loaded.model != nullptr, file.path);
+    } else if (file.kind == FileKind::image) {
+        const auto loaded = assets.load_image(file.path, {});
+        file.digest = digest_of_read(loaded, loaded.image != nullptr, file.path);
+    } else {
+        const auto loaded = assets.load_volume(file.path, {}, progress, reading_of(owner));
+        file.digest = digest_of_read(loaded, loaded.grid != nullptr, file.path);
+        if constexpr (std::is_same_v<Owner, VoxelShape>)
+            if (owner.levels.empty())
+                owner.levels.push_back({.value = usual_level(*loaded.summary, *loaded.grid)});
     }
+}
+
+// An object without a name of its own is called as its file.
+void give_name(std::string& name, const std::string& path, std::string_view none = {})
+{
+    if (name.empty() || name == none) name = std::filesystem::path(path).stem().string();
 }
 
 } // namespace
 
 Command prepare(Command command, const AssetStore& assets, const Progress& progress)
 {
-    if (auto* import = command.edit<ImportModel>()) {
-        import->file = prepared(std::move(import->file), assets, progress);
-        if (import->name.empty())
-            import->name = std::filesystem::path(import->file.path).stem().string();
-    } else if (auto* edit = command.edit<EditImport>()) {
-        edit->file = prepared(std::move(edit->file), assets, progress);
-    } else if (auto* kept = command.edit<KeepShape>()) {
-        for (ImportedFile& file : kept->files) file = prepared(std::move(file), assets, progress);
-    } else if (auto* final_shape = command.edit<ApplyShape>()) {
-        final_shape->file = prepared(std::move(final_shape->file), assets, progress);
-    } else if (auto* text = command.edit<AddText>()) {
-        prepare_font(text->shape, assets);
-    } else if (auto* letters = command.edit<SetText>()) {
-        prepare_font(letters->shape, assets);
-    } else if (auto* mask = command.edit<MaskTiles>()) {
-        if (mask->mask.from == MaskFrom::image)
-            prepare_image(mask->mask.image, mask->mask.image_hash, assets);
-    } else if (auto* sheet = command.edit<AddHeights>()) {
-        prepare_image(sheet->shape, assets);
-    } else if (auto* other = command.edit<SetHeights>()) {
-        prepare_image(other->shape, assets);
-    } else if (auto* displace = command.edit<Displace>()) {
-        prepare_image(displace->shape, assets);
-    } else if (auto* voxels = command.edit<AddVoxels>()) {
-        prepare_voxels(voxels->shape, assets, progress);
-        if (voxels->name.empty() || voxels->name == FieldsOf<VoxelShape>::name)
-            voxels->name = std::filesystem::path(voxels->shape.path).stem().string();
-    } else if (auto* changed = command.edit<SetVoxels>()) {
-        prepare_voxels(changed->shape, assets, progress);
-    } else if (auto* paint = command.edit<PaintTiles>()) {
-        prepare_tiles(paint->files, assets, progress);
-    } else if (auto* cover = command.edit<CoverWithTiles>()) {
-        prepare_tiles(cover->files, assets, progress);
-    } else if (auto* mix = command.edit<MixTiles>()) {
-        prepare_tiles(mix->files, assets, progress);
-    } else if (auto* paste = command.edit<Paste>()) {
-        const auto in_log = [&](std::string& path) {
-            if (!path.empty()) path = path_in_log(path, assets.folder());
-        };
-        for (CopiedObject& copy : paste->copies) { // a missing file is reported for each object
-            if (copy.file) in_log(copy.file->path);
-            if (copy.heights) in_log(copy.heights->image);
-            if (copy.voxels) in_log(copy.voxels->path);
-            if (copy.tiling)
-                for (CopiedMask& each : copy.tiling->masks) in_log(each.mask.image);
-        }
-    }
+    change(command, [&]<class C>(C& c) {
+        if constexpr (std::is_same_v<C, Relink>) return; // it names files that were read before
+        each_file(c, [&](const auto& file, auto& owner) {
+            if constexpr (!std::is_same_v<C, Paste>)
+                prepare_file(file, owner, assets, progress);
+            else if (file.kind != FileKind::font && !file.path.empty())
+                file.path = path_in_log(file.path, assets.folder()); // if missing, it is said
+        });
+        if constexpr (std::is_same_v<C, ImportModel>) give_name(c.name, c.file.path);
+        if constexpr (std::is_same_v<C, AddVoxels>)
+            give_name(c.name, c.shape.path, FieldsOf<VoxelShape>::name);
+        if constexpr (requires { c.files.front().file; })
+            for (TileFile& each : c.files) give_name(each.name, each.file.path);
+    });
     return command;
 }
 

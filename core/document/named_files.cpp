@@ -1,51 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/named_files.h"
 
+#include "core/document/each_name.h"
+#include "core/document/fields/object_fields.h"
 #include "core/text/installed_fonts.h"
 
 #include <filesystem>
 
 namespace trivar {
 
-std::vector<NamedFile> files_named(const Object& object)
+bool is_file_path(FileKind kind, const std::string& path)
 {
-    std::vector<NamedFile> out;
-    if (const auto* file = std::get_if<ImportedFile>(&object.source))
-        out.push_back({NamedFile::Kind::model, file->path});
-    if (const auto* text = std::get_if<TextShape>(&object.source); text && is_font_path(text->font))
-        out.push_back({NamedFile::Kind::font, text->font});
-    if (const auto* voxels = std::get_if<VoxelShape>(&object.source))
-        out.push_back({NamedFile::Kind::volume, voxels->path});
-    for (UsedPicture& picture : pictures_of(object))
-        out.push_back({NamedFile::Kind::image, std::move(picture.path)});
+    return !path.empty() && (kind != FileKind::font || is_font_path(path));
+}
+
+std::vector<FileUse> files_named(const Object& object)
+{
+    std::vector<FileUse> out;
+    each_file(object, [&](const auto& file, const auto& owner) {
+        if (!file.in_use || !is_file_path(file.kind, file.path)) return;
+        out.push_back({file.kind, file.path, file.digest, file.entry, reading_of(owner)});
+    });
     return out;
 }
 
-std::vector<std::string> files_of_volume(const VoxelShape& shape, const AssetStore& assets)
+std::vector<std::string> files_of_volume(const FileUse& volume, const AssetStore& assets)
 {
-    const std::filesystem::path path = std::filesystem::absolute(assets.resolve(shape.path));
-    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, {}, shape.reading);
+    const std::filesystem::path path = std::filesystem::absolute(assets.resolve(volume.path));
+    const AssetStore::LoadedVolume loaded = assets.load_volume(volume.path, {}, {}, volume.reading);
     if (loaded.hash.empty()) return {};
     const bool is_folder = std::filesystem::is_directory(path);
     std::vector<std::string> out;
     if (!is_folder) out.push_back(path.string());
     for (const std::string& name : loaded.companions)
         out.push_back(((is_folder ? path : path.parent_path()) / name).string());
-    return out;
-}
-
-std::vector<UsedPicture> pictures_of(const Object& object)
-{
-    std::vector<UsedPicture> out;
-    if (const auto* heights = std::get_if<HeightShape>(&object.source))
-        out.push_back({0, heights->image, heights->image_hash});
-    int number = 0;
-    if (object.tiles)
-        for (const TileMask& mask : object.tiles->masks) {
-            ++number;
-            if (mask.from == MaskFrom::image && !mask.image.empty())
-                out.push_back({number, mask.image, mask.image_hash});
-        }
     return out;
 }
 

@@ -3,45 +3,47 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/document/each_name.h"
+#include "core/document/fields/object_fields.h"
 #include "core/document/named_files.h"
 #include "core/files/companions.h"
 #include "core/stages/shapes.h"
+
+#include <array>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace trivar {
 namespace {
 
-std::string content_of(const ImportedFile& file, const AssetStore& assets, bool missing_is_well)
+// The digest of what a file holds; a font that is named by its family counts. Empty: it is missing.
+template <class Name, class Owner>
+std::string content_of(const Name& file, const Owner& owner, const AssetStore& assets,
+                       bool missing_is_well)
 {
-    const AssetStore::LoadedModel loaded = assets.load(file);
-    if (loaded.hash.empty() && !missing_is_well)
-        throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
-                                              : loaded.notices.front());
-    return loaded.content;
-}
-
-std::string content_of_image(const std::string& path, const AssetStore& assets,
-                             bool missing_is_well)
-{
-    const AssetStore::LoadedImage loaded = assets.load_image(path, {});
-    if (loaded.hash.empty() && !missing_is_well)
-        throw Rejected(loaded.notices.empty() ? path + ": cannot be read" : loaded.notices.front());
-    return loaded.hash;
-}
-
-std::string content_of(const VoxelShape& shape, const AssetStore& assets, bool missing_is_well)
-{
-    const AssetStore::LoadedVolume loaded = assets.load_volume(shape.path, {}, {}, shape.reading);
-    if (loaded.hash.empty() && !missing_is_well)
-        throw Rejected(loaded.notices.empty() ? shape.path + ": cannot be read"
-                                              : loaded.notices.front());
-    return loaded.hash;
-}
-
-std::string content_of(const TextShape& text, const AssetStore& assets)
-{
+    const auto whole = [&](const auto& loaded, const std::string& content) {
+        if (loaded.hash.empty() && !missing_is_well)
+            throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
+                                                  : loaded.notices.front());
+        return content;
+    };
+    if constexpr (std::is_same_v<Owner, ImportedFile>) {
+        const AssetStore::LoadedModel loaded = assets.load(owner);
+        return whole(loaded, loaded.content);
+    }
+    if (file.kind == FileKind::image) {
+        const AssetStore::LoadedImage loaded = assets.load_image(file.path, {});
+        return whole(loaded, loaded.hash);
+    }
+    if (file.kind == FileKind::volume) {
+        const AssetStore::LoadedVolume loaded =
+            assets.load_volume(file.path, {}, {}, reading_of(owner));
+        return whole(loaded, loaded.hash);
+    }
     try {
+        TextShape text;
+        text.font = file.path;
         return font_of(text, assets).font.digest();
     } catch (const Rejected&) { // reported for the object, which has no shape
         return {};
@@ -63,20 +65,14 @@ std::string digest_of_files(const Document& document, const AssetStore& assets,
                             bool missing_is_well)
 {
     std::map<std::string, std::string> contents; // by name in the scene
+    constexpr std::array<std::string_view, 4> kinds{"", "font ", "image ", "volume "};
     for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source)) {
-            if (!contents.contains(file->path))
-                contents[file->path] = content_of(*file, assets, missing_is_well);
-        } else if (const auto* text = std::get_if<TextShape>(&object->source)) {
-            contents["font " + text->font] = content_of(*text, assets);
-        } else if (const auto* voxels = std::get_if<VoxelShape>(&object->source)) {
-            contents["volume " + voxels->path] = content_of(*voxels, assets, missing_is_well);
-        }
-    for (const auto& [id, object] : document.objects)
-        for (const NamedFile& file : files_named(*object))
-            if (file.kind == NamedFile::Kind::image)
-                contents["image " + file.path] =
-                    content_of_image(file.path, assets, missing_is_well);
+        each_file(*object, [&](const auto& file, const auto& owner) {
+            if (!file.in_use || file.path.empty()) return;
+            const auto kind = kinds.at(static_cast<std::size_t>(file.kind));
+            const auto [entry, fresh] = contents.try_emplace(std::string(kind) + file.path);
+            if (fresh) entry->second = content_of(file, owner, assets, missing_is_well);
+        });
     if (contents.empty()) return {};
     Digest digest;
     for (const auto& [name, content] : contents) {
@@ -93,14 +89,12 @@ SourceFiles source_files(const Document& document, const AssetStore& assets, con
     if (!log.empty())
         for (const char* kept : {"", ".torn"}) files.add(log + kept);
     for (const auto& [id, object] : document.objects)
-        for (const NamedFile& file : files_named(*object)) {
+        for (const FileUse& file : files_named(*object)) {
             const std::string path = assets.resolve(file.path);
             files.add(path);
-            if (file.kind == NamedFile::Kind::model) add_companions(files, path);
-            if (file.kind == NamedFile::Kind::volume)
-                for (const std::string& each :
-                     files_of_volume(std::get<VoxelShape>(object->source), assets))
-                    files.add(each);
+            if (file.kind == FileKind::model) add_companions(files, path);
+            if (file.kind == FileKind::volume)
+                for (const std::string& each : files_of_volume(file, assets)) files.add(each);
         }
     return files;
 }

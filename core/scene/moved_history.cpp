@@ -2,10 +2,9 @@
 #include "core/scene/moved_history.h"
 
 #include "core/commands/every_command.h"
-#include "core/commands/objects/keep_shape.h"
-#include "core/commands/paste.h"
-#include "core/commands/placement/apply_shape.h"
-#include "core/commands/tiles/mask_tiles.h"
+#include "core/document/each_name.h"
+#include "core/document/fields/object_fields.h"
+#include "core/document/named_files.h"
 #include "core/scene/kept_scenes.h"
 
 #include <algorithm>
@@ -19,39 +18,11 @@ namespace {
 std::vector<std::string*> files_of(Command& command)
 {
     std::vector<std::string*> files;
-    const auto add = [&](auto& name) {
-        if (!name.empty()) files.push_back(&name);
-    };
-    if (auto* import = command.edit<ImportModel>()) add(import->file.path);
-    if (auto* edit = command.edit<EditImport>()) add(edit->file.path);
-    if (auto* relink = command.edit<Relink>()) {
-        for (auto& file : relink->files) add(file.path);
-        for (auto& picture : relink->pictures) add(picture.image);
-        for (auto& volume : relink->volumes) add(volume.path);
-    }
-    if (auto* kept = command.edit<KeepShape>())
-        for (auto& file : kept->files) add(file.path);
-    if (auto* final_shape = command.edit<ApplyShape>()) add(final_shape->file.path);
-    if (auto* mask = command.edit<MaskTiles>()) add(mask->mask.image);
-    if (auto* heights = command.edit<AddHeights>()) add(heights->shape.image);
-    if (auto* heights = command.edit<SetHeights>()) add(heights->shape.image);
-    if (auto* heights = command.edit<Displace>()) add(heights->shape.image);
-    if (auto* voxels = command.edit<AddVoxels>()) add(voxels->shape.path);
-    if (auto* voxels = command.edit<SetVoxels>()) add(voxels->shape.path);
-    const auto add_tiles = [&](auto& tile_files) {
-        for (auto& each : tile_files) add(each.file.path);
-    };
-    if (auto* paint = command.edit<PaintTiles>()) add_tiles(paint->files);
-    if (auto* cover = command.edit<CoverWithTiles>()) add_tiles(cover->files);
-    if (auto* mix = command.edit<MixTiles>()) add_tiles(mix->files);
-    if (auto* paste = command.edit<Paste>())
-        for (auto& copy : paste->copies) {
-            if (copy.file) add(copy.file->path);
-            if (copy.heights) add(copy.heights->image);
-            if (copy.voxels) add(copy.voxels->path);
-            if (copy.tiling)
-                for (auto& mask : copy.tiling->masks) add(mask.mask.image);
-        }
+    change(command, [&](auto& c) {
+        each_file(c, [&](const auto& file, const auto&) {
+            if (is_file_path(file.kind, file.path)) files.push_back(&file.path);
+        });
+    });
     return files;
 }
 

@@ -142,7 +142,7 @@ Facts scene_facts(const std::string& path)
     std::vector<std::string> files, kept_views;
     std::size_t placed = 0;
     for (const auto& [id, ref] : document.objects) {
-        for (NamedFile& file : files_named(*ref)) files.push_back(std::move(file.path));
+        for (FileUse& file : files_named(*ref)) files.push_back(std::move(file.path));
         placed += ref->stroke ? 1 : 0;
     }
     for (const auto& [name, camera] : document.kept_views) kept_views.push_back(name);

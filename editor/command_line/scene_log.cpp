@@ -36,7 +36,7 @@ void check_relinked(const SceneLog& scene, const Document& document)
 {
     std::set<std::string> named;
     for (const auto& [id, object] : document.objects)
-        for (const NamedFile& file : files_named(*object))
+        for (const FileUse& file : files_named(*object))
             for (std::string& name : AssetStore::names_of(file.path)) named.insert(std::move(name));
     std::error_code ignored;
     for (const auto& [name, file] : relinked_files(scene.relinked)) {

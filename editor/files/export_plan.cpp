@@ -24,7 +24,7 @@ bool is_model_of(const fs::path& file, const Session& session)
 {
     std::error_code ignored;
     return std::ranges::any_of(session.committed().objects, [&](const auto& each) {
-        return std::ranges::any_of(files_named(*each.second), [&](const NamedFile& named) {
+        return std::ranges::any_of(files_named(*each.second), [&](const FileUse& named) {
             return fs::equivalent(session.assets()->resolve(named.path), file, ignored);
         });
     });

@@ -201,8 +201,8 @@ void Files::ask_image(const std::string& title, std::function<void(const std::st
 void Files::ask_relink(Id object)
 {
     relinked_ = object;
-    const NamedFile::Kind kind = kind_to_relink(*session_, object);
-    const bool picture = kind == NamedFile::Kind::image, volume = kind == NamedFile::Kind::volume;
+    const FileKind kind = kind_to_relink(*session_, object);
+    const bool picture = kind == FileKind::image, volume = kind == FileKind::volume;
     ask_for_file(Purpose::relink,
                  {.title = (picture ? "Choose the picture of " : "Choose the file of ") +
                            name_of(session_->committed(), object),

@@ -16,73 +16,71 @@ namespace trivar {
 namespace fs = std::filesystem;
 namespace {
 
-// A FileUse is a file that an object reads: its model, its volume data, or a picture.
-struct FileUse {
+// A ReadFile is a file that an object reads: its model, its volume data, or a picture.
+struct ReadFile : FileUse {
     Id object = 0;
-    std::optional<int> picture; // number of its mask, or 0 for its heights; none: what it is of
-    std::string path;           // as the scene names it
+    bool operator==(const ReadFile& other) const
+    {
+        return object == other.object && kind == other.kind && mask == other.mask;
+    }
 };
 
-std::vector<FileUse> uses_of(const Session& session, Id id)
+std::vector<ReadFile> uses_of(const Session& session, Id id)
 {
-    std::vector<FileUse> out;
+    std::vector<ReadFile> out;
     const auto found = session.committed().objects.find(id);
     if (found == session.committed().objects.end()) return out;
-    if (const auto* file = std::get_if<ImportedFile>(&found->second->source))
-        out.push_back({id, {}, file->path});
-    if (const auto* voxels = std::get_if<VoxelShape>(&found->second->source))
-        out.push_back({id, {}, voxels->path});
-    for (const UsedPicture& each : pictures_of(*found->second))
-        out.push_back({id, each.mask, each.path});
+    for (FileUse& each : files_named(*found->second))
+        if (each.kind != FileKind::font) out.push_back({std::move(each), id});
     return out;
 }
 
-bool is_missing(const Session& session, const FileUse& use)
+bool is_missing(const Session& session, const ReadFile& use)
 {
     const std::string path = session.assets()->resolve(use.path);
     std::error_code ignored;
     return !fs::exists(path, ignored) && !can_be_made(path);
 }
 
-std::vector<FileUse> missing_uses(const Session& session)
+std::vector<ReadFile> missing_uses(const Session& session)
 {
-    std::vector<FileUse> out;
+    std::vector<ReadFile> out;
     for (const auto& [id, object] : session.committed().objects)
-        for (FileUse& use : uses_of(session, id))
+        for (ReadFile& use : uses_of(session, id))
             if (is_missing(session, use)) out.push_back(std::move(use));
     return out;
 }
 
 // Returns the file of an object that another one replaces; nothing: it has none.
-std::optional<FileUse> replaced_use(const Session& session, Id object)
+std::optional<ReadFile> replaced_use(const Session& session, Id object)
 {
-    const std::vector<FileUse> uses = uses_of(session, object);
+    const std::vector<ReadFile> uses = uses_of(session, object);
     if (uses.empty()) return {};
     const auto missing =
-        std::ranges::find_if(uses, [&](const FileUse& use) { return is_missing(session, use); });
+        std::ranges::find_if(uses, [&](const ReadFile& use) { return is_missing(session, use); });
     return missing != uses.end() ? *missing : uses.front();
 }
 
-Command with_file(const Session& session, const FileUse& use, const std::string& path)
+Command with_file(const Session& session, const ReadFile& use, const std::string& path)
 {
     const Object& object = trivar::object(session.committed(), use.object);
-    if (const auto* voxels = std::get_if<VoxelShape>(&object.source); voxels && !use.picture) {
-        SetVoxels set{use.object, *voxels};
+    if (use.kind == FileKind::volume) {
+        SetVoxels set{use.object, std::get<VoxelShape>(object.source)};
         set.shape.path = path;
         return set;
     }
-    if (!use.picture) {
+    if (use.kind == FileKind::model) {
         EditImport edit{use.object, std::get<ImportedFile>(object.source)};
         edit.file.path = path;
         return edit;
     }
-    if (*use.picture == 0) {
+    if (use.mask == 0) {
         SetHeights set{use.object, std::get<HeightShape>(object.source)};
         set.shape.image = path;
         return set;
     }
-    MaskTiles mask{use.object, *use.picture,
-                   object.tiles->masks[static_cast<std::size_t>(*use.picture) - 1]};
+    MaskTiles mask{use.object, use.mask,
+                   object.tiles->masks[static_cast<std::size_t>(use.mask) - 1]};
     mask.mask.image = path;
     return mask;
 }
@@ -123,36 +121,32 @@ void run_prepared(Session& session, std::vector<Command> edits, const std::strin
 std::vector<Id> missing_files(const Session& session)
 {
     std::vector<Id> missing;
-    for (const FileUse& use : missing_uses(session))
+    for (const ReadFile& use : missing_uses(session))
         if (missing.empty() || missing.back() != use.object) missing.push_back(use.object);
     return missing;
 }
 
 std::string file_to_relink(const Session& session, Id object)
 {
-    const std::optional<FileUse> use = replaced_use(session, object);
+    const std::optional<ReadFile> use = replaced_use(session, object);
     return use ? session.assets()->resolve(use->path) : std::string();
 }
 
-NamedFile::Kind kind_to_relink(const Session& session, Id object)
+FileKind kind_to_relink(const Session& session, Id object)
 {
-    const std::optional<FileUse> use = replaced_use(session, object);
-    if (use && use->picture) return NamedFile::Kind::image;
-    const auto found = session.committed().objects.find(object);
-    const bool volume = found != session.committed().objects.end() &&
-                        std::holds_alternative<VoxelShape>(found->second->source);
-    return volume ? NamedFile::Kind::volume : NamedFile::Kind::model;
+    const std::optional<ReadFile> use = replaced_use(session, object);
+    return use ? use->kind : FileKind::model;
 }
 
 void relink(Session& session, Id object, const std::string& path)
 {
-    const std::optional<FileUse> use = replaced_use(session, object);
+    const std::optional<ReadFile> use = replaced_use(session, object);
     if (!use) return;
     const fs::path chosen = fs::absolute(path);
     std::vector<Command> edits{with_file(session, *use, chosen.string())};
     std::error_code ignored;
-    for (const FileUse& other : missing_uses(session)) {
-        if (other.object == object && other.picture == use->picture) continue;
+    for (const ReadFile& other : missing_uses(session)) {
+        if (other == *use) continue;
         // The same file under another object, or a neighbour of the chosen one.
         const fs::path there = other.path == use->path
                                    ? chosen
@@ -172,7 +166,7 @@ void read_anew(Session& session, const std::vector<Id>& objects)
     std::vector<Command> edits;
     std::string first;
     for (const Id id : objects)
-        for (const FileUse& use : uses_of(session, id)) {
+        for (const ReadFile& use : uses_of(session, id)) {
             session.assets()->forget(use.path);
             if (edits.empty()) first = use.path;
             edits.push_back(with_file(session, use, use.path));

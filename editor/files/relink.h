@@ -17,7 +17,7 @@ std::vector<Id> missing_files(const Session& session);
 std::string file_to_relink(const Session& session, Id object);
 
 // Returns the kind of file of an object that would be replaced: a missing one, if there is one.
-NamedFile::Kind kind_to_relink(const Session& session, Id object);
+FileKind kind_to_relink(const Session& session, Id object);
 
 // Takes a model, a picture or volume data of an object from another file, as a job: of several the
 // one that is missing. Other missing files that lie in the same folder under their own names are

@@ -35,8 +35,8 @@ TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
     const trivar::History replayed = history();
     const std::vector<make::NamedPicture> made = make::pictures();
     for (const auto& [id, object] : replayed.document().objects) {
-        for (const trivar::NamedFile& each : trivar::files_named(*object))
-            if (each.kind == trivar::NamedFile::Kind::image) {
+        for (const trivar::FileUse& each : trivar::files_named(*object))
+            if (each.kind == trivar::FileKind::image) {
                 const std::filesystem::path path(each.path);
                 EXPECT_EQ(path.parent_path(), "../../build/assets/models/pictures");
                 EXPECT_TRUE(std::ranges::any_of(made, [&](const make::NamedPicture& picture) {

@@ -25,8 +25,9 @@ Document with_picture(Document document, const RelinkedPicture& picture)
 {
     if (picture.image.empty()) throw Rejected("field \"image\" names no picture");
     const Object& before = object(document, picture.object);
-    const auto used = pictures_of(before);
-    if (std::ranges::find(used, picture.mask, &UsedPicture::mask) == used.end())
+    if (std::ranges::none_of(files_named(before), [&](const FileUse& use) {
+            return use.kind == FileKind::image && use.mask == picture.mask;
+        }))
         throw Rejected(
             picture.mask == 0
                 ? fmt::format("field \"pictures\": {} is no sheet of heights", picture.object)

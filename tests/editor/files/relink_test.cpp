@@ -145,7 +145,7 @@ TEST(Relink, FindsPicturesOfMasksAndHeights)
     DisplacedRig rig;
     Session& session = rig.editor.session;
     EXPECT_THAT(missing_files(session), IsEmpty());
-    EXPECT_EQ(kind_to_relink(session, DisplacedRig::sheet), NamedFile::Kind::image);
+    EXPECT_EQ(kind_to_relink(session, DisplacedRig::sheet), FileKind::image);
     fs::create_directory(rig.folder.file("moved"));
     for (const char* name : {"hills.png", "spots.png"})
         fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
@@ -197,7 +197,7 @@ TEST(Relink, FindsVolumeDataAndFoldersOfSlices)
     for (const char* name : {"ball.nrrd", "head"})
         fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
     EXPECT_THAT(missing_files(session), ElementsAre(1, 2));
-    EXPECT_EQ(kind_to_relink(session, 2), NamedFile::Kind::volume);
+    EXPECT_EQ(kind_to_relink(session, 2), FileKind::volume);
     relink(session, 2, rig.folder.file("moved/head"));
     rig.wait();
     EXPECT_THAT(missing_files(session), IsEmpty());
