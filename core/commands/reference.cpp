@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/commands/copied_object.h"
 #include "core/commands/every_command.h"
 #include "core/commands/json_text.h"
 #include "core/commands/words/field_words.h"
-#include "core/document/fields/view_fields.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 #include <vector>
@@ -137,16 +136,45 @@ std::string fields_list(const std::vector<FieldText>& fields)
     return "[" + text + "]";
 }
 
+// A ToldValue tells the fields of a type of values inside commands.
+struct ToldValue {
+    std::string_view title, about;
+    std::vector<FieldText> fields;
+};
+template <class T> void add_told_in(std::vector<ToldValue>& to, const T& value);
+template <class V> void add_told(std::vector<ToldValue>& to)
+{
+    if constexpr (is_optional<V> || is_list<V>)
+        return add_told<typename V::value_type>(to);
+    else if constexpr (Nested<V>) {
+        if constexpr (requires { FieldsOf<V>::told_as; })
+            if (const std::string_view link = FieldsOf<V>::told_as; link.starts_with('[')) {
+                const std::string_view title = link.substr(1, link.find(']') - 1);
+                if (std::ranges::find(to, title, &ToldValue::title) != to.end()) return;
+                to.push_back({title, {}, fields_of(V{})});
+                if constexpr (requires { FieldsOf<V>::about; })
+                    to.back().about = FieldsOf<V>::about;
+            }
+        add_told_in(to, V{});
+    }
+}
+template <class T> void add_told_in(std::vector<ToldValue>& to, const T& value)
+{
+    each_field(value, [&]<class V>(std::string_view, const V&, auto&&...) { add_told<V>(to); });
+}
+
 struct ToldCommand {
     std::string_view verb, summary;
     std::vector<FieldText> fields;
+    void (*add_told)(std::vector<ToldValue>& to);
 };
 
 // Lists every command, in the order of the variant.
 std::vector<ToldCommand> told_commands()
 {
     const std::array all = EachOf<CommandKinds>::results([]<class C>() {
-        return ToldCommand{C::verb, C::summary, fields_of(C{})};
+        return ToldCommand{C::verb, C::summary, fields_of(C{}),
+                           [](std::vector<ToldValue>& to) { add_told_in(to, C{}); }};
     });
     return {all.begin(), all.end()};
 }
@@ -183,83 +211,11 @@ std::string commands_markdown()
         text += fmt::format("## {}\n\n{}\n\n", c.verb, c.summary) + field_table(c.fields);
     text += "# Values inside commands\n\nA sample is a list `[x px, y px, seconds, pressure]`; "
             "pressure and seconds may be left out.\n\n";
-    text += "## transform\n\nScale first, then the turns about X, Y and Z, then the "
-            "translation.\n\n" +
-            field_table(fields_of(Transform{}));
-    text += "## file\n\nAn imported model's file, and how it is read.\n\n" +
-            field_table(fields_of(ImportedFile{}));
-    text += "## picture\n\nA picture that a mask or heights read.\n\n" +
-            field_table(fields_of(RelinkedPicture{}));
-    text += "## volume\n\nThe file or the folder of volume data.\n\n" +
-            field_table(fields_of(RelinkedVolume{}));
-    text += "## reading\n\nWhat files of volume data do not say.\n\n" +
-            field_table(fields_of(VolumeReading{}));
-    text += "## level\n\nA level of volume data as it is shown.\n\n" +
-            field_table(fields_of(VoxelLevel{}));
-    text += "## fit\n\nA spline over tetrahedra that shows volume data.\n\n" +
-            field_table(fields_of(TetrahedraFit{}));
-    text += "## casting\n\nHow volume data are seen as a whole.\n\n" +
-            field_table(fields_of(VolumeCasting{}));
-    text += "## transfer point\n\nHow a value of volume data looks.\n\n" +
-            field_table(fields_of(TransferPoint{}));
-    text += "## lines\n\nHow lines are drawn.\n\n" + field_table(fields_of(LineStyle{}));
-    text += "## further lines\n\nLines of a surface besides its outlines.\n\n" +
-            field_table(fields_of(MoreLines{}));
-    text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
-            "picture.\n\n" +
-            field_table(fields_of(Camera{}));
-    text += "## parameters\n\nHow an object lies along its stroke.\n\n" +
-            field_table(fields_of(PlacementParameters{}));
-    text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" +
-            field_table(fields_of(Sketch{}));
-    text += "## attachment\n\nWhat a stroke belongs to.\n\n" + field_table(fields_of(Attachment{}));
-    text += "## host\n\nAn object that carries what lies on it.\n\n" +
-            field_table(fields_of(AttachedHost{}));
-    text += "## anchor\n\nWhere a sample of a stroke met its host.\n\n" +
-            field_table(fields_of(AttachedSample{}));
-    text += "## object\n\nAn object as it is copied.\n\n" + field_table(fields_of(CopiedObject{}));
-    text +=
-        "## placement\n\nHow a copied object lies.\n\n" + field_table(fields_of(CopiedPlacement{}));
-    text += "## step\n\nWhat was done to a volume; one of them.\n\n" +
-            field_table(fields_of(VolumeEdit{}));
-    text += "## object's tracks\n\nWhat of one object goes from key to key.\n\n" +
-            field_table(fields_of(ObjectTracks{}));
-    text +=
-        "## track\n\nHow one number goes from key to key.\n\n" + field_table(fields_of(Track{}));
-    text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(fields_of(Key{}));
-    text +=
-        "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(fields_of(VolumePart{}));
-    text += "## tiling\n\nHow copies of a copied object are painted.\n\n" +
-            field_table(fields_of(CopiedTiling{}));
-    text += "## mixed tile\n\nAn object among the tiles of a layer.\n\n" +
-            field_table(fields_of(MixedTile{}));
-    text += "## tile file\n\nA model that comes into the scene as a tile.\n\n" +
-            field_table(fields_of(TileFile{}));
-    text += "## copied mixed tile\n\nThe same, as it is copied.\n\n" +
-            field_table(fields_of(CopiedMixedTile{}));
-    text += "## tile stroke\n\nA stroke with which tiles were painted.\n\n" +
-            field_table(fields_of(TileStroke{}));
-    text +=
-        "## tile sample\n\nA point of such a stroke.\n\n" + field_table(fields_of(TileSample{}));
-    text += "## tile cover\n\nHow tiles cover a whole surface.\n\n" +
-            field_table(fields_of(TileCover{}));
-    text += "## obstacle\n\nWhat parts an object.\n\n" + field_table(fields_of(ObstacleUse{}));
-    text += "## plain cut\n\nA plane or a stroke that cuts an object in two.\n\n" +
-            field_table(fields_of(PlainCut{}));
-    text += "## incisions\n\nWhere the skin of a copied object is cut open.\n\n" +
-            field_table(fields_of(Incising{}));
-    text += "## incision layer\n\nWhat the walls of incisions show down to a depth.\n\n" +
-            field_table(fields_of(IncisionLayer{}));
-    text += "## surface point\n\nA point of the stroke of an incision.\n\n" +
-            field_table(fields_of(SurfacePoint{}));
-    text += "## profile\n\nHow a number goes along an incision.\n\n" +
-            field_table(fields_of(IncisionProfile{}));
-    text += "## tile mask\n\nWhere a layer has more tiles, larger or higher ones.\n\n" +
-            field_table(fields_of(TileMask{}));
-    text +=
-        "## copied mask\n\nThe same, as it is copied.\n\n" + field_table(fields_of(CopiedMask{}));
-    text += "## base\n\nWhat a copied object lay on, or was painted on.\n\n" +
-            field_table(fields_of(KnownObject{}));
+    std::vector<ToldValue> sections;
+    for (const ToldCommand& c : commands) c.add_told(sections);
+    for (const ToldValue& each : sections)
+        text += fmt::format("## {}\n\n{}", each.title, each.about) +
+                (each.about.empty() ? "" : "\n\n") + field_table(each.fields);
     text.pop_back();
     return text;
 }

@@ -60,7 +60,9 @@ inline constexpr std::array<std::string_view, 6> choice_names<ColorBy>{
 template <class T> struct FieldsOf;
 
 template <> struct FieldsOf<Transform> {
-    static constexpr std::string_view told_as = "[transform](#transform-1)";
+    static constexpr std::string_view
+        told_as = "[transform](#transform-1)",
+        about = "Scale first, then the turns about X, Y and Z, then the translation.";
     static void fields(auto& t, auto&& field)
     {
         field("translation", t.translation, "where it is in its group or the scene, metres",
@@ -71,7 +73,9 @@ template <> struct FieldsOf<Transform> {
     }
 };
 template <> struct FieldsOf<Camera> {
-    static constexpr std::string_view told_as = "[camera](#camera)";
+    static constexpr std::string_view
+        told_as = "[camera](#camera)",
+        about = "A view of the scene. Pixels count from the top left corner of the picture.";
     static void fields(auto& c, auto&& field)
     {
         field("eye", c.eye, "where the camera is, metres", required.called("Eye").in(Unit::metres));

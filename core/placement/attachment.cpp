@@ -107,7 +107,8 @@ std::optional<Attachment> renumbered(const Attachment& attachment,
     }
     if (out.hosts.empty()) return {};
     for (AttachedSample sample : attachment.samples) {
-        if (sample.host >= 0) sample.host = place[static_cast<std::size_t>(sample.host)];
+        if (sample.host >= 0 && sample.host < static_cast<int>(place.size()))
+            sample.host = place[static_cast<std::size_t>(sample.host)];
         out.samples.push_back(sample.host >= 0 ? sample : AttachedSample{});
     }
     return out;

@@ -4,6 +4,9 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/commands/paste.h"
+#include "core/document/asset_store.h"
+#include "core/document/each_name.h"
+#include "core/document/fields/object_fields.h"
 #include "core/scene/log.h"
 #include "editor/commands/run_lines.h"
 #include "editor/session/scene_facts.h"
@@ -42,10 +45,10 @@ bool same_place(const glm::dmat4& a, const glm::dmat4& b)
 bool same_shape(Source a, Source b, const std::string& folder)
 {
     for (Source* each : {&a, &b})
-        if (auto* file = std::get_if<ImportedFile>(each)) {
-            file->path = (std::filesystem::path(folder) / file->path).lexically_normal().string();
-            file->hash.clear();
-        }
+        each_file(*each, [&](const auto& file, auto&) {
+            file.path = (std::filesystem::path(folder) / file.path).lexically_normal().string();
+            file.digest.clear();
+        });
     return a == b;
 }
 
@@ -86,7 +89,7 @@ bool step_aside(Paste& paste, const Session& session)
         if (step == 0) step = gap * bounds_of(session, hiding).size().x;
         if (!(step > 0)) step = 1; // not evaluated yet
         for (CopiedObject& copy : paste.copies)
-            if (copy.parent == 0) copy.transform.translation.x += step;
+            if (copy.value.parent == 0) copy.value.transform.translation.x += step;
     }
     return step > 0;
 }
@@ -96,17 +99,17 @@ std::string placed_words(const Document& before, const Document& document, const
 {
     std::size_t straight = 0, elsewhere = 0, in_place = 0;
     for (std::size_t i = 0; i < paste.copies.size(); ++i) {
-        const auto& placement = paste.copies[i].placement;
-        if (!placement) continue;
+        const CopiedObject& copy = paste.copies[i];
+        if (!copy.value.stroke) continue;
         const auto& laid = object(document, before.next_id + static_cast<Id>(i)).stroke;
-        const auto known = [&](const KnownObject& base) {
-            return std::ranges::find(laid->onto, base.object) != laid->onto.end() &&
-                   name_of(before, base.object) == base.name;
+        const auto is_here = [&](Id base) {
+            return std::ranges::find(laid->onto, base) != laid->onto.end() &&
+                   name_of(before, base) == known(copy.names, base).name;
         };
         const auto on_it = [&](const auto& entry) { return entry.second->stroke == laid; };
         if (!laid)
             ++straight;
-        else if (std::ranges::any_of(placement->onto, known))
+        else if (std::ranges::any_of(copy.value.stroke->onto, is_here))
             in_place += std::ranges::any_of(before.objects, on_it) ? 1 : 0;
         else if (std::ranges::none_of(laid->onto, [&](Id id) { return id >= before.next_id; }))
             ++elsewhere;

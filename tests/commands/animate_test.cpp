@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/commands/objects/animate.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/objects/material.h"
+#include "core/commands/objects/refine.h"
+#include "core/commands/objects/shape.h"
 #include "core/commands/paste.h"
+#include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "tests/support/scenes/commands.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/each_name.h"
 
+#include "core/commands/every_command.h"
 #include "core/document/bases.h"
 #include "core/document/fields/object_fields.h"
 #include "core/document/named_files.h"
@@ -30,6 +31,11 @@ template <> struct FieldsOf<Forgetful> {
 namespace {
 
 using ::testing::ElementsAre, ::testing::IsEmpty;
+
+// A copy of an object tells these bases in a list besides: `blades`, and `known` of a splitting.
+template <class V> constexpr bool listed_by_name = false;
+template <> constexpr bool listed_by_name<NamedIncision> = true;
+template <> constexpr bool listed_by_name<ObstacleUse> = true;
 
 struct Complaints {
     std::vector<std::string> said = {};
@@ -83,6 +89,14 @@ void look_into(Complaints& out, const std::string& name, const Rule& rule, std::
                 if (after_a_file != its_rule.digest)
                     out.said.push_back(fmt::format("{}.{}: a digest follows a file", name, inner));
                 after_a_file = its_rule.file.has_value();
+                constexpr bool by_name = requires
+                {
+                    FieldsOf<V>::copied_as;
+                };
+                if (!its_rule.use.empty() && !by_name && !listed_by_name<V>)
+                    out.said.push_back(fmt::format("{}.{}: a copy names it by its id alone: "
+                                                   "copied_as?",
+                                                   name, inner));
                 look_into<Inner>(out, fmt::format("{}.{}", name, inner), its_rule, its_help);
             });
             if (after_a_file) out.said.push_back(name + " has a file without a digest");
@@ -95,8 +109,7 @@ TEST(Names, OfObjectsAndFilesAreToldByTheFieldsOfAllThatASceneHolds)
     Complaints out;
     look_into<Object>(out, "object", {}, "");
     for (const Command& command : every_command())
-        std::visit([&]<class C>(const C&) { look_into<C>(out, std::string(C::verb), {}, ""); },
-                   command);
+        visit([&]<class C>(const C&) { look_into<C>(out, std::string(C::verb), {}, ""); }, command);
     EXPECT_THAT(out.said, IsEmpty());
 }
 

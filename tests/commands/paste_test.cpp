@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/objects/primitives.h"
 #include "core/commands/paste.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
 #include "tests/support/scenes/commands.h"
 
 #include <gmock/gmock.h>
@@ -82,8 +86,7 @@ TEST(Paste, KeepsWhatIsInAGroupAndPutsTheRestWhereItStood)
 TEST(Paste, NamesFilesFromTheRoot)
 {
     const Paste paste = copies(fitting_document(), {5});
-    ASSERT_TRUE(paste.copies.front().file);
-    EXPECT_EQ(paste.copies.front().file->path, "/models/snail.obj");
+    EXPECT_EQ(std::get<ImportedFile>(paste.copies.front().value.source).path, "/models/snail.obj");
 }
 
 TEST(Paste, RefusesWhatNoCopyIs)
@@ -96,11 +99,13 @@ TEST(Paste, RefusesWhatNoCopyIs)
         EXPECT_THROW(after(document, bad), Rejected);
     };
     refused([](auto& c) { c.clear(); });
-    refused([](auto& c) { c[0].name.clear(); });
+    refused([](auto& c) { c[0].value.name.clear(); });
     refused([](auto& c) { c[1].object = c[0].object; });
     refused([](auto& c) { std::swap(c[0], c[1]); }); // its group must come first
-    refused([](auto& c) { c[1].sphere.emplace(); }); // two shapes
-    refused([](auto& c) { c[1].transform.scale.x = 0; });
+    refused([](auto& c) { c[1].value.transform.scale.x = 0; });
+    std::string two_shapes = to_json_line(good);
+    two_shapes.insert(two_shapes.find("\"transform\""), "\"sphere\":{},\"torus\":{},");
+    EXPECT_THROW(command_from_json_line(two_shapes), Rejected);
     EXPECT_NO_THROW(after(document, good));
     EXPECT_THAT(copies(document, {99}).copies, IsEmpty());
 }
@@ -109,13 +114,28 @@ TEST(Paste, RefusesShapingAndRefiningThatTheirCommandsRefuse)
 {
     const Document document = small_document();
     Paste paste = copies(document, {3});
-    paste.copies[0].refining.emplace().method = BoundMethod::thesis_circumradius;
+    paste.copies[0].value.refining.emplace().method = BoundMethod::thesis_circumradius;
     EXPECT_THROW(after(document, paste), Rejected);
-    paste.copies[0].refining.reset();
-    paste.copies[0].shaping.assign(4097, VolumeEdit{.mending = Mending{}});
+    paste.copies[0].value.refining.reset();
+    paste.copies[0].value.shaping.assign(4097, make_ref(VolumeEdit{.mending = Mending{}}));
     EXPECT_THROW(after(document, paste), Rejected);
-    paste.copies[0].shaping.pop_back();
+    paste.copies[0].value.shaping.pop_back();
     EXPECT_NO_THROW(after(document, paste));
+}
+
+TEST(Paste, IsWrittenAsEarlierVersionsWroteIt)
+{
+    int lines = 0;
+    const std::string log = read_text_file(TRIVAR_SOURCE_DIR "/tests/logs/versions/1_paste.trivar");
+    for (const std::string_view line : trimmed_lines(log)) {
+        if (!line.starts_with(R"({"do":"paste")")) continue;
+        const std::string written(line.substr(0, line.rfind(",\"digest\"")));
+        const Command command = command_from_json_line(written + "}");
+        EXPECT_EQ(to_json_line(command), written + "}");
+        EXPECT_EQ(command, command_from_json_line(written + "}"));
+        ++lines;
+    }
+    EXPECT_EQ(lines, 14);
 }
 
 } // namespace

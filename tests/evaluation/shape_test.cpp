@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/objects/arrange.h"
+#include "core/commands/objects/shape.h"
 #include "core/commands/paste.h"
+#include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/placement/shaper.h"
@@ -113,7 +115,9 @@ TEST_F(VolumeShape, OfWhatIsNotPlacedIsRefusedAndSoIsWhatCannotBe)
     EXPECT_THROW(after(small_document(), InsertKnots{3, {}}), Rejected);
     EXPECT_THROW(after(small_document(), InsertKnots{3, {.up = {1}}}), Rejected);
     Paste paste = copied(pressed(), {3}, "/models");
-    paste.copies.front().shaping.front().mending = Mending{};
+    VolumeEdit two_at_once = *paste.copies.front().value.shaping.front();
+    two_at_once.mending = Mending{};
+    paste.copies.front().value.shaping.front() = make_ref(two_at_once);
     EXPECT_THROW(after(small_document(), paste), Rejected);
 }
 

@@ -12,7 +12,8 @@ struct ObjectTracks {
     bool operator==(const ObjectTracks&) const = default;
 };
 template <> struct FieldsOf<ObjectTracks> {
-    static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)";
+    static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)",
+                                      about = "What of one object goes from key to key.";
     static void fields(auto& t, auto&& field)
     {
         field("object", t.object, "id; 0: the scene, with its picture and bookmarks",

@@ -55,7 +55,8 @@ struct RelinkedPicture {
     bool operator==(const RelinkedPicture&) const = default;
 };
 template <> struct FieldsOf<RelinkedPicture> {
-    static constexpr std::string_view told_as = "[picture](#picture)";
+    static constexpr std::string_view told_as = "[picture](#picture)",
+                                      about = "A picture that a mask or heights read.";
     static void fields(auto& p, auto&& field)
     {
         field("object", p.object, "id of a sheet of heights or a layer of tiles",
@@ -76,7 +77,8 @@ struct RelinkedVolume {
     bool operator==(const RelinkedVolume&) const = default;
 };
 template <> struct FieldsOf<RelinkedVolume> {
-    static constexpr std::string_view told_as = "[volume](#volume)";
+    static constexpr std::string_view told_as = "[volume](#volume)",
+                                      about = "The file or the folder of volume data.";
     static void fields(auto& v, auto&& field)
     {
         field("object", v.object, "id of volume data", required.names_object());

@@ -15,6 +15,7 @@ struct TileFile {
 template <> struct FieldsOf<TileFile> {
     static constexpr std::string_view
         told_as = "[tile file](#tile-file)",
+        about = "A model that comes into the scene as a tile.",
         help = "models that are added to the scene in the same step: where object is 0 the first "
                "of them becomes the tile, and the others are mixed with it";
     static void fields(auto& f, auto&& field)

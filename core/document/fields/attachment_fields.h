@@ -6,7 +6,8 @@
 namespace trivar {
 
 template <> struct FieldsOf<AttachedHost> {
-    static constexpr std::string_view told_as = "[host](#host)";
+    static constexpr std::string_view told_as = "[host](#host)",
+                                      about = "An object that carries what lies on it.";
     static void fields(auto& h, auto&& field)
     {
         field("object", h.object, "its id, one of onto", required.names_object());
@@ -21,7 +22,8 @@ template <> struct FieldsOf<AttachedHost> {
 };
 
 template <> struct FieldsOf<AttachedSample> {
-    static constexpr std::string_view told_as = "[anchor](#anchor)";
+    static constexpr std::string_view told_as = "[anchor](#anchor)",
+                                      about = "Where a sample of a stroke met its host.";
     static void fields(auto& s, auto&& field)
     {
         field("host", s.host, "which of the hosts the sample met, from 0; -1: none",
@@ -37,7 +39,8 @@ template <> struct FieldsOf<AttachedSample> {
 };
 
 template <> struct FieldsOf<Attachment> {
-    static constexpr std::string_view told_as = "[attachment](#attachment)";
+    static constexpr std::string_view told_as = "[attachment](#attachment)",
+                                      about = "What a stroke belongs to.";
     static void fields(auto& a, auto&& field)
     {
         field("hosts", a.hosts, "its hosts, in any order", required);

@@ -13,7 +13,8 @@ inline constexpr std::array<std::string_view, 3> choice_words<CutKeep>{
     "both parts", "the part above", "the part below"};
 
 template <> struct FieldsOf<PlainCut> {
-    static constexpr std::string_view told_as = "[plain cut](#plain-cut)";
+    static constexpr std::string_view told_as = "[plain cut](#plain-cut)",
+                                      about = "A plane or a stroke that cuts an object in two.";
     static void fields(auto& c, auto&& field)
     {
         field("point", c.point, "of the plane, in the object's own space",

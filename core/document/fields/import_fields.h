@@ -6,7 +6,9 @@
 namespace trivar {
 
 template <> struct FieldsOf<ImportedFile> {
-    static constexpr std::string_view told_as = "[file](#file)";
+    static constexpr std::string_view told_as = "[file](#file)",
+                                      about = "An imported model's file, and how it is read.",
+                                      copied = "file";
     static void fields(auto& f, auto&& field)
     {
         field("path", f.path, "file, relative to the scene file's folder",

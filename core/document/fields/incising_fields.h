@@ -20,7 +20,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> choice_names<IncisionSide>{"left", "right"};
 
 template <> struct FieldsOf<SurfacePoint> {
-    static constexpr std::string_view told_as = "[surface point](#surface-point)";
+    static constexpr std::string_view told_as = "[surface point](#surface-point)",
+                                      about = "A point of the stroke of an incision.";
     static void fields(auto& s, auto&& field)
     {
         field("p", s.p, "a point of the object's model at rest, metres", required.in(Unit::metres));
@@ -28,7 +29,8 @@ template <> struct FieldsOf<SurfacePoint> {
     }
 };
 template <> struct FieldsOf<IncisionProfile> {
-    static constexpr std::string_view told_as = "[profile](#profile)";
+    static constexpr std::string_view told_as = "[profile](#profile)",
+                                      about = "How a number goes along an incision.";
     static void fields(auto& p, auto&& field)
     {
         field("shape", p.shape,
@@ -100,7 +102,8 @@ template <> struct FieldsOf<NamedIncision> {
     }
 };
 template <> struct FieldsOf<IncisionLayer> {
-    static constexpr std::string_view told_as = "[incision layer](#incision-layer)";
+    static constexpr std::string_view told_as = "[incision layer](#incision-layer)",
+                                      about = "What the walls of incisions show down to a depth.";
     static void fields(auto& l, auto&& field)
     {
         field("name", l.name, "what it is called");
@@ -130,7 +133,8 @@ template <> struct FieldsOf<PeeledFlap> {
     }
 };
 template <> struct FieldsOf<Incising> {
-    static constexpr std::string_view told_as = "[incisions](#incisions)";
+    static constexpr std::string_view told_as = "[incisions](#incisions)",
+                                      about = "Where the skin of a copied object is cut open.";
     static void fields(auto& i, auto&& field)
     {
         field("cuts", i.cuts, "its incisions, the first one first", required);

@@ -6,7 +6,8 @@
 namespace trivar {
 
 template <> struct FieldsOf<LatticeShape> {
-    static constexpr std::string_view told_as = "values of [add_lattice](#add_lattice)";
+    static constexpr std::string_view told_as = "values of [add_lattice](#add_lattice)",
+                                      copied = "lattice";
     static void fields(auto& s, auto&& field)
     {
         field("size", s.size, "size of the box along X, Y and Z, metres; its middle is its origin",

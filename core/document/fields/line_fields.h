@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 4> choice_names<HiddenLines>{"none
                                                                            "dashed", "seen"};
 
 template <> struct FieldsOf<LineStyle> {
-    static constexpr std::string_view told_as = "[lines](#lines)";
+    static constexpr std::string_view told_as = "[lines](#lines)", about = "How lines are drawn.";
     static void fields(auto& s, auto&& field)
     {
         field("width", s.width, "of the lines, pixels",
@@ -57,7 +57,8 @@ template <> struct FieldsOf<LineStyle> {
     }
 };
 template <> struct FieldsOf<MoreLines> {
-    static constexpr std::string_view told_as = "[further lines](#further-lines)";
+    static constexpr std::string_view told_as = "[further lines](#further-lines)",
+                                      about = "Lines of a surface besides its outlines.";
     static void fields(auto& m, auto&& field)
     {
         field("suggestive", m.suggestive,

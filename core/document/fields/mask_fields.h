@@ -22,9 +22,11 @@ inline constexpr std::array<std::string_view, 4> choice_names<MaskEasing>{"even"
                                                                           "slow_start", "slow_end"};
 
 template <> struct FieldsOf<TileMask> {
-    static constexpr std::string_view told_as = "[tile mask](#tile-mask)";
-    // All but the object of a curve, which copies name otherwise.
-    static void own_fields(auto& m, auto&& field)
+    static constexpr std::string_view told_as = "[tile mask](#tile-mask)",
+                                      about =
+                                          "Where a layer has more tiles, larger or higher ones.",
+                                      copied_as = "[copied mask](#copied-mask)";
+    static void fields(auto& m, auto&& field)
     {
         field("drives", m.drives, "what of the tiles it drives", any_value.without_keys());
         field("from", m.from,
@@ -65,12 +67,8 @@ template <> struct FieldsOf<TileMask> {
               not_negative.called("Black from").in(Unit::metres));
         field("easing", m.easing, "how a gradient goes from black to white",
               any_value.without_keys());
-    }
-    static void fields(auto& m, auto&& field)
-    {
-        own_fields(m, field);
         field("curve", m.curve, "id of the object with the curves; 0: none",
-              in_range(0, 1e9).without_keys().names_object("masked by"));
+              in_range(0, 1e9).without_keys().names_object("masked by").copied_as("around"));
     }
 };
 

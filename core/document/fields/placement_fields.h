@@ -7,7 +7,8 @@ namespace trivar {
 
 // The ranges that a panel offers and a log may hold; place() may still refuse a combination.
 template <> struct FieldsOf<PlacementParameters> {
-    static constexpr std::string_view told_as = "[parameters](#parameters)";
+    static constexpr std::string_view told_as = "[parameters](#parameters)",
+                                      about = "How an object lies along its stroke.";
     static void fields(auto& p, auto&& field)
     {
         field("width", p.width, "size across the stroke, metres; 0: in proportion to the model",
@@ -96,7 +97,8 @@ template <> struct FieldsOf<PlacementParameters> {
 };
 
 template <> struct FieldsOf<Sketch> {
-    static constexpr std::string_view told_as = "[sketch](#sketch)";
+    static constexpr std::string_view told_as = "[sketch](#sketch)",
+                                      about = "A stroke and the view it was drawn in.";
     static void fields(auto& s, auto&& field)
     {
         field("camera", s.camera, "the view the stroke was drawn in", required.without_keys());

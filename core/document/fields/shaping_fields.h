@@ -79,7 +79,8 @@ template <> struct FieldsOf<Mending> {
     static void fields(auto&, auto&&) {}
 };
 template <> struct FieldsOf<VolumePart> {
-    static constexpr std::string_view told_as = "[part](#part)";
+    static constexpr std::string_view told_as = "[part](#part)",
+                                      about = "A box in a volume's own u, v and w.";
     static void fields(auto& b, auto&& field)
     {
         field("lo", b.lo, "u, v and w of its lower corner, 0 to 1", required);
@@ -121,7 +122,8 @@ template <> struct FieldsOf<Warp> {
     }
 };
 template <> struct FieldsOf<VolumeEdit> {
-    static constexpr std::string_view told_as = "[step](#step)";
+    static constexpr std::string_view told_as = "[step](#step)",
+                                      about = "What was done to a volume; one of them.";
     static void fields(auto& e, auto&& field)
     {
         field("press", e.press, "a ball pressed into it");

@@ -23,7 +23,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> choice_names<SplitEnds>{"sharp", "smooth"};
 
 template <> struct FieldsOf<ObstacleUse> {
-    static constexpr std::string_view told_as = "[obstacle](#obstacle)";
+    static constexpr std::string_view told_as = "[obstacle](#obstacle)",
+                                      about = "What parts an object.";
     static void fields(auto& o, auto&& field)
     {
         field("object", o.object, "id of what parts it", required.names_object("split by"));
@@ -37,7 +38,8 @@ template <> struct FieldsOf<ObstacleUse> {
 };
 
 template <> struct FieldsOf<Splitting> {
-    static constexpr std::string_view told_as = "values of [split](#split)";
+    static constexpr std::string_view told_as = "values of [split](#split)",
+                                      copied_as = "values of [split](#split), and `known`";
     static void fields(auto& s, auto&& field)
     {
         field("obstacles", s.obstacles, "what parts it", required.without_keys());

@@ -93,7 +93,8 @@ template <> struct FieldsOf<TetrahedraFunction> {
     }
 };
 template <> struct FieldsOf<TetrahedraShape> {
-    static constexpr std::string_view told_as = "values of [add_tetrahedra](#add_tetrahedra)";
+    static constexpr std::string_view told_as = "values of [add_tetrahedra](#add_tetrahedra)",
+                                      copied = "tetrahedra";
     static void fields(auto& s, auto&& field)
     {
         field("size", s.size, "size of the box along X, Y and Z, metres; its middle is its origin",

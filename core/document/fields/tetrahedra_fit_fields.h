@@ -7,7 +7,8 @@
 namespace trivar {
 
 template <> struct FieldsOf<TetrahedraFit> {
-    static constexpr std::string_view told_as = "[fit](#fit)";
+    static constexpr std::string_view told_as = "[fit](#fit)",
+                                      about = "A spline over tetrahedra that shows volume data.";
     static void fields(auto& f, auto&& field)
     {
         field("coefficients", f.coefficients,

@@ -10,7 +10,8 @@ inline constexpr std::array<std::string_view, 5> choice_names<TilePattern>{"none
                                                                            "hexagon", "texture"};
 
 template <> struct FieldsOf<TileCover> {
-    static constexpr std::string_view told_as = "[tile cover](#tile-cover)";
+    static constexpr std::string_view told_as = "[tile cover](#tile-cover)",
+                                      about = "How tiles cover a whole surface.";
     static void fields(auto& c, auto&& field)
     {
         field("pattern", c.pattern,

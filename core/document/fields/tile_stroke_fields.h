@@ -19,7 +19,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choice_names<TileMirror>{"none", "x", "y", "z"};
 
 template <> struct FieldsOf<TileSample> {
-    static constexpr std::string_view told_as = "[tile sample](#tile-sample)";
+    static constexpr std::string_view told_as = "[tile sample](#tile-sample)",
+                                      about = "A point of such a stroke.";
     static void fields(auto& s, auto&& field)
     {
         field("p", s.at.p, "a point of the base's model at rest, metres",
@@ -31,7 +32,8 @@ template <> struct FieldsOf<TileSample> {
     }
 };
 template <> struct FieldsOf<TileStroke> {
-    static constexpr std::string_view told_as = "[tile stroke](#tile-stroke)";
+    static constexpr std::string_view told_as = "[tile stroke](#tile-stroke)",
+                                      about = "A stroke with which tiles were painted.";
     static void fields(auto& s, auto&& field)
     {
         field(

@@ -10,9 +10,11 @@
 namespace trivar {
 
 template <> struct FieldsOf<Tiling> {
+    static constexpr std::string_view copied_as = "[tiling](#tiling)";
     static void fields(auto& t, auto&& field)
     {
-        field("base", t.base, "id of what it is painted on",
+        field("base", t.base,
+              "id of what it is painted on: in a copy another copy, or an object of the scene",
               any_value.without_keys().names_object("painted on"));
         field("look", t.look, "what holds for all tiles", any_value.as_its_own());
         field("strokes", t.strokes, "the strokes, the first one first", any_value.without_keys());

@@ -14,7 +14,8 @@ inline constexpr std::array<std::string_view, 3> choice_names<Repeat>{"once", "l
                                                                       "back_and_forth"};
 
 template <> struct FieldsOf<Key> {
-    static constexpr std::string_view told_as = "[key](#key)";
+    static constexpr std::string_view told_as = "[key](#key)",
+                                      about = "A value in a frame, and how it goes on.";
     static void fields(auto& k, auto&& field)
     {
         field("frame", k.frame, "frame of the key, which may lie between two frames",
@@ -35,7 +36,8 @@ template <> struct FieldsOf<Key> {
 };
 
 template <> struct FieldsOf<Track> {
-    static constexpr std::string_view told_as = "[track](#track)";
+    static constexpr std::string_view told_as = "[track](#track)",
+                                      about = "How one number goes from key to key.";
     static void fields(auto& t, auto&& field)
     {
         field("parameter", t.parameter,

@@ -7,7 +7,8 @@
 namespace trivar {
 
 template <> struct FieldsOf<TransferPoint> {
-    static constexpr std::string_view told_as = "[transfer point](#transfer-point)";
+    static constexpr std::string_view told_as = "[transfer point](#transfer-point)",
+                                      about = "How a value of volume data looks.";
     static void fields(auto& p, auto&& field)
     {
         field("value", p.value, "of the data, in their own unit",
@@ -21,7 +22,8 @@ template <> struct FieldsOf<TransferPoint> {
     }
 };
 template <> struct FieldsOf<VolumeCasting> {
-    static constexpr std::string_view told_as = "[casting](#casting)";
+    static constexpr std::string_view told_as = "[casting](#casting)",
+                                      about = "How volume data are seen as a whole.";
     static void fields(auto& c, auto&& field)
     {
         field("shown", c.shown, "whether the data are seen as a whole, by rays cast through them",

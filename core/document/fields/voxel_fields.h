@@ -25,7 +25,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> choice_names<ByteOrder>{"little", "big"};
 
 template <> struct FieldsOf<VolumeReading> {
-    static constexpr std::string_view told_as = "[reading](#reading)";
+    static constexpr std::string_view told_as = "[reading](#reading)",
+                                      about = "What files of volume data do not say.";
     static void fields(auto& r, auto&& field)
     {
         field("size", r.size,
@@ -47,7 +48,8 @@ template <> struct FieldsOf<VolumeReading> {
     }
 };
 template <> struct FieldsOf<VoxelLevel> {
-    static constexpr std::string_view told_as = "[level](#level)";
+    static constexpr std::string_view told_as = "[level](#level)",
+                                      about = "A level of volume data as it is shown.";
     static void fields(auto& l, auto&& field)
     {
         field("name", l.name, "what it is called; empty: by its value");
@@ -72,7 +74,7 @@ template <> struct FieldsOf<VoxelShape> {
     static constexpr std::string_view verb = "add_volume",
                                       summary = "Add volume data from a file or a folder, with "
                                                 "levels that are shown as surfaces and lines.",
-                                      name = "Volume data";
+                                      name = "Volume data", copied = "volume_data";
     static void fields(auto& s, auto&& field)
     {
         field("path", s.path, "file or folder, relative to the scene file's folder",

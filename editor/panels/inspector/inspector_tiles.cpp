@@ -2,8 +2,8 @@
 #include "editor/panels/inspector/inspector_tiles.h"
 
 #include "core/base/number_text.h"
-#include "core/commands/copied_object.h"
 #include "core/commands/tiles/mix_tiles.h"
+#include "core/document/fields/mix_fields.h"
 #include "core/document/fields/view_fields.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
