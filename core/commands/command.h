@@ -19,6 +19,8 @@ namespace trivar {
 
 class AssetStore;
 template <class Shape> struct AddShape;
+template <class Shape> struct SetShape;
+template <class Of> struct OnObjects;
 
 // A list of types with their numbers, 0, 1, ... The types need not be known.
 template <class... All> struct Types {
@@ -36,25 +38,28 @@ template <class... All> struct Types {
 using CommandKinds = Types<
     struct ImportModel, struct EditImport, struct Relink, AddShape<PlaneShape>, AddShape<BoxShape>,
     AddShape<SphereShape>, AddShape<CylinderShape>, AddShape<TorusShape>, AddShape<MoebiusShape>,
-    AddShape<TeapotShape>, AddShape<TextShape>, struct SetText, struct SetTransform, struct Arrange,
-    struct SetMaterial, struct ClearMaterial, struct Rename, struct Hide, struct Show, struct Lock,
-    struct Unlock, struct Delete, struct Duplicate, struct Group, struct Ungroup, struct Reorder,
+    AddShape<TeapotShape>, AddShape<TextShape>, SetShape<TextShape>, struct SetTransform,
+    struct Arrange, struct SetMaterial, struct ClearMaterial, struct Rename,
+    OnObjects<struct OfHide>, struct Show, OnObjects<struct OfLock>, OnObjects<struct OfUnlock>,
+    OnObjects<struct OfDelete>, struct Duplicate, struct Group, struct Ungroup, struct Reorder,
     struct Place, struct PlaceRound, struct EditPlacement, struct Unplace, struct SetTravel,
-    struct PlayClip, struct Animate, struct Refine, struct ClearRefine, struct PressVolume,
-    struct MovePoints, struct InsertKnots, struct CoarsenVolume, struct MendVolume,
-    struct AllowFolds, struct Unshape, struct Paste, struct KeepView, struct ForgetView,
-    struct SetRender, struct SetTime, struct AddLattice, struct SetLattice, struct ConvertLattice,
-    struct AddTetrahedra, struct SetTetrahedra, struct EditTetrahedra, struct RemoveTetrahedraEdit,
-    AddShape<SimplexSheetShape>, struct SetSimplexSheet, struct WarpVolume, struct KeepShape,
-    struct Simplify, struct ClearSimplify, struct SetWarp, struct Attach, struct SetParent,
-    struct ApplyShape, struct PaintTiles, struct EditTileStroke, struct RemoveTileStrokes,
-    struct SetTiles, struct ClearTiles, struct MixTiles, struct MorphTiles, struct CoverWithTiles,
-    struct MaskTiles, struct RemoveTileMasks, AddShape<HeightShape>, struct SetHeights,
-    struct Displace, AddShape<VoxelShape>, struct SetVoxels, struct Unwrap, struct ClearUnwrap,
-    struct Shade, struct Split, struct ClearSplit, struct CutThrough, struct RemoveCut,
-    struct ClearCuts, struct Incise, struct EditIncision, struct LayerIncisions,
-    struct RemoveIncision, struct ClearIncisions, struct SwapIncisions, struct PeelFlap,
-    struct LayFlap, struct SetLineDrawing, struct ClearLineDrawing, struct Bind>;
+    struct PlayClip, struct Animate, struct Refine, OnObjects<struct OfClearRefine>,
+    struct PressVolume, struct MovePoints, struct InsertKnots, struct CoarsenVolume,
+    struct MendVolume, struct AllowFolds, struct Unshape, struct Paste, struct KeepView,
+    struct ForgetView, struct SetRender, struct SetTime, struct AddLattice, SetShape<LatticeShape>,
+    struct ConvertLattice, struct AddTetrahedra, SetShape<TetrahedraShape>, struct EditTetrahedra,
+    struct RemoveTetrahedraEdit, AddShape<SimplexSheetShape>, SetShape<SimplexSheetShape>,
+    struct WarpVolume, struct KeepShape, struct Simplify, OnObjects<struct OfClearSimplify>,
+    struct SetWarp, struct Attach, struct SetParent, struct ApplyShape, struct PaintTiles,
+    struct EditTileStroke, struct RemoveTileStrokes, struct SetTiles,
+    OnObjects<struct OfClearTiles>, struct MixTiles, struct MorphTiles, struct CoverWithTiles,
+    struct MaskTiles, struct RemoveTileMasks, AddShape<HeightShape>, SetShape<HeightShape>,
+    struct Displace, AddShape<VoxelShape>, SetShape<VoxelShape>, struct Unwrap,
+    OnObjects<struct OfClearUnwrap>, struct Shade, struct Split, OnObjects<struct OfClearSplit>,
+    struct CutThrough, struct RemoveCut, OnObjects<struct OfClearCuts>, struct Incise,
+    struct EditIncision, struct LayerIncisions, struct RemoveIncision,
+    OnObjects<struct OfClearIncisions>, struct SwapIncisions, struct PeelFlap, struct LayFlap,
+    struct SetLineDrawing, OnObjects<struct OfClearLineDrawing>, struct Bind>;
 
 // A Command is everything that a person can do to a document, by value: a value of one of the
 // kinds above. Copies share that value. Who names a kind includes the header of that kind alone;

@@ -69,7 +69,7 @@ template <class Owner, class Names, class Field> struct CopyFields {
             tell(as_copied(value, names),
                  [&](const auto& copy) { return as_named<T>(copy, names); });
     }
-    // What a value depends on that holds the ids alone, in a field of its own.
+    // Lists what a value depends on, where it holds the ids alone, in a field of its own.
     void list_bases(std::string_view name, auto& value, std::string_view help) const
     {
         std::vector<KnownObject> list;

@@ -3,9 +3,9 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/commands/every_command.h"
 #include "core/commands/edits/edits.h"
 #include "core/commands/edits/numbering.h"
+#include "core/commands/every_command.h"
 #include "core/commands/json_text.h"
 #include "core/document/band.h"
 #include "core/document/bases.h"
@@ -179,7 +179,7 @@ Document applied(Document document, const Paste& command)
         document = with_added(std::move(document), std::move(pasted));
     }
     for (const auto& [copied_id, id] : made) check_own_depth(document, id);
-    // What a copy depends on is the copy of that, or the object itself if the scene has it.
+    // A copy depends on the copy of what it did, or on the object itself if the scene has it.
     std::vector<std::pair<Id, Object>> wanted;
     for (const CopiedObject& copy : command.copies) {
         const auto here = [&](Id base) -> Id {

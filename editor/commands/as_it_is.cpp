@@ -16,9 +16,16 @@ std::optional<Command> as_it_is(const Command& kind, Id id, const Document& docu
     const Object& object = *found->second;
     return visit(
         [&]<class C>(const C&) -> std::optional<Command> {
-            if constexpr (requires { C::as_it_is(object, id); })
+            if constexpr (requires { C::as_it_is(object, id); }) {
                 if (std::optional<C> same = C::as_it_is(object, id))
                     return Command(std::move(*same));
+            } else if constexpr (requires { C::sets; }) {
+                const auto& own = object.*C::sets;
+                if constexpr (!is_optional<std::remove_cvref_t<decltype(own)>>)
+                    return C{{id}, own};
+                else if (own)
+                    return C{{id}, *own};
+            }
             return std::nullopt;
         },
         kind);

@@ -32,10 +32,17 @@ namespace {
 
 using ::testing::ElementsAre, ::testing::IsEmpty;
 
-// A copy of an object tells these bases in a list besides: `blades`, and `known` of a splitting.
-template <class V> constexpr bool listed_by_name = false;
-template <> constexpr bool listed_by_name<NamedIncision> = true;
-template <> constexpr bool listed_by_name<ObstacleUse> = true;
+// Whether a copy of an object tells by name what a value of this type depends on, too: by its own
+// list of fields, or in a list beside it. Commands are not copied.
+template <class V> constexpr bool is_told_by_name()
+{
+    if constexpr (requires { V::verb; })
+        return true;
+    else if constexpr (requires { FieldsOf<V>::copied_as; })
+        return true;
+    else
+        return std::is_same_v<V, NamedIncision> || std::is_same_v<V, ObstacleUse>;
+}
 
 struct Complaints {
     std::vector<std::string> said = {};
@@ -89,11 +96,7 @@ void look_into(Complaints& out, const std::string& name, const Rule& rule, std::
                 if (after_a_file != its_rule.digest)
                     out.said.push_back(fmt::format("{}.{}: a digest follows a file", name, inner));
                 after_a_file = its_rule.file.has_value();
-                constexpr bool by_name = requires
-                {
-                    FieldsOf<V>::copied_as;
-                };
-                if (!its_rule.use.empty() && !by_name && !listed_by_name<V>)
+                if (!its_rule.use.empty() && !is_told_by_name<V>())
                     out.said.push_back(fmt::format("{}.{}: a copy names it by its id alone: "
                                                    "copied_as?",
                                                    name, inner));

@@ -109,9 +109,4 @@ Document applied(Document document, const ClearCuts& command)
     return document;
 }
 
-StepTitle title(const ClearCuts& c, const StepDocuments& step)
-{
-    return {"Make " + names_in(step.before, c.objects) + " whole", {}};
-}
-
 } // namespace trivar

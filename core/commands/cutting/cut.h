@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/cutting_fields.h"
 
@@ -14,6 +15,7 @@ struct CutThrough {
         summary = "Cut objects in pieces by planes and by strokes that were drawn over them; the "
                   "pieces are closed, and move apart where there is a gap.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    static constexpr auto sets = &Object::cutting;
     std::vector<Id> objects;
     Cutting cutting;
     bool operator==(const CutThrough&) const = default;
@@ -21,11 +23,6 @@ struct CutThrough {
     {
         field("objects", c.objects, "ids of objects with a shape", required.names_object());
         spread(c.cutting, field);
-    }
-    static std::optional<CutThrough> as_it_is(const Object& object, Id id)
-    {
-        if (!object.cutting) return std::nullopt;
-        return CutThrough{{id}, *object.cutting};
     }
 };
 Document applied(Document document, const CutThrough& command);
@@ -50,18 +47,13 @@ struct RemoveCut {
 Document applied(Document document, const RemoveCut& command);
 StepTitle title(const RemoveCut& c, const StepDocuments& step);
 
-struct ClearCuts {
+struct OfClearCuts {
     static constexpr std::string_view verb = "clear_cuts",
-                                      summary = "Make objects that are cut whole again.";
+                                      summary = "Make objects that are cut whole again.",
+                                      help = "ids of objects that are cut", title = "Make {} whole";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const ClearCuts&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of objects that are cut", required.names_object());
-    }
 };
+using ClearCuts = OnObjects<OfClearCuts>;
 Document applied(Document document, const ClearCuts& command);
-StepTitle title(const ClearCuts& c, const StepDocuments& step);
 
 } // namespace trivar

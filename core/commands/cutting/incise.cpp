@@ -265,9 +265,4 @@ Document applied(Document document, const ClearIncisions& command)
     return document;
 }
 
-StepTitle title(const ClearIncisions& c, const StepDocuments& step)
-{
-    return {"Remove all incisions of " + names_in(step.before, c.objects), {}};
-}
-
 } // namespace trivar

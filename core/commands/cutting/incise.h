@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/incising_fields.h"
 
@@ -116,18 +117,14 @@ struct RemoveIncision {
 Document applied(Document document, const RemoveIncision& command);
 StepTitle title(const RemoveIncision& c, const StepDocuments& step);
 
-struct ClearIncisions {
+struct OfClearIncisions {
     static constexpr std::string_view verb = "clear_incisions",
-                                      summary = "Remove all incisions of objects.";
+                                      summary = "Remove all incisions of objects.",
+                                      help = "ids of objects with incisions",
+                                      title = "Remove all incisions of {}";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const ClearIncisions&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of objects with incisions", required.names_object());
-    }
 };
+using ClearIncisions = OnObjects<OfClearIncisions>;
 Document applied(Document document, const ClearIncisions& command);
-StepTitle title(const ClearIncisions& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -52,15 +52,4 @@ StepTitle title(const Split& c, const StepDocuments& step)
     return {"Split " + names_in(step.before, c.objects) + " at " + names_in(step.before, by), {}};
 }
 
-Document applied(Document document, const ClearSplit& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.splitting.reset(); });
-}
-
-StepTitle title(const ClearSplit& c, const StepDocuments& step)
-{
-    return {"Close " + names_in(step.before, c.objects), {}};
-}
-
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/splitting_fields.h"
 
@@ -14,6 +15,7 @@ struct Split {
         summary = "Let obstacles part objects: an object opens where an obstacle is in its way, "
                   "closes behind it, and stays solid.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    static constexpr auto sets = &Object::splitting;
     std::vector<Id> objects;
     Splitting splitting;
     bool operator==(const Split&) const = default;
@@ -22,30 +24,20 @@ struct Split {
         field("objects", c.objects, "ids of objects with a shape", required.names_object());
         spread(c.splitting, field);
     }
-    static std::optional<Split> as_it_is(const Object& object, Id id)
-    {
-        if (!object.splitting) return std::nullopt;
-        return Split{{id}, *object.splitting};
-    }
 };
 Document applied(Document document, const Split& command);
 StepTitle title(const Split& c, const StepDocuments& step);
 // Throws Rejected where the object cannot be parted like that.
 void check_splitting(const Document& document, Id id, const Splitting& splitting);
 
-struct ClearSplit {
+struct OfClearSplit {
     static constexpr std::string_view verb = "clear_split",
-                                      summary = "Make objects that obstacles part whole again.";
+                                      summary = "Make objects that obstacles part whole again.",
+                                      help = "ids of objects that are parted by obstacles",
+                                      title = "Close {}";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const ClearSplit&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of objects that are parted by obstacles",
-              required.names_object());
-    }
+    static void change(Object& o) { o.splitting.reset(); }
 };
-Document applied(Document document, const ClearSplit& command);
-StepTitle title(const ClearSplit& c, const StepDocuments& step);
+using ClearSplit = OnObjects<OfClearSplit>;
 
 } // namespace trivar

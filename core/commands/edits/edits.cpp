@@ -84,6 +84,12 @@ std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
     return result;
 }
 
+void refuse_other_kind(const Document& document, Id id, std::string_view help)
+{
+    throw Rejected(fmt::format("field \"object\": {} is not {}", named(document, id),
+                               help.substr(std::string_view("id of ").size())));
+}
+
 void check_has_volume(const Object& o, Id id)
 {
     if (!o.stroke && !std::holds_alternative<LatticeShape>(o.source))

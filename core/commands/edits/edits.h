@@ -28,6 +28,9 @@ Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& 
     return document;
 }
 
+// Throws Rejected for another kind of object than the help of a command's field says: "id of a
+// text".
+[[noreturn]] void refuse_other_kind(const Document& document, Id id, std::string_view help);
 // Throws Rejected where the object lies on no stroke.
 void check_placed(const Object& object, Id id);
 // Throws Rejected where the object neither lies on a stroke nor stands in a lattice.

@@ -128,17 +128,6 @@ StepTitle title(const Rename& c, const StepDocuments& step)
     return {"Rename " + name_in(step.before, c.object) + " to " + c.name, {}};
 }
 
-Document applied(Document document, const Hide& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.hidden = true; });
-}
-
-StepTitle title(const Hide& c, const StepDocuments& step)
-{
-    return {"Hide " + names_in(step.before, c.objects), {}};
-}
-
 Document applied(Document document, const Show& command)
 {
     if (command.only) return with_only(std::move(document), distinct(document, command.objects));
@@ -149,28 +138,6 @@ Document applied(Document document, const Show& command)
 StepTitle title(const Show& c, const StepDocuments& step)
 {
     return {(c.only ? "Show only " : "Show ") + names_in(step.before, c.objects), {}};
-}
-
-Document applied(Document document, const Lock& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.locked = true; });
-}
-
-StepTitle title(const Lock& c, const StepDocuments& step)
-{
-    return {"Lock " + names_in(step.before, c.objects), {}};
-}
-
-Document applied(Document document, const Unlock& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.locked = false; });
-}
-
-StepTitle title(const Unlock& c, const StepDocuments& step)
-{
-    return {"Unlock " + names_in(step.before, c.objects), {}};
 }
 
 Document applied(Document document, const Delete& command)
@@ -184,11 +151,6 @@ Document applied(Document document, const Delete& command)
             document.objects.set(
                 id, make_ref(with_bases(*ref, [&](Id base) { return is_gone(base) ? 0 : base; })));
     return document;
-}
-
-StepTitle title(const Delete& c, const StepDocuments& step)
-{
-    return {"Delete " + names_in(step.before, c.objects), {}};
 }
 
 Document applied(Document document, const Duplicate& command)

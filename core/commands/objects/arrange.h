@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/field.h"
 
@@ -60,18 +61,13 @@ struct Rename {
 Document applied(Document document, const Rename& command);
 StepTitle title(const Rename& c, const StepDocuments& step);
 
-struct Hide {
-    static constexpr std::string_view verb = "hide", summary = "Hide objects.";
+struct OfHide {
+    static constexpr std::string_view verb = "hide", summary = "Hide objects.", help = "ids",
+                                      title = "Hide {}";
     static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Invocation::at_once};
-    std::vector<Id> objects;
-    bool operator==(const Hide&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids", required.names_object());
-    }
+    static void change(Object& o) { o.hidden = true; }
 };
-Document applied(Document document, const Hide& command);
-StepTitle title(const Hide& c, const StepDocuments& step);
+using Hide = OnObjects<OfHide>;
 
 struct Show {
     static constexpr std::string_view verb = "show", summary = "Show hidden objects again.";
@@ -88,51 +84,36 @@ struct Show {
 Document applied(Document document, const Show& command);
 StepTitle title(const Show& c, const StepDocuments& step);
 
-struct Lock {
+struct OfLock {
     static constexpr std::string_view
         verb = "lock",
-        summary = "Protect objects from being picked, moved and deleted by hand.";
+        summary = "Protect objects from being picked, moved and deleted by hand.", help = "ids",
+        title = "Lock {}";
     static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Invocation::at_once};
-    std::vector<Id> objects;
-    bool operator==(const Lock&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids", required.names_object());
-    }
+    static void change(Object& o) { o.locked = true; }
 };
-Document applied(Document document, const Lock& command);
-StepTitle title(const Lock& c, const StepDocuments& step);
+using Lock = OnObjects<OfLock>;
 
-struct Unlock {
-    static constexpr std::string_view verb = "unlock", summary = "Unlock objects.";
+struct OfUnlock {
+    static constexpr std::string_view verb = "unlock", summary = "Unlock objects.", help = "ids",
+                                      title = "Unlock {}";
     static constexpr CommandNature nature{.icon = CommandIcon::unlock,
                                           .asked = Invocation::at_once};
-    std::vector<Id> objects;
-    bool operator==(const Unlock&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids", required.names_object());
-    }
+    static void change(Object& o) { o.locked = false; }
 };
-Document applied(Document document, const Unlock& command);
-StepTitle title(const Unlock& c, const StepDocuments& step);
+using Unlock = OnObjects<OfUnlock>;
 
-struct Delete {
+struct OfDelete {
     static constexpr std::string_view verb = "delete",
                                       summary =
                                           "Delete objects, and groups with their contents. Objects "
-                                          "that lay on a deleted one no longer use it.";
+                                          "that lay on a deleted one no longer use it.",
+                                      help = "ids", title = "Delete {}";
     static constexpr CommandNature nature{.icon = CommandIcon::remove,
                                           .asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const Delete&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids", required.names_object());
-    }
 };
+using Delete = OnObjects<OfDelete>;
 Document applied(Document document, const Delete& command);
-StepTitle title(const Delete& c, const StepDocuments& step);
 
 struct Duplicate {
     static constexpr std::string_view

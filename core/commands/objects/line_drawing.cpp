@@ -26,15 +26,4 @@ StepTitle title(const SetLineDrawing& c, const StepDocuments& step)
     return title_of_changes(changes(*object->line_drawing, c.drawing), "Lines", names);
 }
 
-Document applied(Document document, const ClearLineDrawing& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.line_drawing.reset(); });
-}
-
-StepTitle title(const ClearLineDrawing& c, const StepDocuments& step)
-{
-    return {"Draw " + names_in(step.before, c.objects) + " without lines", {}};
-}
-
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/line_fields.h"
 
@@ -10,6 +11,7 @@ struct SetLineDrawing {
     static constexpr std::string_view
         verb = "set_line_drawing",
         summary = "Draw objects in lines: outlines, sharp edges, borders, and further lines.";
+    static constexpr auto sets = &Object::line_drawing;
     std::vector<Id> objects;
     LineDrawing drawing;
     bool operator==(const SetLineDrawing&) const = default;
@@ -18,26 +20,18 @@ struct SetLineDrawing {
         field("objects", c.objects, "ids of objects with a shape", required.names_object());
         spread(c.drawing, field);
     }
-    static std::optional<SetLineDrawing> as_it_is(const Object& object, Id id)
-    {
-        return SetLineDrawing{{id}, object.line_drawing.value_or(LineDrawing{})};
-    }
 };
 Document applied(Document document, const SetLineDrawing& command);
 StepTitle title(const SetLineDrawing& c, const StepDocuments& step);
 
-struct ClearLineDrawing {
+struct OfClearLineDrawing {
     static constexpr std::string_view verb = "clear_line_drawing",
-                                      summary = "Draw objects without lines again.";
+                                      summary = "Draw objects without lines again.",
+                                      help = "ids of objects drawn in lines",
+                                      title = "Draw {} without lines";
     static constexpr CommandNature nature{.asked = Invocation::at_once};
-    std::vector<Id> objects;
-    bool operator==(const ClearLineDrawing&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of objects drawn in lines", required.names_object());
-    }
+    static void change(Object& o) { o.line_drawing.reset(); }
 };
-Document applied(Document document, const ClearLineDrawing& command);
-StepTitle title(const ClearLineDrawing& c, const StepDocuments& step);
+using ClearLineDrawing = OnObjects<OfClearLineDrawing>;
 
 } // namespace trivar

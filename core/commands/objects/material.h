@@ -10,6 +10,7 @@ struct SetMaterial {
     static constexpr std::string_view verb = "set_material",
                                       summary = "Override the materials of objects with one.";
     static constexpr CommandNature nature{.icon = CommandIcon::material};
+    static constexpr auto sets = &Object::surfacing;
     std::vector<Id> objects;
     Surfacing surfacing;
     bool operator==(const SetMaterial&) const = default;
@@ -17,12 +18,6 @@ struct SetMaterial {
     {
         field("objects", c.objects, "ids", required.names_object());
         spread(c.surfacing, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetMaterial> as_it_is(const Object& object, Id id)
-    {
-        if (!object.surfacing) return std::nullopt;
-        return SetMaterial{{id}, *object.surfacing};
     }
 };
 Document applied(Document document, const SetMaterial& command);

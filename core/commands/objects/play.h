@@ -11,6 +11,7 @@ struct PlayClip {
     static constexpr std::string_view verb = "play_clip",
                                       summary =
                                           "Play an animation clip of imported models, or none.";
+    static constexpr auto sets = &Object::playing;
     std::vector<Id> objects;
     Playing playing;
     std::vector<Playing> playings = {};
@@ -22,11 +23,6 @@ struct PlayClip {
         field("playings", c.playings,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<PlayClip> as_it_is(const Object& object, Id id)
-    {
-        return PlayClip{{id}, object.playing};
     }
 };
 Document applied(Document document, const PlayClip& command);

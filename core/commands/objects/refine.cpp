@@ -38,15 +38,4 @@ StepTitle title(const Refine& c, const StepDocuments& step)
     return {"Refine " + names_in(step.before, c.objects), in_metres(now.tolerance)};
 }
 
-Document applied(Document document, const ClearRefine& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.refining.reset(); });
-}
-
-StepTitle title(const ClearRefine& c, const StepDocuments& step)
-{
-    return {"Give " + names_in(step.before, c.objects) + " its own triangles back", {}};
-}
-
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/refining_fields.h"
 
@@ -14,6 +15,7 @@ struct Refine {
                                       summary =
                                           "Split the triangles of bent objects until they are "
                                           "certified to be within a tolerance of the true surface.";
+    static constexpr auto sets = &Object::refining;
     std::vector<Id> objects;
     Refining refining;
     std::vector<Refining> refinings = {};
@@ -27,26 +29,17 @@ struct Refine {
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
     }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<Refine> as_it_is(const Object& object, Id id)
-    {
-        return Refine{{id}, object.refining.value_or(Refining{})};
-    }
 };
 Document applied(Document document, const Refine& command);
 StepTitle title(const Refine& c, const StepDocuments& step);
 
-struct ClearRefine {
+struct OfClearRefine {
     static constexpr std::string_view verb = "clear_refine",
-                                      summary = "Undo the refinement of objects.";
-    std::vector<Id> objects;
-    bool operator==(const ClearRefine&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of refined objects", required.names_object());
-    }
+                                      summary = "Undo the refinement of objects.",
+                                      help = "ids of refined objects",
+                                      title = "Give {} its own triangles back";
+    static void change(Object& o) { o.refining.reset(); }
 };
-Document applied(Document document, const ClearRefine& command);
-StepTitle title(const ClearRefine& c, const StepDocuments& step);
+using ClearRefine = OnObjects<OfClearRefine>;
 
 } // namespace trivar

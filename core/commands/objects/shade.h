@@ -12,6 +12,7 @@ struct Shade {
         summary = "Show objects smooth, with edges where faces meet at more than an angle, or with "
                   "flat faces.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    static constexpr auto sets = &Object::shading;
     std::vector<Id> objects;
     FaceShading shading;
     bool operator==(const Shade&) const = default;
@@ -19,10 +20,6 @@ struct Shade {
     {
         field("objects", c.objects, "ids of objects with a shape", required.names_object());
         spread(c.shading, field);
-    }
-    static std::optional<Shade> as_it_is(const Object& object, Id id)
-    {
-        return Shade{{id}, object.shading.value_or(FaceShading{})};
     }
 };
 Document applied(Document document, const Shade& command);

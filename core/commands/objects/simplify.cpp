@@ -27,15 +27,4 @@ StepTitle title(const Simplify& c, const StepDocuments& step)
             fmt::format("to {} %", number_text(100 * c.simplifying.keep))};
 }
 
-Document applied(Document document, const ClearSimplify& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.simplifying.reset(); });
-}
-
-StepTitle title(const ClearSimplify& c, const StepDocuments& step)
-{
-    return {"Give " + names_in(step.before, c.objects) + " all triangles back", {}};
-}
-
 } // namespace trivar

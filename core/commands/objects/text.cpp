@@ -18,23 +18,11 @@ std::string size_words(const TextShape& s)
     return "“" + s.text.substr(0, end) + (end < s.text.size() ? "…" : "") + "”";
 }
 
-Document applied(Document document, const SetText& command)
+StepTitle title_of_change(const TextShape* before, const TextShape& now, const std::string& name)
 {
-    if (!std::holds_alternative<TextShape>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} is not a text", command.object));
-    check(command.shape);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.shape; });
-}
-
-StepTitle title(const SetText& c, const StepDocuments& step)
-{
-    const std::string name = name_in(step.before, c.object);
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<TextShape>(&object->source) : nullptr;
-    if (!old) return {"Text of " + name, {}};
-    if (old->text != c.shape.text) return {"Letters of " + name, size_words(c.shape)};
-    if (old->font != c.shape.font) return {"Font of " + name, c.shape.font};
+    if (!before) return {"Text of " + name, {}};
+    if (before->text != now.text) return {"Letters of " + name, size_words(now)};
+    if (before->font != now.font) return {"Font of " + name, now.font};
     return {"Shape of the letters of " + name, {}};
 }
 

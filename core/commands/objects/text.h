@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/objects/primitives.h"
+#include "core/commands/objects/set_shape.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/text_fields.h"
 
@@ -12,25 +13,11 @@ std::string size_words(const TextShape& shape);
 
 using AddText = AddShape<TextShape>;
 
-struct SetText {
-    static constexpr std::string_view verb = "set_text", summary = "Change a text in place.";
-    Id object = 0;
-    TextShape shape;
-    bool operator==(const SetText&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a text", required.names_object());
-        spread(c.shape, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetText> as_it_is(const Object& object, Id id)
-    {
-        const auto* own = std::get_if<TextShape>(&object.source);
-        if (!own) return std::nullopt;
-        return SetText{id, *own};
-    }
+template <> struct SetWords<TextShape> {
+    static constexpr std::string_view verb = "set_text", summary = "Change a text in place.",
+                                      help = "id of a text";
 };
-Document applied(Document document, const SetText& command);
-StepTitle title(const SetText& c, const StepDocuments& step);
+using SetText = SetShape<TextShape>;
+StepTitle title_of_change(const TextShape* before, const TextShape& now, const std::string& name);
 
 } // namespace trivar

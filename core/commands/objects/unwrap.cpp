@@ -22,15 +22,4 @@ StepTitle title(const Unwrap& c, const StepDocuments& step)
     return {"Unwrap " + names_in(step.before, c.objects), {}};
 }
 
-Document applied(Document document, const ClearUnwrap& command)
-{
-    return with_all_changed(std::move(document), command.objects,
-                            [](Object& o) { o.unwrapping.reset(); });
-}
-
-StepTitle title(const ClearUnwrap& c, const StepDocuments& step)
-{
-    return {"Give " + names_in(step.before, c.objects) + " its own UVs back", {}};
-}
-
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/unwrapping_fields.h"
 
@@ -12,6 +13,7 @@ struct Unwrap {
         summary = "Give objects new UVs (texture coordinates), in place of those of their files: "
                   "the surface is cut into charts, which are laid flat and packed into a square.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
+    static constexpr auto sets = &Object::unwrapping;
     std::vector<Id> objects;
     Unwrapping unwrapping;
     bool operator==(const Unwrap&) const = default;
@@ -20,27 +22,19 @@ struct Unwrap {
         field("objects", c.objects, "ids of objects with a shape", required.names_object());
         spread(c.unwrapping, field);
     }
-    static std::optional<Unwrap> as_it_is(const Object& object, Id id)
-    {
-        return Unwrap{{id}, object.unwrapping.value_or(Unwrapping{})};
-    }
 };
 Document applied(Document document, const Unwrap& command);
 StepTitle title(const Unwrap& c, const StepDocuments& step);
 
-struct ClearUnwrap {
+struct OfClearUnwrap {
     static constexpr std::string_view verb = "clear_unwrap",
                                       summary =
-                                          "Give unwrapped objects the UVs of their files back.";
+                                          "Give unwrapped objects the UVs of their files back.",
+                                      help = "ids of unwrapped objects",
+                                      title = "Give {} its own UVs back";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const ClearUnwrap&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of unwrapped objects", required.names_object());
-    }
+    static void change(Object& o) { o.unwrapping.reset(); }
 };
-Document applied(Document document, const ClearUnwrap& command);
-StepTitle title(const ClearUnwrap& c, const StepDocuments& step);
+using ClearUnwrap = OnObjects<OfClearUnwrap>;
 
 } // namespace trivar

@@ -61,29 +61,17 @@ std::string size_words(const VoxelShape& shape)
     return path.has_extension() ? excerpt(path.filename().string()) : "";
 }
 
-Document applied(Document document, const SetVoxels& command)
+StepTitle title_of_change(const VoxelShape* before, const VoxelShape& now, const std::string& name)
 {
-    if (!std::holds_alternative<VoxelShape>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} is no volume data", command.object));
-    check(command.shape);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.shape; });
-}
-
-StepTitle title(const SetVoxels& c, const StepDocuments& step)
-{
-    const std::string name = name_in(step.before, c.object);
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<VoxelShape>(&object->source) : nullptr;
-    if (!old) return {"Volume data of " + name, {}};
-    if (old->path != c.shape.path) return {"File of " + name, size_words(c.shape)};
-    if (old->crop_low != c.shape.crop_low || old->crop_high != c.shape.crop_high)
+    if (!before) return {"Volume data of " + name, {}};
+    if (before->path != now.path) return {"File of " + name, size_words(now)};
+    if (before->crop_low != now.crop_low || before->crop_high != now.crop_high)
         return {"Crop of " + name, {}};
-    if (old->casting != c.shape.casting) return {"Casting of " + name, {}};
-    if (old->levels.size() < c.shape.levels.size())
-        return {"Level of " + name, level_words(c.shape.levels.back())};
-    if (old->levels.size() > c.shape.levels.size()) return {"Remove level of " + name, {}};
-    if (const VoxelLevel* level = changed_level(*old, c.shape))
+    if (before->casting != now.casting) return {"Casting of " + name, {}};
+    if (before->levels.size() < now.levels.size())
+        return {"Level of " + name, level_words(now.levels.back())};
+    if (before->levels.size() > now.levels.size()) return {"Remove level of " + name, {}};
+    if (const VoxelLevel* level = changed_level(*before, now))
         return {"Level of " + name, level_words(*level)};
     return {"Volume data of " + name, {}};
 }

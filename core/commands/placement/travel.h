@@ -10,6 +10,7 @@ struct SetTravel {
     static constexpr std::string_view
         verb = "set_travel",
         summary = "Make placed objects travel along their strokes, or stop.";
+    static constexpr auto sets = &Object::travel;
     std::vector<Id> objects;
     Travel travel;
     std::vector<Travel> travels = {};
@@ -21,11 +22,6 @@ struct SetTravel {
         field("travels", c.travels,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetTravel> as_it_is(const Object& object, Id id)
-    {
-        return SetTravel{{id}, object.travel};
     }
 };
 Document applied(Document document, const SetTravel& command);

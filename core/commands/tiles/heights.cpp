@@ -21,21 +21,10 @@ std::string size_words(const HeightShape& shape)
     return excerpt(std::filesystem::path(shape.image).filename().string());
 }
 
-Document applied(Document document, const SetHeights& command)
+StepTitle title_of_change(const HeightShape* before, const HeightShape& now,
+                          const std::string& name)
 {
-    if (!std::holds_alternative<HeightShape>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} is no sheet of heights", command.object));
-    check(command.shape);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.shape; });
-}
-
-StepTitle title(const SetHeights& c, const StepDocuments& step)
-{
-    const std::string name = name_in(step.before, c.object);
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<HeightShape>(&object->source) : nullptr;
-    if (old && old->image != c.shape.image) return {"Picture of " + name, size_words(c.shape)};
+    if (before && before->image != now.image) return {"Picture of " + name, size_words(now)};
     return {"Shape of " + name, {}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/objects/primitives.h"
+#include "core/commands/objects/set_shape.h"
 #include "core/commands/words/step_title.h"
 
 namespace trivar {
@@ -12,27 +13,14 @@ std::string size_words(const HeightShape& shape);
 
 using AddHeights = AddShape<HeightShape>;
 
-struct SetHeights {
+template <> struct SetWords<HeightShape> {
     static constexpr std::string_view verb = "set_heights",
-                                      summary = "Change a sheet of heights in place.";
-    Id object = 0;
-    HeightShape shape;
-    bool operator==(const SetHeights&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a sheet of heights", required.names_object());
-        spread(c.shape, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetHeights> as_it_is(const Object& object, Id id)
-    {
-        const auto* own = std::get_if<HeightShape>(&object.source);
-        if (!own) return std::nullopt;
-        return SetHeights{id, *own};
-    }
+                                      summary = "Change a sheet of heights in place.",
+                                      help = "id of a sheet of heights";
 };
-Document applied(Document document, const SetHeights& command);
-StepTitle title(const SetHeights& c, const StepDocuments& step);
+using SetHeights = SetShape<HeightShape>;
+StepTitle title_of_change(const HeightShape* before, const HeightShape& now,
+                          const std::string& name);
 
 struct Displace {
     static constexpr std::string_view

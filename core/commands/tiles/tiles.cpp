@@ -191,11 +191,6 @@ Document applied(Document document, const ClearTiles& command)
                             [](Object& o) { o.tiles.reset(); });
 }
 
-StepTitle title(const ClearTiles& c, const StepDocuments& step)
-{
-    return {"Make " + names_in(step.before, c.objects) + " a single object again", {}};
-}
-
 Document applied(Document document, const CoverWithTiles& command)
 {
     auto [with_files, layer, others] =

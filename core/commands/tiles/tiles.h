@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/edits/on_objects.h"
 #include "core/commands/tiles/tile_files.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/tiles_fields.h"
@@ -104,19 +105,15 @@ struct SetTiles {
 Document applied(Document document, const SetTiles& command);
 StepTitle title(const SetTiles& c, const StepDocuments& step);
 
-struct ClearTiles {
+struct OfClearTiles {
     static constexpr std::string_view verb = "clear_tiles",
-                                      summary = "Make layers of tiles single objects again.";
+                                      summary = "Make layers of tiles single objects again.",
+                                      help = "ids of layers of tiles",
+                                      title = "Make {} a single object again";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
-    std::vector<Id> objects;
-    bool operator==(const ClearTiles&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of layers of tiles", required.names_object());
-    }
 };
+using ClearTiles = OnObjects<OfClearTiles>;
 Document applied(Document document, const ClearTiles& command);
-StepTitle title(const ClearTiles& c, const StepDocuments& step);
 
 struct CoverWithTiles {
     static constexpr std::string_view

@@ -62,23 +62,4 @@ StepTitle title(const AddLattice& c, const StepDocuments& step)
             value_words(c.shape.grid, any_value)};
 }
 
-Document applied(Document document, const SetLattice& command)
-{
-    const Object& lattice = object(document, command.object);
-    if (!std::holds_alternative<LatticeShape>(lattice.source))
-        throw Rejected(fmt::format("field \"object\": {} ({}) is not a lattice", command.object,
-                                   lattice.name));
-    check(command.shape);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.shape; });
-}
-
-StepTitle title(const SetLattice& c, const StepDocuments& step)
-{
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<LatticeShape>(&object->source) : nullptr;
-    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Lattice",
-                            name_in(step.before, c.object));
-}
-
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/objects/set_shape.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/lattice_fields.h"
 
@@ -37,28 +38,13 @@ struct AddLattice {
 Document applied(Document document, const AddLattice& command);
 StepTitle title(const AddLattice& c, const StepDocuments& step);
 
-struct SetLattice {
+template <> struct SetWords<LatticeShape> {
     static constexpr std::string_view
         verb = "set_lattice",
         summary = "Change the size and the control points of a lattice. Steps that move points it "
-                  "no longer has are skipped; insert_knots keeps its shape.";
-    Id object = 0;
-    LatticeShape shape = {};
-    bool operator==(const SetLattice&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a lattice", required.names_object());
-        spread(c.shape, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetLattice> as_it_is(const Object& object, Id id)
-    {
-        const auto* own = std::get_if<LatticeShape>(&object.source);
-        if (!own) return std::nullopt;
-        return SetLattice{id, *own};
-    }
+                  "no longer has are skipped; insert_knots keeps its shape.",
+        help = "id of a lattice", title = "Lattice";
 };
-Document applied(Document document, const SetLattice& command);
-StepTitle title(const SetLattice& c, const StepDocuments& step);
+using SetLattice = SetShape<LatticeShape>;
 
 } // namespace trivar

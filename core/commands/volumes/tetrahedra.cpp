@@ -158,24 +158,6 @@ std::string size_words(const SimplexSheetShape& shape)
     return fmt::format("{} × {} m", number_text(shape.size.x), number_text(shape.size.y));
 }
 
-Document applied(Document document, const SetSimplexSheet& command)
-{
-    const Object& o = object(document, command.object);
-    if (!std::holds_alternative<SimplexSheetShape>(o.source))
-        throw Rejected(fmt::format("field \"object\": {} is not a surface of simplex splines",
-                                   named(command.object, o)));
-    return with_changed(std::move(document), command.object,
-                        [&](Object& changed) { changed.source = command.shape; });
-}
-
-StepTitle title(const SetSimplexSheet& c, const StepDocuments& step)
-{
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<SimplexSheetShape>(&object->source) : nullptr;
-    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Sheet",
-                            name_in(step.before, c.object));
-}
-
 Document applied(Document document, const AddTetrahedra& command)
 {
     check(command.shape);
@@ -193,21 +175,6 @@ StepTitle title(const AddTetrahedra& c, const StepDocuments& step)
     return {"Put tetrahedra round " + names_in(step.before, c.objects),
             c.shape.cells.empty() ? value_words(c.shape.boxes, any_value)
                                   : std::to_string(c.shape.cells.size())};
-}
-
-Document applied(Document document, const SetTetrahedra& command)
-{
-    (void)volume_of(document, command.object);
-    check(command.shape);
-    return with_shape(std::move(document), command.object, command.shape);
-}
-
-StepTitle title(const SetTetrahedra& c, const StepDocuments& step)
-{
-    const Object* object = step.was(c.object);
-    const auto* old = object ? std::get_if<TetrahedraShape>(&object->source) : nullptr;
-    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Tetrahedra",
-                            name_in(step.before, c.object));
 }
 
 Document applied(Document document, const EditTetrahedra& command)

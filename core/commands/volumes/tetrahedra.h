@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/objects/primitives.h"
+#include "core/commands/objects/set_shape.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/simplex_sheet_fields.h"
 #include "core/document/fields/tetrahedra_fields.h"
@@ -17,27 +18,12 @@ void check(const TetrahedraShape& shape);
 std::string size_words(const SimplexSheetShape& shape);
 using AddSimplexSheet = AddShape<SimplexSheetShape>;
 
-struct SetSimplexSheet {
+template <> struct SetWords<SimplexSheetShape> {
     static constexpr std::string_view verb = "set_simplex_sheet",
-                                      summary = "Change a surface of simplex splines.";
-    Id object = 0;
-    SimplexSheetShape shape = {};
-    bool operator==(const SetSimplexSheet&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a surface of simplex splines", required.names_object());
-        spread(c.shape, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetSimplexSheet> as_it_is(const Object& object, Id id)
-    {
-        const auto* own = std::get_if<SimplexSheetShape>(&object.source);
-        if (!own) return std::nullopt;
-        return SetSimplexSheet{id, *own};
-    }
+                                      summary = "Change a surface of simplex splines.",
+                                      help = "id of a surface of simplex splines", title = "Sheet";
 };
-Document applied(Document document, const SetSimplexSheet& command);
-StepTitle title(const SetSimplexSheet& c, const StepDocuments& step);
+using SetSimplexSheet = SetShape<SimplexSheetShape>;
 
 struct AddTetrahedra {
     static constexpr std::string_view verb = "add_tetrahedra",
@@ -63,28 +49,13 @@ struct AddTetrahedra {
 Document applied(Document document, const AddTetrahedra& command);
 StepTitle title(const AddTetrahedra& c, const StepDocuments& step);
 
-struct SetTetrahedra {
-    static constexpr std::string_view verb = "set_tetrahedra",
-                                      summary = "Change the domain of a volume of tetrahedra, and "
-                                                "what was done to it.";
-    Id object = 0;
-    TetrahedraShape shape = {};
-    bool operator==(const SetTetrahedra&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a volume of tetrahedra", required.names_object());
-        spread(c.shape, field);
-    }
-    // The command that changes nothing of the object; none: it has nothing of the kind.
-    static std::optional<SetTetrahedra> as_it_is(const Object& object, Id id)
-    {
-        const auto* own = std::get_if<TetrahedraShape>(&object.source);
-        if (!own) return std::nullopt;
-        return SetTetrahedra{id, *own};
-    }
+template <> struct SetWords<TetrahedraShape> {
+    static constexpr std::string_view
+        verb = "set_tetrahedra",
+        summary = "Change the domain of a volume of tetrahedra, and what was done to it.",
+        help = "id of a volume of tetrahedra", title = "Tetrahedra";
 };
-Document applied(Document document, const SetTetrahedra& command);
-StepTitle title(const SetTetrahedra& c, const StepDocuments& step);
+using SetTetrahedra = SetShape<TetrahedraShape>;
 
 struct EditTetrahedra {
     static constexpr std::string_view verb = "edit_tetrahedra",
