@@ -48,9 +48,9 @@ FoundLimit LimitBases::operator()(const TiledPieces& pieces)
     for (const TiledPiece& piece : pieces)
         if (piece.cage.cage) cages.push_back(piece.cage);
     if (cages.empty() || cages.size() != pieces.size()) return {};
-    return known_(cages, [&]() -> FoundLimit {
+    return known_(cages, [](const std::vector<LimitBase::Piece>& in) -> FoundLimit {
         try {
-            return {std::make_shared<const LimitBase>(cages), {}};
+            return {std::make_shared<const LimitBase>(in), {}};
         } catch (const Rejected& error) {
             return {nullptr, error.what()};
         }

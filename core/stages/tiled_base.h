@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/recent.h"
+#include "core/base/kept.h"
 #include "core/stages/evaluated.h"
 #include "core/tiles/chart.h"
 #include "core/tiles/limit_base.h"
@@ -39,7 +39,7 @@ public:
     FoundLimit operator()(const TiledPieces& pieces);
 
 private:
-    Recent<std::vector<LimitBase::Piece>, FoundLimit> known_;
+    Kept<std::vector<LimitBase::Piece>, FoundLimit> known_;
 };
 
 // A RestToWorld takes points of a base's model at rest to where a part of it is shown, volumes and

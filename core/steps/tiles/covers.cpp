@@ -168,33 +168,177 @@ std::string too_many_words(const std::vector<TileKind>& kinds, std::span<const s
         with_commas(by_vertices ? most_vertices : most_corners / 3), too_heavy_tiles_words);
 }
 
+// A Plan says which base is covered by which kinds, the same for all members of a procession.
+struct Covers::Plan {
+    const CoverInput& input;
+    glm::dmat4 turned;            // of the tiles, at quarter turns
+    std::vector<CoverCell> cells; // #kinds
+    double highest = 0;           // of all kinds, in lengths of a tile
+    Ref<CoverLayout> laid = nullptr;
+    Ref<Uvs> uvs = nullptr;           // null: nobody asked
+    std::vector<char> displaced = {}; // #kinds: it is a picture over the UVs of the base
+    Ref<CoverMasks> masked = nullptr;
+    std::vector<std::size_t> kinds = {}; // #tiles
+};
+
+// A Standing is the covering as one member of the base stands.
+struct Covers::Standing {
+    const std::vector<Part>& parts; // of the member
+    CoveringPose pose;
+    GuardedHeights guarded = {};
+    Ref<CoveringPose> shared = nullptr;   // the same pose, when it is ready
+    std::vector<ChosenTiles> chosen = {}; // #kinds
+};
+
+Covers::Plan Covers::cells_of(const CoverInput& input)
+{
+    const TileLook& look = input.tiling.look;
+    Plan plan{input, quarter_turns(look.turn_deg), {}};
+    for (const TileKind& kind : input.kinds.all) {
+        const Box box = box_of_kind(kind, plan.turned);
+        const CoverCell& cell = plan.cells.emplace_back(cover_cell(box, look));
+        const double top = kind.over_uvs ? kind.over_uvs->highest * z_scale(kind, plan.turned)
+                                         : reach_over(box, kind.parts, plan.turned * kind.turned);
+        const double reach = top - (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
+        plan.highest = std::max(plan.highest, (reach - look.sink * cell.size.z) / cell.size.x);
+    }
+    return plan;
+}
+
 Ref<CoverLayout> Covers::layout(const CoverInput& input, const glm::dvec2& size)
 {
-    const TileCover& cover = input.tiling.cover;
-    const LayoutKey key{input.pieces, input.limit.base, cover.pattern, size, cover.per_face};
-    return layouts_(key, [&] {
-        return timed(input.timings, "tiles", [&] {
-            return make_ref(cover_layout(input.pieces, input.limit.base, cover, size));
+    const TileCover& all = input.tiling.cover;
+    const TileCover cover{.pattern = all.pattern, .size = all.size, .per_face = all.per_face};
+    return layouts_(
+        {input.pieces, input.limit.base, cover, size},
+        [](const LayoutInput& in, Timings& timings) {
+            return timed(timings, "tiles", [&] {
+                return make_ref(cover_layout(in.pieces, in.limit, in.cover, in.size));
+            });
+        },
+        input.timings);
+}
+
+void Covers::find_uvs(Plan& plan, std::vector<std::string>& notices)
+{
+    const auto is_displaced = [](const TileKind& kind) { return kind.over_uvs.has_value(); };
+    const std::vector<TileKind>& kinds = plan.input.kinds.all;
+    if (std::ranges::any_of(kinds, is_displaced)) {
+        plan.uvs = uvs_({plan.input.pieces, plan.laid}, [](const UvsInput& in) {
+            return make_ref(chart_uvs_of(in.pieces, *in.layout));
         });
-    });
+        if (!*plan.uvs)
+            notices.push_back(fmt::format(
+                "what it displaces {}, so the picture lies over each tile; unwrap it first",
+                lacks_uvs_words));
+    }
+    for (const TileKind& kind : kinds)
+        plan.displaced.push_back(plan.uvs && *plan.uvs && is_displaced(kind));
 }
 
 Ref<Covers::CoverMasks> Covers::masks(const CoverInput& input, const Ref<CoverLayout>& layout)
 {
-    const FoundMasks& found = input.masks;
-    if (!found.masks) return make_ref(CoverMasks{});
-    return masks_({layout, found.masks, found.textured}, [&] {
-        return timed(input.timings, "tiles", [&] {
-            CoverMasks out;
-            if (found.drive(MaskDrives::density) || found.drive(MaskDrives::scale) ||
-                found.drive(MaskDrives::morph))
-                out.tiles = found.at(layout->middles);
-            if (found.drive(MaskDrives::height))
-                for (const MaskFactors& each : found.at(layout->rest))
-                    out.heights.push_back(each.height);
-            return make_ref(std::move(out));
-        });
-    });
+    if (!input.masks.masks) return make_ref(CoverMasks{});
+    return masks_(
+        {layout, input.masks},
+        [](const MaskInput& in, Timings& timings) {
+            return timed(timings, "tiles", [&] {
+                CoverMasks out;
+                if (in.masks.drive(MaskDrives::density) || in.masks.drive(MaskDrives::scale) ||
+                    in.masks.drive(MaskDrives::morph))
+                    out.tiles = in.masks.at(in.layout->middles);
+                if (in.masks.drive(MaskDrives::height))
+                    for (const MaskFactors& each : in.masks.at(in.layout->rest))
+                        out.heights.push_back(each.height);
+                return make_ref(std::move(out));
+            });
+        },
+        input.timings);
+}
+
+// Returns the number of tiles of each kind.
+std::vector<std::size_t> Covers::choose_kinds(Plan& plan)
+{
+    const CoverInput& input = plan.input;
+    std::vector<std::size_t> counts(plan.cells.size(), 0);
+    for (std::size_t k = 0; k < plan.laid->covering->tiles().size(); ++k) {
+        plan.kinds.push_back(
+            input.kinds.choice.of(seed_of(input.tiling.cover.seed, 0, 0, k),
+                                  plan.masked->tiles.empty() ? 1 : plan.masked->tiles[k].morph));
+        counts[plan.kinds.back()] += input.members.size();
+    }
+    return counts;
+}
+
+Covers::Standing Covers::standing(const Plan& plan, const std::vector<Part>& parts)
+{
+    const Covering& covering = *plan.laid->covering;
+    const Tiling& tiling = plan.input.tiling;
+    Standing out{parts, pose_of(*plan.laid, plan.input.pieces, parts)};
+    CoveringPose& pose = out.pose;
+    pose.heights = heights_along_rows(covering, pose.points, tiling.look.height);
+    if (tiling.cover.even_height)
+        std::ranges::fill(pose.heights,
+                          even_height(plan.input, parts, *plan.laid,
+                                      plan.cells.front().size.x * tiling.look.height));
+    for (std::size_t n = 0; n < plan.masked->heights.size(); ++n)
+        pose.heights[n] *= plan.masked->heights[n];
+    set_factors(pose, *plan.laid, tiling, plan.masked->tiles);
+    if (!tiling.look.guard) return out;
+    const double most = pose.factors.empty() ? 1 : *std::ranges::max_element(pose.factors);
+    out.guarded = guarded_heights(covering, pose, most * plan.highest);
+    pose.heights = out.guarded.heights;
+    return out;
+}
+
+void Covers::add_kind(const Plan& plan, Standing& there, std::size_t k, int member, CoverParts& out)
+{
+    const TileKind& kind = plan.input.kinds.all[k];
+    const Ref<CoveringPose>& pose = there.shared;
+    const auto patched = make_ref(std::move(there.chosen[k].patched));
+    const auto patches = make_ref(PlacedTiles(std::move(there.chosen[k].patches)));
+    const std::vector<std::uint32_t>& meshed = there.chosen[k].meshed;
+    for (const Part& part : kind.parts) {
+        if (part.rest->positions.empty()) continue;
+        const glm::dmat4 to_model = plan.turned * kind.turned * part.to_world,
+                         to_unit = to_unit_cell(plan.cells[k]) * to_model;
+        PartKey key{member, part.key.mesh + kind.first_mesh, patched_piece};
+        const CoverModel model =
+            models_(unit_tile(kind, part, to_unit), [](const UnitTile& in) -> CoverModel {
+                const auto mesh = make_ref(with_materials_from(*in.mesh, in.first_material));
+                return {mesh, tile_model(in_unit_cell(*mesh, in.to_unit), !in.moves)};
+            });
+        const auto bent = [mesh = model.mesh, to_model, cell = plan.cells[k], laid = plan.laid,
+                           pose](const std::vector<std::uint32_t>& tiles) {
+            return make_ref(covered_tiles(*mesh, to_model, cell, *laid->covering, *pose, tiles));
+        };
+        if (!patched->empty())
+            out.parts.push_back(
+                part_of(tile_set(model.tile, patches,
+                                 Lazy<Ref<Mesh>>([bent, patched] { return bent(*patched); })),
+                        key));
+        if (meshed.empty()) continue;
+        const Ref<Mesh> rest =
+            plan.displaced[k]
+                ? make_ref(displaced_tiles(
+                      *model.mesh, to_model, plan.cells[k], *plan.laid->covering, *pose, meshed,
+                      {*kind.over_uvs->image, kind.over_uvs->sheet, **plan.uvs, net_of(*plan.laid),
+                       surface_of(*plan.laid, plan.input.pieces, there.parts)}))
+                : bent(meshed);
+        key.piece = meshed_piece;
+        out.parts.push_back({.rest = rest, .key = key, .bounds = bounding_box(*rest)});
+    }
+}
+
+void Covers::add_member(const Plan& plan, int member, const std::vector<Part>& parts,
+                        CoverParts& out)
+{
+    Standing there = standing(plan, parts);
+    for (const double each : there.guarded.of_limit) out.of_limit = std::max(out.of_limit, each);
+    there.chosen = chosen_tiles(*plan.laid->covering, there.pose, plan.kinds, plan.cells,
+                                plan.displaced, there.guarded, out.counts);
+    there.shared = make_ref(std::move(there.pose));
+    for (std::size_t k = 0; k < plan.cells.size(); ++k) add_kind(plan, there, k, member, out);
 }
 
 CoverParts Covers::operator()(const CoverInput& input)
@@ -206,116 +350,29 @@ CoverParts Covers::operator()(const CoverInput& input)
         out.notices.push_back(input.limit.trouble);
         return out;
     }
-    const TileLook& look = input.tiling.look;
-    const glm::dmat4 turned = quarter_turns(look.turn_deg);
-    std::vector<CoverCell> cells;
-    double highest = 0; // of all kinds, in lengths of a tile
-    for (const TileKind& kind : input.kinds.all) {
-        const Box box = box_of_kind(kind, turned);
-        const CoverCell& cell = cells.emplace_back(cover_cell(box, look));
-        const double top = kind.over_uvs ? kind.over_uvs->highest * z_scale(kind, turned)
-                                         : reach_over(box, kind.parts, turned * kind.turned);
-        const double reach = top - (look.base_level == 0 ? 0 : cell.lo.z - box.lo.z);
-        highest = std::max(highest, (reach - look.sink * cell.size.z) / cell.size.x);
-    }
-    const glm::dvec3& first = cells.front().size;
+    Plan plan = cells_of(input);
+    const glm::dvec3& first = plan.cells.front().size;
     const double width = std::clamp(first.y / first.x, 1e-3, 1e3);
-    const Ref<CoverLayout> laid = layout(input, {cover.size, width * cover.size});
-    if (!laid->covering) {
-        out.notices.push_back(laid->trouble);
+    plan.laid = layout(input, {cover.size, width * cover.size});
+    if (!plan.laid->covering) {
+        out.notices.push_back(plan.laid->trouble);
         return out;
     }
-    const Covering& covering = *laid->covering;
-    if (laid->crowded)
+    if (plan.laid->crowded)
         out.notices.push_back("its tiles are smaller than their size says: each face of what they "
                               "cover carries one at least");
-    const auto is_displaced = [](const TileKind& kind) { return kind.over_uvs.has_value(); };
-    Ref<Uvs> uvs;
-    if (std::ranges::any_of(input.kinds.all, is_displaced)) {
-        uvs = uvs_(laid, [&] { return make_ref(chart_uvs_of(input.pieces, *laid)); });
-        if (!*uvs)
-            out.notices.push_back(fmt::format(
-                "what it displaces {}, so the picture lies over each tile; unwrap it first",
-                lacks_uvs_words));
-    }
-    std::vector<char> displaced;
-    for (const TileKind& kind : input.kinds.all)
-        displaced.push_back(uvs && *uvs && is_displaced(kind));
-    const Ref<CoverMasks> masked = masks(input, laid);
-    std::vector<std::size_t> kind_of_tile, counts(cells.size(), 0);
-    for (std::size_t k = 0; k < covering.tiles().size(); ++k) {
-        kind_of_tile.push_back(input.kinds.of(seed_of(cover.seed, 0, 0, k),
-                                              masked->tiles.empty() ? 1 : masked->tiles[k].morph));
-        counts[kind_of_tile.back()] += input.members.size();
-    }
+    find_uvs(plan, out.notices);
+    plan.masked = masks(input, plan.laid);
+    const std::vector<std::size_t> counts = choose_kinds(plan);
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {
         out.notices.push_back(std::move(words));
         return out;
     }
-    for (const auto& numbered : input.members) {
-        const int member = numbered.first;
-        const std::vector<Part>& parts = numbered.second;
-        if (parts.size() != input.pieces.size()) continue; // a part is too far away
-        timed(input.timings, "tiles", [&] {
-            CoveringPose pose = pose_of(*laid, input.pieces, parts);
-            pose.heights = heights_along_rows(covering, pose.points, look.height);
-            if (cover.even_height)
-                std::ranges::fill(pose.heights,
-                                  even_height(input, parts, *laid, first.x * look.height));
-            for (std::size_t n = 0; n < masked->heights.size(); ++n)
-                pose.heights[n] *= masked->heights[n];
-            set_factors(pose, *laid, input.tiling, masked->tiles);
-            GuardedHeights guarded;
-            if (look.guard) {
-                const double most =
-                    pose.factors.empty() ? 1 : *std::ranges::max_element(pose.factors);
-                guarded = guarded_heights(covering, pose, most * highest);
-                pose.heights = guarded.heights;
-                for (const double each : guarded.of_limit)
-                    out.of_limit = std::max(out.of_limit, each);
-            }
-            std::vector<ChosenTiles> chosen =
-                chosen_tiles(covering, pose, kind_of_tile, cells, displaced, guarded, out.counts);
-            const auto posed = make_ref(std::move(pose));
-            for (std::size_t k = 0; k < cells.size(); ++k) {
-                const TileKind& kind = input.kinds.all[k];
-                const auto patched = make_ref(std::move(chosen[k].patched));
-                const auto patches = make_ref(PlacedTiles(std::move(chosen[k].patches)));
-                for (const Part& part : kind.parts) {
-                    if (part.rest->positions.empty()) continue;
-                    const glm::dmat4 to_model = turned * kind.turned * part.to_world,
-                                     to_unit = to_unit_cell(cells[k]) * to_model;
-                    PartKey key{member, part.key.mesh + kind.first_mesh, patched_piece};
-                    const CoverModel model =
-                        models_({part.mesh(), to_unit, kind.first_material}, [&]() -> CoverModel {
-                            const auto mesh =
-                                make_ref(with_materials_from(*part.mesh(), kind.first_material));
-                            return {mesh, tile_model(in_unit_cell(*mesh, to_unit), !part.posed)};
-                        });
-                    const auto bent = [mesh = model.mesh, to_model, cell = cells[k], laid,
-                                       posed](const std::vector<std::uint32_t>& tiles) {
-                        return make_ref(
-                            covered_tiles(*mesh, to_model, cell, *laid->covering, *posed, tiles));
-                    };
-                    if (!patched->empty())
-                        out.parts.push_back(part_of(
-                            tile_set(model.tile, patches,
-                                     Lazy<Ref<Mesh>>([bent, patched] { return bent(*patched); })),
-                            key));
-                    if (chosen[k].meshed.empty()) continue;
-                    const Ref<Mesh> rest =
-                        displaced[k] ? make_ref(displaced_tiles(
-                                           *model.mesh, to_model, cells[k], covering, *posed,
-                                           chosen[k].meshed,
-                                           {*kind.over_uvs->image, kind.over_uvs->sheet, **uvs,
-                                            net_of(*laid), surface_of(*laid, input.pieces, parts)}))
-                                     : bent(chosen[k].meshed);
-                    key.piece = meshed_piece;
-                    out.parts.push_back({.rest = rest, .key = key, .bounds = bounding_box(*rest)});
-                }
-            }
-        });
-    }
+    for (const auto& [member, parts] : input.members)
+        if (parts.size() == input.pieces.size()) // else a part is too far away
+            timed(input.timings, "tiles", [&, number = member, &of_member = parts] {
+                add_member(plan, number, of_member, out);
+            });
     return out;
 }
 

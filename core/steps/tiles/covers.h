@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/kept.h"
 #include "core/limit/chart_uvs.h"
 #include "core/stages/tiled_base.h"
 #include "core/steps/tiles/masking.h"
@@ -18,7 +19,7 @@ struct CoverInput {
     const TiledPieces& pieces;
     const FoundLimit& limit;
     const std::map<int, std::vector<Part>>& members; // of the base
-    const FoundMasks& masks;
+    const BaseMasks& masks;
     Timings& timings;
 };
 struct CoverParts {
@@ -38,42 +39,47 @@ public:
     CoverParts operator()(const CoverInput& input);
 
 private:
-    struct LayoutKey {
+    using Uvs = std::optional<ChartUvs>;
+    struct LayoutInput {
         TiledPieces pieces;
         Ref<LimitBase> limit; // null: over the faces
-        TilePattern pattern;
+        TileCover cover;      // pattern, size and tiles per face alone
         glm::dvec2 size;
-        int per_face;
-        bool operator==(const LayoutKey&) const = default;
+        bool operator==(const LayoutInput&) const = default;
     };
-    struct ModelKey {
-        Ref<Mesh> mesh;
-        glm::dmat4 to_unit;
-        std::uint32_t first_material;
-        bool operator==(const ModelKey&) const = default;
+    struct UvsInput {
+        TiledPieces pieces;
+        Ref<CoverLayout> layout;
+        bool operator==(const UvsInput&) const = default;
+    };
+    struct MaskInput {
+        Ref<CoverLayout> layout;
+        BaseMasks masks;
+        bool operator==(const MaskInput&) const = default;
     };
     struct CoverModel {
         Ref<Mesh> mesh; // with the materials of the layer
         Ref<TileModel> tile;
     };
-    struct MaskKey {
-        Ref<CoverLayout> layout;
-        Ref<TileMasks> masks;
-        Ref<TileBase> textured;
-        bool operator==(const MaskKey&) const = default;
-    };
     struct CoverMasks {
         std::vector<MaskFactors> tiles; // #tiles; empty: 1
         std::vector<double> heights;    // factors of the nodes; empty: 1
     };
+    struct Plan;
+    struct Standing;
+    static Plan cells_of(const CoverInput& input);
+    static std::vector<std::size_t> choose_kinds(Plan& plan);
+    static Standing standing(const Plan& plan, const std::vector<Part>& parts);
     Ref<CoverLayout> layout(const CoverInput& input, const glm::dvec2& size);
+    void find_uvs(Plan& plan, std::vector<std::string>& notices);
     Ref<CoverMasks> masks(const CoverInput& input, const Ref<CoverLayout>& layout);
+    void add_member(const Plan& plan, int member, const std::vector<Part>& parts, CoverParts& out);
+    void add_kind(const Plan& plan, Standing& there, std::size_t kind, int member, CoverParts& out);
 
-    using Uvs = std::optional<ChartUvs>;
-    Recent<LayoutKey, Ref<CoverLayout>> layouts_;
-    Recent<Ref<CoverLayout>, Ref<Uvs>> uvs_;
-    Recent<MaskKey, Ref<CoverMasks>> masks_;
-    Recent<ModelKey, CoverModel> models_{64};
+    Kept<LayoutInput, Ref<CoverLayout>> layouts_;
+    Kept<UvsInput, Ref<Uvs>> uvs_;
+    Kept<MaskInput, Ref<CoverMasks>> masks_;
+    Kept<UnitTile, CoverModel> models_{64};
 };
 
 // The advice for the user where tiles have too many vertices to be drawn.

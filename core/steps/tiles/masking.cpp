@@ -62,9 +62,19 @@ std::vector<std::vector<glm::dvec3>> lines_of(const EvaluatedObject& object)
     return out;
 }
 
+Ref<LineDistance> distance_to(const EvaluatedObject& curve, const glm::dmat4& to_model)
+{
+    LineDistance out;
+    for (std::vector<glm::dvec3>& line : lines_of(curve)) {
+        for (glm::dvec3& p : line) p = glm::dvec3(to_model * glm::dvec4(p, 1));
+        out.add(line);
+    }
+    return make_ref(std::move(out));
+}
+
 } // namespace
 
-std::vector<MaskFactors> FoundMasks::at(std::span<const SurfacePoint> places) const
+std::vector<MaskFactors> BaseMasks::at(std::span<const SurfacePoint> places) const
 {
     std::vector<std::optional<SurfacePlace>> textured_places(places.size());
     if (textured) textured_places = textured->locate(places, near_share * textured->diagonal());
@@ -78,19 +88,6 @@ std::vector<MaskFactors> FoundMasks::at(std::span<const SurfacePoint> places) co
         }
     });
     return out;
-}
-
-Ref<LineDistance> MasksOf::line(const Ref<EvaluatedObject>& curve, const glm::dmat4& to_world)
-{
-    return lines_({curve, to_world}, [&] {
-        const glm::dmat4 to_model = glm::inverse(to_world);
-        LineDistance out;
-        for (std::vector<glm::dvec3>& each : lines_of(*curve)) {
-            for (glm::dvec3& p : each) p = glm::dvec3(to_model * glm::dvec4(p, 1));
-            out.add(each);
-        }
-        return make_ref(std::move(out));
-    });
 }
 
 FoundMasks MasksOf::operator()(const TiledPieces& pieces, const StepInput& input)
@@ -126,8 +123,12 @@ FoundMasks MasksOf::operator()(const TiledPieces& pieces, const StepInput& input
                 continue;
             }
             const Object& base = object(input.document, tiling.base);
-            ready.curve = line(there->second,
-                               base.stroke ? glm::dmat4(1) : to_world(input.document, tiling.base));
+            ready.curve =
+                lines_({there->second,
+                        base.stroke ? glm::dmat4(1) : to_world(input.document, tiling.base)},
+                       [](const LineInput& in) {
+                           return distance_to(*in.curve, glm::inverse(in.to_world));
+                       });
             if (ready.curve->empty()) {
                 tell(fmt::format("{} has no curve and lies on no stroke",
                                  object(input.document, mask.curve).name));
@@ -138,36 +139,37 @@ FoundMasks MasksOf::operator()(const TiledPieces& pieces, const StepInput& input
     }
     if (all.all.empty()) return found;
     all.box = box_of(pieces);
-    found.masks = masks_(all, [&] { return make_ref(all); });
-    if (found.masks->read_uvs()) {
+    found.on_base.masks = masks_(all, [](const TileMasks& in) { return make_ref(in); });
+    if (found.on_base.masks->read_uvs()) {
         std::vector<TileBase::Piece> meshes;
         for (const TiledPiece& piece : pieces)
             meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
-        found.textured =
-            textured_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
+        found.on_base.textured = textured_(meshes, [](const std::vector<TileBase::Piece>& in) {
+            return std::make_shared<const TileBase>(in);
+        });
     }
     return found;
 }
 
 MasksOf::MaskedLayout MasksOf::masked(const Ref<TileBase>& base, const Ref<TileLayout>& layout,
-                                      const FoundMasks& masks)
+                                      const BaseMasks& masks)
 {
     if (!masks.masks) return {layout, nullptr};
-    return layouts_({layout, masks.masks, masks.textured}, [&]() -> MaskedLayout {
+    return layouts_({base, layout, masks}, [](const LayoutInput& in) -> MaskedLayout {
         std::vector<SurfacePoint> places;
-        for (const Tile& tile : layout->tiles)
-            places.push_back({base->position(tile.at), base->normal(tile.at)});
-        MaskedLayout out{layout, make_ref(masks.at(places))};
-        if (layout->strands.cells.empty() && !masks.drive(MaskDrives::scale)) return out;
-        TileLayout sized = *layout;
-        std::vector<Tile> tiles = layout->tiles.all();
+        for (const Tile& tile : in.layout->tiles)
+            places.push_back({in.base->position(tile.at), in.base->normal(tile.at)});
+        MaskedLayout out{in.layout, make_ref(in.masks.at(places))};
+        if (in.layout->strands.cells.empty() && !in.masks.drive(MaskDrives::scale)) return out;
+        TileLayout sized = *in.layout;
+        std::vector<Tile> tiles = in.layout->tiles.all();
         for (std::size_t i = 0; i < tiles.size(); ++i)
             tiles[i].size *= std::max((*out.factors)[i].scale, least_scale);
         sized.tiles = Runs<Tile>::cut(tiles);
         places.clear();
-        for (const StrandStation& each : layout->strands.stations)
-            places.push_back({base->position(each.at), base->normal(each.at)});
-        mask_strands(sized.strands, masks.at(places));
+        for (const StrandStation& each : in.layout->strands.stations)
+            places.push_back({in.base->position(each.at), in.base->normal(each.at)});
+        mask_strands(sized.strands, in.masks.at(places));
         out.layout = make_ref(std::move(sized));
         return out;
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/recent.h"
+#include "core/base/kept.h"
 #include "core/stages/step.h"
 #include "core/stages/tiled_base.h"
 #include "core/tiles/layout.h"
@@ -9,18 +9,22 @@
 
 namespace trivar {
 
-// FoundMasks are the masks of a layer with all that they read at a frame.
-struct FoundMasks {
+// BaseMasks are the masks of a layer with what they read of its base.
+struct BaseMasks {
     Ref<TileMasks> masks;   // null: there are none that do anything
     Ref<TileBase> textured; // the meshes of the base with their texture coordinates; null: not read
-    // Sentences on what is missing for its masks: an image, a curve that was deleted.
-    std::vector<std::string> notices, lacks;
-    bool operator==(const FoundMasks&) const = default;
+    bool operator==(const BaseMasks&) const = default;
 
     bool drive(MaskDrives what) const { return masks && masks->drive(what); }
     // The factors at places of the base at rest, in the space of its model. In parallel; two rays
     // each where texture coordinates are read.
     std::vector<MaskFactors> at(std::span<const SurfacePoint> places) const;
+};
+struct FoundMasks {
+    BaseMasks on_base;
+    // Sentences on what is missing for its masks: an image, a curve that was deleted.
+    std::vector<std::string> notices, lacks;
+    bool operator==(const FoundMasks&) const = default;
 };
 
 // A MasksOf finds the masks of a layer; it keeps the last few. Images are read once. A curve is
@@ -35,26 +39,24 @@ public:
         Ref<std::vector<MaskFactors>> factors; // #tiles; null: all are 1
     };
     MaskedLayout masked(const Ref<TileBase>& base, const Ref<TileLayout>& layout,
-                        const FoundMasks& masks);
+                        const BaseMasks& masks);
 
 private:
-    struct LineKey {
+    struct LineInput {
         Ref<EvaluatedObject> curve;
         glm::dmat4 to_world; // of the base
-        bool operator==(const LineKey&) const = default;
+        bool operator==(const LineInput&) const = default;
     };
-    struct LayoutKey {
+    struct LayoutInput {
+        Ref<TileBase> base;
         Ref<TileLayout> layout;
-        Ref<TileMasks> masks;
-        Ref<TileBase> textured;
-        bool operator==(const LayoutKey&) const = default;
+        BaseMasks masks;
+        bool operator==(const LayoutInput&) const = default;
     };
-    Ref<LineDistance> line(const Ref<EvaluatedObject>& curve, const glm::dmat4& to_world);
-
-    Recent<LineKey, Ref<LineDistance>> lines_{16};
-    Recent<TileMasks, Ref<TileMasks>> masks_;
-    Recent<std::vector<TileBase::Piece>, Ref<TileBase>> textured_;
-    Recent<LayoutKey, MaskedLayout> layouts_;
+    Kept<LineInput, Ref<LineDistance>> lines_{16};
+    Kept<TileMasks, Ref<TileMasks>> masks_;
+    Kept<std::vector<TileBase::Piece>, Ref<TileBase>> textured_;
+    Kept<LayoutInput, MaskedLayout> layouts_;
 };
 
 } // namespace trivar

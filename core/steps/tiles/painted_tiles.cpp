@@ -48,7 +48,7 @@ bool stands_alike(const Tile& a, const Tile& b)
 
 std::size_t LaidKinds::kind(std::size_t i, const Tile& tile) const
 {
-    return kinds.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph, tile.mirrored);
+    return choice.of(tile.seed, factors ? (*factors)[i].morph : 1, tile.morph, tile.mirrored);
 }
 
 bool LaidKinds::has(std::size_t i, const Tile& tile) const
@@ -60,33 +60,38 @@ bool LaidKinds::has(std::size_t i, const Tile& tile) const
 Ref<TileCharts> PaintedTiles::charts(const FoundLimit& limit, const Ref<TileBase>& base,
                                      const Ref<TileLayout>& layout, const TileLook& look)
 {
-    return charts_({layout, look.turn_deg, look.scale}, [&] {
-        const ChartFrom from{base, look.turn_deg, look.scale};
-        // Runs that changed have most of their tiles in common with those that stood there.
-        const std::vector<Ref<ChartRun>> before =
-            chart_runs_.values(from) ? *chart_runs_.values(from) : std::vector<Ref<ChartRun>>();
-        const std::vector<Runs<Tile>::Run>& runs = layout->tiles.runs();
-        const auto made = [&](std::size_t r) {
-            ChartRun out;
-            (limit.base ? out.smooth.resize(runs[r]->size()) : out.flat.resize(runs[r]->size()));
-            const std::size_t known = r < before.size() ? charted_.runs()[r]->size() : 0;
-            for (std::size_t i = 0; i < runs[r]->size(); ++i) {
-                const Tile& tile = (*runs[r])[i];
-                const bool stays = i < known && stands_alike(tile, (*charted_.runs()[r])[i]);
-                if (limit.base)
-                    out.smooth[i] =
-                        stays ? before[r]->smooth[i]
-                              : limit_chart_of(*limit.base, tile, look.turn_deg, look.scale);
-                else
-                    out.flat[i] = stays ? before[r]->flat[i]
-                                        : chart_of(*base, tile, look.turn_deg, look.scale);
-            }
-            return make_ref(std::move(out));
-        };
-        Ref<TileCharts> out = make_ref(chart_runs_(from, runs, made));
-        charted_ = layout->tiles;
-        return out;
-    });
+    return charts_(
+        {{base, limit.base, look.turn_deg, look.scale}, layout},
+        [](const ChartInput& in, PaintedTiles& tiles) { return tiles.made_charts(in); }, *this);
+}
+
+Ref<TileCharts> PaintedTiles::made_charts(const ChartInput& input)
+{
+    const ChartFrom& from = input.from;
+    const std::vector<Runs<Tile>::Run>& runs = input.layout->tiles.runs();
+    // Runs that changed have most of their tiles in common with those that stood there.
+    const std::vector<Ref<ChartRun>> before =
+        chart_runs_.values(from) ? *chart_runs_.values(from) : std::vector<Ref<ChartRun>>();
+    const auto made = [&](std::size_t r) {
+        ChartRun out;
+        (from.limit ? out.smooth.resize(runs[r]->size()) : out.flat.resize(runs[r]->size()));
+        const std::size_t known = r < before.size() ? charted_.runs()[r]->size() : 0;
+        for (std::size_t i = 0; i < runs[r]->size(); ++i) {
+            const Tile& tile = (*runs[r])[i];
+            const bool stays = i < known && stands_alike(tile, (*charted_.runs()[r])[i]);
+            if (from.limit)
+                out.smooth[i] = stays
+                                    ? before[r]->smooth[i]
+                                    : limit_chart_of(*from.limit, tile, from.turn_deg, from.scale);
+            else
+                out.flat[i] = stays ? before[r]->flat[i]
+                                    : chart_of(*from.base, tile, from.turn_deg, from.scale);
+        }
+        return make_ref(std::move(out));
+    };
+    Ref<TileCharts> out = make_ref(chart_runs_(from, runs, made));
+    charted_ = input.layout->tiles;
+    return out;
 }
 
 StandingTile PaintedTiles::standing_tile(const Member& member, const PaintedInput& input,
@@ -129,7 +134,7 @@ PaintedTiles::StandingRun PaintedTiles::standing_run(const Member& member,
         const StandingTile& tile = out.emplace_back(standing_tile(member, input, run, i));
         if (!input.look.guard || tile.fate != StandingTile::Fate::there) continue;
         const std::size_t number = input.layout->tiles.begin_of(run) + i;
-        const double reach = input.laid.cells[input.laid.kind(number, laid[i])].reach;
+        const double reach = input.cells[input.laid.kind(number, laid[i])].reach;
         guarded.push_back(i);
         bounded.push_back(reach > 1 ? middle_of(tile.patch, reach) : tile.patch);
     }
@@ -144,7 +149,7 @@ Ref<PaintedTiles::PlacedRun> PaintedTiles::placed_run(const PaintedInput& input,
 {
     const TileLook& look = input.look;
     PlacedRun out;
-    std::vector<std::vector<PlacedTile>> of_kinds(input.laid.cells.size());
+    std::vector<std::vector<PlacedTile>> of_kinds(input.cells.size());
     for (std::size_t i = 0; i < standing.size(); ++i) {
         const StandingTile& there = standing[i];
         out.counts.at_borders += there.fate == StandingTile::Fate::at_border;
@@ -153,7 +158,7 @@ Ref<PaintedTiles::PlacedRun> PaintedTiles::placed_run(const PaintedInput& input,
         const Tile& laid = (*input.layout->tiles.runs()[run])[i];
         const std::size_t number = input.layout->tiles.begin_of(run) + i,
                           kind = input.laid.kind(number, laid);
-        const TileCell& cell = input.laid.cells[kind];
+        const TileCell& cell = input.cells[kind];
         const double masked = input.laid.factors ? (*input.laid.factors)[number].height : 1;
         const TileMotion motion =
             motion_of(look, *input.layout, laid, input.base->position(laid.at));
@@ -191,25 +196,23 @@ Ref<PaintedTiles::PlacedRun> PaintedTiles::placed_run(const PaintedInput& input,
     return make_ref(std::move(out));
 }
 
-PaintedTiles::Kinds PaintedTiles::kinds_of(const TileKinds& kinds)
-{
-    return {kinds.objects, kinds.weights, kinds.morphs};
-}
-
 PaintedTiles::Placed PaintedTiles::operator()(const PaintedInput& input)
 {
     const TileLook& look = input.look;
-    const LaidKinds& laid = input.laid;
-    StandingFrom from{
-        input.shown,  input.base,           input.left_out,
-        laid.factors, kinds_of(laid.kinds), {},
-        look.growth,  look.growth_softness, look.growth < 1 ? input.layout->duration_s : 0,
-        look.guard};
-    for (const TileCell& cell : laid.cells) from.reaches.push_back(cell.reach);
-    const PlacedFrom placed_from{input.base, look, from.kinds, laid.cells, laid.factors};
+    StandingFrom from{input.shown,
+                      input.base,
+                      input.left_out,
+                      input.laid,
+                      {},
+                      look.growth,
+                      look.growth_softness,
+                      look.growth < 1 ? input.layout->duration_s : 0,
+                      look.guard};
+    for (const TileCell& cell : input.cells) from.reaches.push_back(cell.reach);
+    const PlacedFrom placed_from{input.base, look, input.laid, input.cells};
 
     Placed out;
-    out.of_kinds.resize(laid.cells.size());
+    out.of_kinds.resize(input.cells.size());
     out.limits.assign(input.strokes + 1, std::numeric_limits<double>::infinity());
     std::erase_if(members_, [&](const auto& m) { return !input.members.contains(m.first); });
     for (const auto& [number, parts] : input.members) {

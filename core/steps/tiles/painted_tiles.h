@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/kept.h"
 #include "core/stages/tiled_base.h"
 #include "core/steps/tiles/per_run.h"
 #include "core/steps/tiles/tile_kinds.h"
@@ -34,9 +35,9 @@ struct StandingTile {
 
 // LaidKinds say what kind each tile of a layout is of, and what masks make of it.
 struct LaidKinds {
-    const TileKinds& kinds;
-    std::vector<TileCell> cells;           // of each kind
+    KindChoice choice;
     Ref<std::vector<MaskFactors>> factors; // of each tile; null: 1
+    bool operator==(const LaidKinds&) const = default;
     std::size_t kind(std::size_t i, const Tile& tile) const;
     bool has(std::size_t i, const Tile& tile) const; // whether masks leave tile i there
 };
@@ -51,6 +52,7 @@ struct PaintedInput {
     const Ref<TileCharts>& charts;
     const TileLook& look;
     const LaidKinds& laid;
+    const std::vector<TileCell>& cells;     // of each kind
     const Ref<std::vector<char>>& left_out; // of each tile, whether it overlaps; null: none is
     std::size_t strokes;                    // number of them
 };
@@ -72,27 +74,22 @@ public:
     Placed operator()(const PaintedInput& input);
 
 private:
-    struct ChartKey {
-        Ref<TileLayout> layout;
-        double turn_deg, scale;
-        bool operator==(const ChartKey&) const = default;
-    };
     struct ChartFrom {
         Ref<TileBase> base;
+        Ref<LimitBase> limit; // null: the charts lie on the triangles of the base
         double turn_deg, scale;
         bool operator==(const ChartFrom&) const = default;
     };
-    struct Kinds { // by what tiles know their kind
-        std::vector<TileKinds::Mixed> objects;
-        std::vector<double> weights, morphs;
-        bool operator==(const Kinds&) const = default;
+    struct ChartInput {
+        ChartFrom from;
+        Ref<TileLayout> layout;
+        bool operator==(const ChartInput&) const = default;
     };
     struct StandingFrom {
         Ref<EvaluatedObject> shown;
         Ref<TileBase> base;
         Ref<std::vector<char>> left_out;
-        Ref<std::vector<MaskFactors>> factors;
-        Kinds kinds;
+        LaidKinds laid;
         std::vector<double> reaches; // of the kinds
         double growth, growth_softness, duration_s;
         bool guard;
@@ -101,9 +98,8 @@ private:
     struct PlacedFrom {
         Ref<TileBase> base;
         TileLook look;
-        Kinds kinds;
+        LaidKinds laid;
         std::vector<TileCell> cells;
-        Ref<std::vector<MaskFactors>> factors;
         bool operator==(const PlacedFrom&) const = default;
     };
     using StandingRun = Ref<std::vector<StandingTile>>;
@@ -121,7 +117,7 @@ private:
         PerRun<StandingFrom, StandingRun> standing;
         PerRun<PlacedFrom, Ref<PlacedRun>> placed;
     };
-    static Kinds kinds_of(const TileKinds& kinds);
+    Ref<TileCharts> made_charts(const ChartInput& input);
     static StandingTile standing_tile(const Member& member, const PaintedInput& input,
                                       std::size_t run, std::size_t i);
     static StandingRun standing_run(const Member& member, const PaintedInput& input,
@@ -129,7 +125,7 @@ private:
     static Ref<PlacedRun> placed_run(const PaintedInput& input, std::size_t run,
                                      const std::vector<StandingTile>& standing);
 
-    Recent<ChartKey, Ref<TileCharts>> charts_;
+    Kept<ChartInput, Ref<TileCharts>> charts_;
     PerRun<ChartFrom, Ref<ChartRun>> chart_runs_;
     Runs<Tile> charted_; // the last ones
     std::map<int, Member> members_;

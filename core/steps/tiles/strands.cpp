@@ -255,7 +255,7 @@ TilesOfKinds tiles_of_strands(const StrandInput& input, const std::vector<Statio
         to.counts.lowered += guarded.lowered[c];
         double& of_limit = to.of_limit[static_cast<std::size_t>(cell.stroke)];
         of_limit = std::max(of_limit, guarded.of_limit[c]);
-        const std::size_t kind = input.kinds.of(cell.seed, cell.morph_factor, cell.morph);
+        const std::size_t kind = input.kinds.choice.of(cell.seed, cell.morph_factor, cell.morph);
         const std::vector<StrandPlace>& of_kind = places.of[kind];
         const std::size_t which = static_cast<std::size_t>(cell.number & 1) % of_kind.size();
         PlacedTile tile{strand_patch(layout, c, now.nodes, guarded.heights, mirrored[c] != 0)};
@@ -313,13 +313,13 @@ std::vector<StrandPlace> strand_places(const TileKind& kind, const TileLook& of_
 
 Ref<Strands::Charts> Strands::charts(const StrandInput& input, double width)
 {
-    return charts_({input.base, input.layout, width}, [&] {
-        const std::vector<StrandStation>& stations = input.layout->strands.stations;
+    return charts_({input.base, input.limit.base, input.layout, width}, [](const ChartInput& in) {
+        const std::vector<StrandStation>& stations = in.layout->strands.stations;
         Charts out(stations.size());
         parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                out[i] = station_chart(*input.base, input.limit.base.get(), stations[i],
-                                       width * stations[i].width);
+                out[i] = station_chart(*in.base, in.limit.get(), stations[i],
+                                       in.width * stations[i].width);
         });
         return make_ref(std::move(out));
     });
@@ -327,12 +327,12 @@ Ref<Strands::Charts> Strands::charts(const StrandInput& input, double width)
 
 Strands::Model Strands::model(const TileKind& kind, const Part& part, const glm::dmat4& unit)
 {
-    const ModelKey key{part.mesh(), unit * kind.turned * part.to_world, kind.first_material};
-    return models_(key, [&]() -> Model {
-        StrandTile tile = strand_tile(
-            with_materials_from(in_unit_cell(*key.mesh, key.to_unit), key.first_material));
-        return {tile_model(std::move(tile.mesh), !part.posed), tile.unmatched};
-    });
+    return models_(
+        unit_tile(kind, part, unit * kind.turned * part.to_world), [](const UnitTile& in) -> Model {
+            StrandTile tile = strand_tile(
+                with_materials_from(in_unit_cell(*in.mesh, in.to_unit), in.first_material));
+            return {tile_model(std::move(tile.mesh), !in.moves), tile.unmatched};
+        });
 }
 
 StrandParts Strands::operator()(const StrandInput& input)
@@ -351,7 +351,7 @@ StrandParts Strands::operator()(const StrandInput& input)
     std::vector<std::size_t> counts(places.of.size(), 0);
     for (const StrandCell& cell : layout.cells)
         if (!cell.gone)
-            counts[input.kinds.of(cell.seed, cell.morph_factor, cell.morph)] +=
+            counts[input.kinds.choice.of(cell.seed, cell.morph_factor, cell.morph)] +=
                 input.members.size();
     out.of_limit.assign(input.tiling.strokes.size(), 0);
     if (std::string words = too_many_words(input.kinds.all, counts); !words.empty()) {

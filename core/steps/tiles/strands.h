@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/kept.h"
 #include "core/stages/tiled_base.h"
 #include "core/steps/tiles/tile_kinds.h"
 #include "core/tiles/layout.h"
@@ -38,17 +39,12 @@ public:
 
 private:
     using Charts = std::vector<StationChart>;
-    struct ChartKey {
+    struct ChartInput {
         Ref<TileBase> base;
+        Ref<LimitBase> limit; // null: the charts lie on the triangles of the base
         Ref<TileLayout> layout;
         double width;
-        bool operator==(const ChartKey&) const = default;
-    };
-    struct ModelKey {
-        Ref<Mesh> mesh;
-        glm::dmat4 to_unit;
-        std::uint32_t first_material;
-        bool operator==(const ModelKey&) const = default;
+        bool operator==(const ChartInput&) const = default;
     };
     struct Model {
         Ref<TileModel> tile;
@@ -58,8 +54,8 @@ private:
     // The tile of one of the kind's parts; `unit` takes the kind to the unit cell.
     Model model(const TileKind& kind, const Part& part, const glm::dmat4& unit);
 
-    Recent<ChartKey, Ref<Charts>> charts_;
-    Recent<ModelKey, Model> models_{64};
+    Kept<ChartInput, Ref<Charts>> charts_;
+    Kept<UnitTile, Model> models_{64};
 };
 
 // A StrandPlace is how an object becomes the tile of strands: `turn` about the strand, then a unit

@@ -141,8 +141,9 @@ TextureLayout layout_on(const TiledPieces& pieces, const TileBase& base, bool li
 Ref<TextureLayout> TextureTiles::operator()(const TiledPieces& pieces, const Ref<TileBase>& base,
                                             bool limit, const TileCover& cover)
 {
-    return known_({pieces, base, cover},
-                  [&] { return make_ref(layout_on(pieces, *base, limit, cover)); });
+    return known_({pieces, base, limit, cover}, [](const Input& in) {
+        return make_ref(layout_on(in.pieces, *in.base, in.limit, in.cover));
+    });
 }
 
 TileLayout joined(const TileLayout& painted, const TextureLayout& by_texture)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/kept.h"
 #include "core/stages/tiled_base.h"
 #include "core/tiles/layout.h"
 #include "core/tiles/tile_cover.h"
@@ -24,13 +25,14 @@ public:
                                   const TileCover& cover);
 
 private:
-    struct Key {
+    struct Input {
         TiledPieces pieces;
         Ref<TileBase> base;
+        bool limit;
         TileCover cover;
-        bool operator==(const Key&) const = default;
+        bool operator==(const Input&) const = default;
     };
-    Recent<Key, Ref<TextureLayout>> known_;
+    Kept<Input, Ref<TextureLayout>> known_;
 };
 
 // The tiles that strokes have laid, and behind them the others.

@@ -70,8 +70,8 @@ std::optional<TileKind::OverUvs> over_uvs(const HeightShape& shape, const StepIn
 
 } // namespace
 
-std::size_t TileKinds::of(std::uint32_t seed, double masked_morph, double painted_morph,
-                          bool mirrored) const
+std::size_t KindChoice::of(std::uint32_t seed, double masked_morph, double painted_morph,
+                           bool mirrored) const
 {
     const Mixed& object = objects[kind_of(seed, weights)];
     const auto phases = static_cast<double>(object.phases);
@@ -111,6 +111,11 @@ std::vector<double> painted_morphs(const TileLayout& layout, int phases)
     for (const Tile& tile : layout.tiles) add(tile.morph);
     for (const StrandCell& cell : layout.strands.cells) add(cell.morph);
     return {out.begin(), out.end()};
+}
+
+UnitTile unit_tile(const TileKind& kind, const Part& part, const glm::dmat4& to_unit)
+{
+    return {part.mesh(), to_unit, kind.first_material, part.posed != nullptr};
 }
 
 Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned)
@@ -177,9 +182,9 @@ TileCell tile_cell(const TileKind& kind, const TileLook& look)
 
 Ref<std::vector<Material>> materials_of_others(const TileKinds& kinds)
 {
-    if (kinds.objects.size() < 2) return nullptr;
+    if (kinds.choice.objects.size() < 2) return nullptr;
     std::vector<Material> all;
-    for (const TileKinds::Mixed& each : kinds.objects)
+    for (const KindChoice::Mixed& each : kinds.choice.objects)
         if (const Ref<std::vector<Material>>& own = kinds.all[each.first].materials)
             all.insert(all.end(), own->begin(), own->end());
     return make_ref(std::move(all));
@@ -214,13 +219,14 @@ void TileKindsOf::move_on(TileKind& kind, const Morph& morph, double share, cons
         Part& part = kind.parts[i];
         const glm::dmat4 way = glm::inverse(kind.turned * part.to_world) * to_own * morph.turned *
                                morph.into[i].to_world;
-        const MorphKey key{part.mesh(), morph.into[i].mesh(), way, share};
-        part.posed = morphs_(key, [&] {
-            return make_ref(PosedMesh{
-                part.rest.ref(), {}, Lazy<Ref<Mesh>>([key] {
-                    return make_ref(morphed(*key.from, transformed(*key.into, key.way), key.share));
-                })});
-        });
+        part.posed = morphs_(
+            {part.rest.ref(), part.mesh(), morph.into[i].mesh(), way, share},
+            [](const MorphInput& in) {
+                return make_ref(PosedMesh{
+                    in.rest, {}, Lazy<Ref<Mesh>>([in] {
+                        return make_ref(morphed(*in.from, transformed(*in.into, in.way), in.share));
+                    })});
+            });
     }
 }
 
@@ -272,13 +278,14 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
 {
     const Tiling& tiling = *input.object.tiles;
     TileKinds kinds;
-    kinds.morphs = painted;
+    KindChoice& choice = kinds.choice;
+    choice.morphs = painted;
     auto materials = static_cast<std::uint32_t>(layer.shape->materials->size());
     int meshes = 0;
     const auto add = [&](std::vector<TileKind> phases, double weight,
                          const Ref<std::vector<Material>>& own, std::size_t morphs) {
-        kinds.objects.push_back({kinds.all.size(), phases.size() / morphs, morphs});
-        kinds.weights.push_back(weight);
+        choice.objects.push_back({kinds.all.size(), phases.size() / morphs, morphs});
+        choice.weights.push_back(weight);
         for (TileKind& kind : phases) {
             if (own) {
                 kind.materials = own;
@@ -294,7 +301,7 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
     const Morph morph = morph_of_layer(layer, input, kinds.trouble);
     add(phases_of(input.id, layer, morph, painted, input), tiling.weight, nullptr,
         morph.into.empty() ? 1 : painted.size());
-    kinds.objects.front().masked = !morph.into.empty() && morph_is_masked(tiling);
+    choice.objects.front().masked = !morph.into.empty() && morph_is_masked(tiling);
     for (const MixedTile& each : tiling.others) {
         const auto found = input.done.find(each.object);
         if (found == input.done.end() || found->second->parts.empty() ||
@@ -304,9 +311,9 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
             found->second->materials, 1);
     }
     if (!mirrored) return kinds;
-    kinds.images = kinds.all.size();
+    choice.images = kinds.all.size();
     const int own_meshes = meshes;
-    for (std::size_t k = 0; k < kinds.images; ++k) {
+    for (std::size_t k = 0; k < choice.images; ++k) {
         TileKind image = kinds.all[k];
         image.mirrored = true;
         image.turned = glm::scale(glm::dmat4(1), glm::dvec3(1, -1, 1)) * image.turned;
@@ -318,12 +325,14 @@ TileKinds TileKindsOf::operator()(const Stage& layer, const StepInput& input,
 
 Ref<TileModel> TileKindsOf::model(const TileKind& kind, const Part& part, const TileCell& cell)
 {
-    const ModelKey key{part.mesh(), kind.turned * part.to_world, cell, kind.first_material};
-    return models_(key, [&] {
-        return tile_model(
-            with_materials_from(in_unit_cell(*key.mesh, key.to_model, cell), key.first_material),
-            !part.posed);
-    });
+    return models_({part.mesh(), kind.turned * part.to_world, cell, kind.first_material,
+                    part.posed != nullptr},
+                   [](const ModelInput& in) {
+                       return tile_model(
+                           with_materials_from(in_unit_cell(*in.mesh, in.to_model, in.cell),
+                                               in.first_material),
+                           !in.moves);
+                   });
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/kept.h"
 #include "core/mesh/height_sheet.h"
 #include "core/patches/tile_set.h"
 #include "core/stages/step.h"
@@ -30,34 +31,51 @@ struct TileKind {
     bool operator==(const TileKind&) const = default;
 };
 
-// TileKinds are all kinds of a layer: those of each object behind one another, and where tiles are
-// mirrored the mirror image of each, in the same order.
-struct TileKinds {
+// A KindChoice chooses the kind of each tile of a layer among TileKinds::all.
+struct KindChoice {
     struct Mixed { // one of the objects
         std::size_t first = 0, phases = 1;
         std::size_t morphs = 1; // number of painted morphs in each phase
         bool masked = false;    // a mask chooses the phase, from not yet morphed to altogether
         bool operator==(const Mixed&) const = default;
     };
-    std::vector<TileKind> all;
     std::vector<Mixed> objects;
     std::vector<double> weights; // #objects
-    std::string trouble;         // why tiles do not become what they should; empty: they do
+    std::vector<double> morphs;  // those that were painted, ascending; 0 is among them
     std::size_t images = 0;      // number of the first mirror image; 0: there are none
-    bool operator==(const TileKinds&) const = default;
+    bool operator==(const KindChoice&) const = default;
 
     // The kind of a tile: its seed chooses the object and the phase; where a mask says how far it
     // has morphed, that chooses the phase.
     std::size_t of(std::uint32_t seed, double masked_morph = 1, double painted_morph = 0,
                    bool mirrored = false) const;
+};
+
+// TileKinds are all kinds of a layer: those of each object behind one another, and where tiles are
+// mirrored the mirror image of each, in the same order.
+struct TileKinds {
+    std::vector<TileKind> all;
+    KindChoice choice;
+    std::string trouble; // why tiles do not become what they should; empty: they do
+    bool operator==(const TileKinds&) const = default;
+
     // Returns the object that the parts of a layer copy, by the number of their mesh.
     std::vector<Id> objects_of_meshes() const;
-    std::vector<double> morphs; // those that were painted, ascending; 0 is among them
 };
 
 // The morphs that brushes have given to the tiles of a layout and of its strands, in few steps,
 // ascending; 0 is among them. `phases` is the number of phases that each is multiplied with.
 std::vector<double> painted_morphs(const TileLayout& layout, int phases);
+
+// A UnitTile is a part of a kind on its way into the unit cell of a tile.
+struct UnitTile {
+    Ref<Mesh> mesh;
+    glm::dmat4 to_unit;
+    std::uint32_t first_material;
+    bool moves; // and has no levels then
+    bool operator==(const UnitTile&) const = default;
+};
+UnitTile unit_tile(const TileKind& kind, const Part& part, const glm::dmat4& to_unit);
 
 // Bounds an object's parts at rest, turned. O(#V).
 Box box_at_rest(const std::vector<Part>& parts, const glm::dmat4& turned);
@@ -97,22 +115,23 @@ private:
     // Poses parts as far on their way to what they become as the share says.
     void move_on(TileKind& kind, const Morph& morph, double share, const TileLook& look);
 
-    struct MorphKey {
-        Ref<Mesh> from, into;
+    struct MorphInput {
+        Ref<Mesh> rest, from, into;
         glm::dmat4 way; // from what they become
         double share;
-        bool operator==(const MorphKey&) const = default;
+        bool operator==(const MorphInput&) const = default;
     };
-    struct ModelKey {
+    struct ModelInput {
         Ref<Mesh> mesh;
         glm::dmat4 to_model;
         TileCell cell;
         std::uint32_t first_material;
-        bool operator==(const ModelKey&) const = default;
+        bool moves;
+        bool operator==(const ModelInput&) const = default;
     };
     std::map<Id, Posing> posings_;
-    Recent<MorphKey, Ref<PosedMesh>> morphs_;
-    Recent<ModelKey, Ref<TileModel>> models_{64};
+    Kept<MorphInput, Ref<PosedMesh>> morphs_;
+    Kept<ModelInput, Ref<TileModel>> models_{64};
 };
 
 } // namespace trivar

@@ -72,28 +72,6 @@ void tell(Stage& stage, const TileLayout& layout, const TileCounts& told)
             with_commas(most_tiles)));
 }
 
-struct OutlinesBy {
-    double turn_deg, scale;
-    const std::vector<glm::dvec2>& halves; // of the kinds
-};
-
-// The outlines of the tiles of a layout from one on.
-std::vector<TileOutline> outlines_of(const TileBase& base, const Runs<Tile>& tiles,
-                                     const LaidKinds& laid, const OutlinesBy& by, std::size_t from)
-{
-    std::vector<TileOutline> out(tiles.size() - from);
-    parallel_blocks(out.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const Tile& tile = tiles[from + k];
-            if (!std::isfinite(tile.size) || !laid.has(from + k, tile)) continue;
-            const glm::dvec3 n = base.normal(tile.at);
-            out[k] = {base.position(tile.at), turned_about(tile.x, n, glm::radians(by.turn_deg)), n,
-                      tile.size * by.scale * by.halves[laid.kind(from + k, tile)]};
-        }
-    });
-    return out;
-}
-
 // Returns the stage without its parts and curves.
 Stage cleared(const Stage& before)
 {
@@ -113,89 +91,199 @@ Ref<Stage> refused(const Ref<Stage>& before, const std::string& why)
 
 } // namespace
 
-TilingStep::Painted TilingStep::painted(const TiledPieces& pieces, const FoundLimit& limit,
-                                        const FoundMasks& masks, const StepInput& input)
+std::vector<TileOutline> TilingStep::Outlines::of(const Runs<Tile>& tiles, std::size_t from) const
 {
-    const Tiling& tiling = *input.object.tiles;
+    std::vector<TileOutline> out(tiles.size() - from);
+    parallel_blocks(out.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Tile& tile = tiles[from + k];
+            if (!std::isfinite(tile.size) || !laid.has(from + k, tile)) continue;
+            const glm::dvec3 n = base->normal(tile.at);
+            out[k] = {base->position(tile.at), turned_about(tile.x, n, glm::radians(turn_deg)), n,
+                      tile.size * scale * halves[laid.kind(from + k, tile)]};
+        }
+    });
+    return out;
+}
+
+Ref<TileLayout> TilingStep::slid(const Ref<TileBase>& base, const Ref<TileLayout>& layout,
+                                 const TileLook& look)
+{
+    if (look.slide_x == 0 && look.slide_y == 0 && look.slide_along == 0) return layout;
+    TileLook way;
+    way.turn_deg = look.turn_deg;
+    way.scale = look.scale;
+    way.slide_x = look.slide_x;
+    way.slide_y = look.slide_y;
+    way.slide_along = look.slide_along;
+    return slides_({base, layout, way}, [](const SlideInput& in) {
+        return make_ref(slid_layout(*in.base, *in.layout, in.way));
+    });
+}
+
+TilingStep::Painted TilingStep::painted(const ShownInput& shown, const StepInput& input)
+{
+    const Tiling& tiling = shown.tiling;
     const bool by_texture = tiling.cover.pattern == TilePattern::texture;
     if (tiling.strokes.empty() && !by_texture) return {};
-    Ref<TileBase> base(limit.base, limit.base ? &limit.base->triangles() : nullptr);
+    const Ref<LimitBase>& limit = shown.limit.base;
+    Ref<TileBase> base(limit, limit ? &limit->triangles() : nullptr);
     if (!base) {
         Pieces meshes;
-        for (const TiledPiece& piece : pieces)
+        for (const TiledPiece& piece : shown.pieces)
             meshes.push_back({input.ray_meshes(piece.mesh, input.timings), piece.to_model});
-        base = bases_(meshes, [&] { return std::make_shared<const TileBase>(meshes); });
+        base =
+            bases_(meshes, [](const Pieces& in) { return std::make_shared<const TileBase>(in); });
     }
-    const Lazy<TileCurvature> curvature = curvatures_(base, [&] {
-        return Lazy<TileCurvature>([base, smooth = limit.base] {
-            return smooth ? TileCurvature(smooth) : TileCurvature(*base);
-        });
+    const Lazy<TileCurvature> curvature = curvatures_({base, limit}, [](const Ground& in) {
+        return Lazy<TileCurvature>(
+            [in] { return in.limit ? TileCurvature(in.limit) : TileCurvature(*in.base); });
     });
-    Ref<TileLayout> whole = layouts_({base, tiling.strokes}, [&] {
-        return timed(input.timings, "tiles", [&] {
-            return make_ref(layouter_(base, tiling.strokes, input.progress, &curvature));
-        });
-    });
+    Ref<TileLayout> whole = layouts_(
+        {{base, limit}, tiling.strokes},
+        [](const LayoutInput& in, Layouter& layouter, const Lazy<TileCurvature>& curvature_there,
+           const Progress& progress, Timings& timings) {
+            return timed(timings, "tiles", [&] {
+                return make_ref(layouter(in.on.base, in.strokes, progress, &curvature_there));
+            });
+        },
+        layouter_, curvature, input.progress, input.timings);
     Ref<TextureLayout> others;
     if (by_texture) {
         others = timed(input.timings, "tiles", [&] {
-            return textures_(pieces, base, limit.base != nullptr, tiling.cover);
+            return textures_(shown.pieces, base, limit != nullptr, tiling.cover);
         });
-        whole = joined_({whole, others}, [&] { return make_ref(joined(*whole, *others)); });
+        whole = joined_({whole, others},
+                        [](const auto& in) { return make_ref(joined(*in.first, *in.second)); });
     }
-    const MasksOf::MaskedLayout masked =
-        timed(input.timings, "tiles", [&] { return masks_of_.masked(base, whole, masks); });
-    const Ref<TileLayout>& layout = masked.layout;
-    const TileLook& look = tiling.look;
-    const SlideKey key{base,         layout,       look.turn_deg,   look.scale,
-                       look.slide_x, look.slide_y, look.slide_along};
-    const Ref<TileLayout> slid =
-        look.slide_x == 0 && look.slide_y == 0 && look.slide_along == 0
-            ? layout
-            : slides_(key, [&] { return make_ref(slid_layout(*base, *layout, look)); });
-    const Ref<TileCharts> charts =
-        timed(input.timings, "tiles", [&] { return painted_.charts(limit, base, slid, look); });
-    return {base, slid, layout, charts, others, masked.factors};
-}
-
-TilingStep::OutlineKey TilingStep::outline_key(const Painted& strokes, const LaidKinds& laid,
-                                               const TileLook& look) const
-{
-    OutlineKey key{look.turn_deg, look.scale, strokes.factors, {}, laid.kinds.weights};
-    for (const TileKind& kind : laid.kinds.all) {
-        const glm::dvec3 size =
-            unit_cell_in(box_at_rest(kind.parts, kind.turned), look_of(kind, look)).size();
-        key.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
-    }
-    return key;
-}
-
-Ref<std::vector<char>> TilingStep::left_out(const Painted& strokes, const LaidKinds& laid,
-                                            const OutlineKey& key)
-{
-    return left_out_({strokes.layout, key}, [&] {
-        return make_ref(
-            overlapping_earlier(outlines_of(*strokes.base, strokes.layout->tiles, laid,
-                                            OutlinesBy{key.turn_deg, key.scale, key.halves}, 0)));
+    const MasksOf::MaskedLayout masked = timed(
+        input.timings, "tiles", [&] { return masks_of_.masked(base, whole, shown.masks.on_base); });
+    const Ref<TileLayout> there = slid(base, masked.layout, tiling.look);
+    const Ref<TileCharts> charts = timed(input.timings, "tiles", [&] {
+        return painted_.charts(shown.limit, base, there, tiling.look);
     });
+    return {base, there, masked.layout, charts, others, masked.factors};
 }
 
-std::size_t TilingStep::count_overlaps(const Painted& strokes, const LaidKinds& laid,
-                                       const OutlineKey& key)
+std::size_t TilingStep::count_overlaps(const Runs<Tile>& tiles, const Outlines& outlines)
 {
-    const Runs<Tile>& tiles = strokes.layout->tiles;
     std::size_t same = 0; // number of the first tiles that are as they were
-    if (counted_ && counted_->key == key) {
+    if (counted_ && counted_->outlines == outlines) {
         const auto end = std::ranges::mismatch(tiles.runs(), counted_->tiles.runs()).in1;
         same = tiles.begin_of(static_cast<std::size_t>(end - tiles.runs().begin()));
     }
-    const std::vector<TileOutline> others = outlines_of(
-        *strokes.base, tiles, laid, OutlinesBy{key.turn_deg, key.scale, key.halves}, same);
-    if (same == 0) counted_ = Counted{key, {}, OverlapCount(others)};
+    const std::vector<TileOutline> others = outlines.of(tiles, same);
+    if (same == 0) counted_ = Counted{outlines, {}, OverlapCount(others)};
     counted_->tiles = tiles;
     counted_->count.keep(same);
     counted_->count.add(others);
     return counted_->count.overlapping();
+}
+
+void TilingStep::add_sets(Stage& stage, const ShownInput& in, const std::vector<TileCell>& cells,
+                          std::vector<PlacedTiles> of_kinds, Timings& timings)
+{
+    std::vector<Ref<TileSet>> sets;
+    for (std::size_t k = 0; k < of_kinds.size(); ++k) {
+        if (of_kinds[k].empty()) continue;
+        const TileKind& kind = in.kinds.all[k];
+        const Ref<PlacedTiles> places = make_ref(std::move(of_kinds[k]));
+        for (const Part& part : kind.parts) {
+            if (part.rest->positions.empty()) continue;
+            const Ref<TileModel> model = kinds_of_.model(kind, part, cells[k]);
+            PartKey key = part.key;
+            key.mesh += kind.first_mesh;
+            const auto last = std::ranges::find(sets_, model, &TileSet::model);
+            sets.push_back(timed(timings, "tiles", [&] {
+                return tile_set(model, places, last != sets_.end() ? *last : nullptr);
+            }));
+            stage.parts.push_back(part_of(sets.back(), key));
+        }
+    }
+    sets_ = std::move(sets);
+}
+
+std::string TilingStep::add_painted(Stage& stage, const ShownInput& in, const Members& members,
+                                    TileCounts& told, Timings& timings)
+{
+    const Painted& strokes = in.strokes;
+    const TileLook& look = in.tiling.look;
+    Outlines outlines{
+        strokes.base, {in.kinds.choice, strokes.factors}, look.turn_deg, look.scale, {}};
+    std::vector<TileCell> cells;
+    for (const TileKind& kind : in.kinds.all) {
+        cells.push_back(tile_cell(kind, look));
+        const glm::dvec3 size =
+            unit_cell_in(box_at_rest(kind.parts, kind.turned), look_of(kind, look)).size();
+        outlines.halves.push_back(glm::dvec2(size) / (2 * std::max({size.x, size.y, 1e-9})));
+    }
+    stage.painted =
+        strokes.layout->tiles.size() - (strokes.by_texture ? strokes.by_texture->tiles.size() : 0);
+    Ref<std::vector<char>> left;
+    timed(timings, "tiles", [&] {
+        if (look.keep_overlaps)
+            stage.overlapping = count_overlaps(strokes.layout->tiles, outlines);
+        else
+            left = left_out_({strokes.layout, outlines}, [](const OverlapInput& of) {
+                return make_ref(overlapping_earlier(of.outlines.of(of.layout->tiles, 0)));
+            });
+    });
+    PaintedTiles::Placed placed = timed(timings, "tiles", [&] {
+        return painted_({in.pieces, in.limit, in.base, members, strokes.base, strokes.layout,
+                         strokes.charts, look, outlines.laid, cells, left,
+                         in.tiling.strokes.size()});
+    });
+    told = placed.counts;
+    stage.stroke_limits = std::move(placed.limits);
+    stage.height_limit = *std::ranges::min_element(stage.stroke_limits);
+    stage.stroke_limits.pop_back();
+    std::vector<std::size_t> counts;
+    for (const PlacedTiles& of_kind : placed.of_kinds) counts.push_back(of_kind.size());
+    std::string words = too_many_words(in.kinds.all, counts);
+    if (words.empty()) add_sets(stage, in, cells, std::move(placed.of_kinds), timings);
+    return words;
+}
+
+Ref<Stage> TilingStep::shown(const ShownInput& in, Timings& timings)
+{
+    const auto append = [](auto& to, const auto& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    const Painted& strokes = in.strokes;
+    const Tiling& tiling = in.tiling;
+    Stage stage = cleared(*in.before);
+    stage.own_to_world = glm::dmat4(1);
+    stage.mixed_materials = materials_of_others(in.kinds);
+    stage.tile_objects = in.kinds.objects_of_meshes();
+    const Members members = by_member(*in.base);
+    TileCounts told;
+    if (strokes.charts)
+        if (const std::string words = add_painted(stage, in, members, told, timings);
+            !words.empty())
+            return refused(in.before, words);
+    StrandParts strands;
+    if (strokes.layout)
+        strands = strands_({tiling, in.kinds, strokes.base, strokes.unslid, in.pieces, in.limit,
+                            members, timings});
+    for (std::size_t k = 0; k < strands.of_limit.size(); ++k)
+        lower_limit(stage, k, tiling.look.height, strands.of_limit[k]);
+    append(stage.parts, strands.parts);
+    told += strands.counts;
+    const CoverParts cover =
+        covers_({tiling, in.kinds, in.pieces, in.limit, members, in.masks.on_base, timings});
+    append(stage.parts, cover.parts);
+    told += cover.counts;
+    if (cover.of_limit > 0 && tiling.look.height > 0)
+        stage.height_limit = std::min(stage.height_limit, tiling.look.height / cover.of_limit);
+    if (!in.kinds.trouble.empty()) stage.notices.push_back(in.kinds.trouble);
+    if (strokes.by_texture) append(stage.notices, strokes.by_texture->notices);
+    append(stage.notices, strands.notices);
+    tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
+    if (strokes.layout && tiling.masks.empty()) tell_empty_strokes(stage, *strokes.layout, tiling);
+    append(stage.notices, cover.notices);
+    append(stage.notices, in.masks.notices);
+    append(stage.lacks, in.masks.lacks);
+    return make_ref(std::move(stage));
 }
 
 Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -205,100 +293,29 @@ Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& inp
     const auto found = input.done.find(tiling.base);
     if (found == input.done.end())
         return refused(before, "what its tiles were painted on is no longer there");
-    const Ref<EvaluatedObject> shown =
-        uncut_({found->second->whole(), found->second->shape}, [&] { return found->second; });
-    const std::map<int, std::vector<Part>> members = by_member(*shown);
+    ShownInput in;
+    in.before = before;
+    in.tiling = tiling;
+    in.base = uncut_({found->second, found->second->whole()},
+                     [](const Uncut& uncut) { return uncut.base; });
+    const Members members = by_member(*in.base);
     if (members.empty()) return refused(before, "what its tiles were painted on has no surface");
-
-    const TiledPieces pieces =
-        pieces_of(*shown, object(input.document, tiling.base), members.begin()->second);
-    const FoundLimit limit = limits_(pieces);
-    const FoundMasks masks = masks_of_(pieces, input);
-    const Painted strokes = painted(pieces, limit, masks, input);
-    const TileLook& look = tiling.look;
-    const Ref<TileLayout> laid_out = strokes.layout ? strokes.layout : make_ref(TileLayout{});
-    const TileKinds of_layer = kinds_of_(*before, input,
-                                         tiling.into != 0 ? painted_morphs(*laid_out, look.phases)
-                                                          : std::vector<double>{0},
-                                         std::any_of(laid_out->tiles.begin(), laid_out->tiles.end(),
-                                                     [](const Tile& t) { return t.mirrored; }));
-    return shown_({before, shown, strokes.charts, look, tiling.cover, of_layer, masks}, [&] {
-        const std::vector<TileKind>& kinds = of_layer.all;
-        Stage stage = cleared(*before);
-        stage.own_to_world = glm::dmat4(1);
-        stage.mixed_materials = materials_of_others(of_layer);
-        stage.tile_objects = of_layer.objects_of_meshes();
-        TileCounts told;
-        if (strokes.charts) {
-            LaidKinds laid{of_layer, {}, strokes.factors};
-            for (const TileKind& kind : kinds) laid.cells.push_back(tile_cell(kind, look));
-            const OutlineKey outline = outline_key(strokes, laid, look);
-            stage.painted = strokes.layout->tiles.size() -
-                            (strokes.by_texture ? strokes.by_texture->tiles.size() : 0);
-            Ref<std::vector<char>> left;
-            timed(input.timings, "tiles", [&] {
-                if (look.keep_overlaps)
-                    stage.overlapping = count_overlaps(strokes, laid, outline);
-                else
-                    left = left_out(strokes, laid, outline);
-            });
-            PaintedTiles::Placed placed = timed(input.timings, "tiles", [&] {
-                return painted_({pieces, limit, shown, members, strokes.base, strokes.layout,
-                                 strokes.charts, look, laid, left, tiling.strokes.size()});
-            });
-            told = placed.counts;
-            stage.stroke_limits = std::move(placed.limits);
-            stage.height_limit = *std::ranges::min_element(stage.stroke_limits);
-            stage.stroke_limits.pop_back();
-            std::vector<std::size_t> counts;
-            for (const PlacedTiles& of_kind : placed.of_kinds) counts.push_back(of_kind.size());
-            if (const std::string words = too_many_words(kinds, counts); !words.empty())
-                return refused(before, words);
-            std::vector<Ref<TileSet>> sets;
-            for (std::size_t k = 0; k < kinds.size(); ++k) {
-                if (placed.of_kinds[k].empty()) continue;
-                const Ref<PlacedTiles> places = make_ref(std::move(placed.of_kinds[k]));
-                for (const Part& part : kinds[k].parts) {
-                    if (part.rest->positions.empty()) continue;
-                    const Ref<TileModel> model = kinds_of_.model(kinds[k], part, laid.cells[k]);
-                    PartKey key = part.key;
-                    key.mesh += kinds[k].first_mesh;
-                    const auto last = std::ranges::find(sets_, model, &TileSet::model);
-                    sets.push_back(timed(input.timings, "tiles", [&] {
-                        return tile_set(model, places, last != sets_.end() ? *last : nullptr);
-                    }));
-                    stage.parts.push_back(part_of(sets.back(), key));
-                }
-            }
-            sets_ = std::move(sets);
-        }
-        StrandParts strands;
-        if (strokes.layout)
-            strands = strands_({tiling, of_layer, strokes.base, strokes.unslid, pieces, limit,
-                                members, input.timings});
-        for (std::size_t k = 0; k < strands.of_limit.size(); ++k)
-            lower_limit(stage, k, look.height, strands.of_limit[k]);
-        stage.parts.insert(stage.parts.end(), strands.parts.begin(), strands.parts.end());
-        told += strands.counts;
-        if (!of_layer.trouble.empty()) stage.notices.push_back(of_layer.trouble);
-        CoverParts cover =
-            covers_({tiling, of_layer, pieces, limit, members, masks, input.timings});
-        stage.parts.insert(stage.parts.end(), cover.parts.begin(), cover.parts.end());
-        told += cover.counts;
-        if (cover.of_limit > 0 && look.height > 0)
-            stage.height_limit = std::min(stage.height_limit, look.height / cover.of_limit);
-        if (strokes.by_texture)
-            stage.notices.insert(stage.notices.end(), strokes.by_texture->notices.begin(),
-                                 strokes.by_texture->notices.end());
-        stage.notices.insert(stage.notices.end(), strands.notices.begin(), strands.notices.end());
-        tell(stage, strokes.layout ? *strokes.layout : TileLayout{}, told);
-        if (strokes.layout && tiling.masks.empty())
-            tell_empty_strokes(stage, *strokes.layout, tiling);
-        stage.notices.insert(stage.notices.end(), cover.notices.begin(), cover.notices.end());
-        stage.notices.insert(stage.notices.end(), masks.notices.begin(), masks.notices.end());
-        stage.lacks.insert(stage.lacks.end(), masks.lacks.begin(), masks.lacks.end());
-        return make_ref(std::move(stage));
-    });
+    in.pieces = pieces_of(*in.base, object(input.document, tiling.base), members.begin()->second);
+    in.limit = limits_(in.pieces);
+    in.masks = masks_of_(in.pieces, input);
+    in.strokes = painted(in, input);
+    const Ref<TileLayout> laid = in.strokes.layout ? in.strokes.layout : make_ref(TileLayout{});
+    in.kinds = kinds_of_(*before, input,
+                         tiling.into != 0 ? painted_morphs(*laid, tiling.look.phases)
+                                          : std::vector<double>{0},
+                         std::any_of(laid->tiles.begin(), laid->tiles.end(),
+                                     [](const Tile& t) { return t.mirrored; }));
+    return shown_(
+        in,
+        [](const ShownInput& now, TilingStep& step, Timings& timings) {
+            return step.shown(now, timings);
+        },
+        *this, input.timings);
 }
 
 } // namespace trivar

@@ -24,28 +24,51 @@ public:
 private:
     using Pieces = std::vector<TileBase::Piece>;
     using Strokes = std::vector<Ref<TileStroke>>;
-    struct SlideKey {
+    using Members = std::map<int, std::vector<Part>>;
+    // Uncut is a base as its tiles see it. While only its cuts and its splitting change, the first
+    // one that was seen stays, with all that is laid.
+    struct Uncut {
+        Ref<EvaluatedObject> base;
+        std::vector<Part> parts; // all of it
+        bool operator==(const Uncut& other) const
+        {
+            return parts == other.parts && base->shape == other.base->shape;
+        }
+    };
+    struct Ground { // of painted tiles
+        Ref<TileBase> base;
+        Ref<LimitBase> limit; // whose triangles are those of the base; null: those of its meshes
+        bool operator==(const Ground&) const = default;
+    };
+    struct LayoutInput {
+        Ground on;
+        Strokes strokes;
+        bool operator==(const LayoutInput&) const = default;
+    };
+    struct SlideInput {
         Ref<TileBase> base;
         Ref<TileLayout> layout;
-        double turn_deg, scale, slide_x, slide_y, slide_along;
-        bool operator==(const SlideKey&) const = default;
+        TileLook way; // turn, scale and slides alone
+        bool operator==(const SlideInput&) const = default;
     };
-    struct Key {
-        Ref<Stage> before;
-        Ref<EvaluatedObject> base;
-        Ref<TileCharts> charts;
-        TileLook look;
-        TileCover cover;
-        TileKinds kinds;
-        FoundMasks masks;
-        bool operator==(const Key&) const = default;
-    };
-    struct OutlineKey {
+    struct Outlines { // of painted tiles
+        Ref<TileBase> base;
+        LaidKinds laid;
         double turn_deg, scale;
-        Ref<std::vector<MaskFactors>> factors;
         std::vector<glm::dvec2> halves; // of the kinds
-        std::vector<double> weights;
-        bool operator==(const OutlineKey&) const = default;
+        bool operator==(const Outlines&) const = default;
+        // Returns those of the tiles from a number on.
+        std::vector<TileOutline> of(const Runs<Tile>& tiles, std::size_t from) const;
+    };
+    struct OverlapInput {
+        Ref<TileLayout> layout;
+        Outlines outlines;
+        bool operator==(const OverlapInput&) const = default;
+    };
+    struct Counted { // the overlaps of the last tiles
+        Outlines outlines;
+        Runs<Tile> tiles;
+        OverlapCount count;
     };
     struct Painted { // all null where there are neither strokes nor tiles by texture
         Ref<TileBase> base;
@@ -54,47 +77,48 @@ private:
         Ref<TileCharts> charts;
         Ref<TextureLayout> by_texture;         // null: none
         Ref<std::vector<MaskFactors>> factors; // of the masks; null: 1
+        bool operator==(const Painted&) const = default;
     };
-    struct Counted { // the overlaps of the last tiles
-        OutlineKey key;
-        Runs<Tile> tiles;
-        OverlapCount count;
+    struct ShownInput {
+        Ref<Stage> before;
+        Ref<EvaluatedObject> base;
+        TiledPieces pieces;
+        FoundLimit limit;
+        FoundMasks masks;
+        Painted strokes;
+        TileKinds kinds;
+        Tiling tiling;
+        bool operator==(const ShownInput&) const = default;
     };
-    Painted painted(const TiledPieces& pieces, const FoundLimit& limit, const FoundMasks& masks,
-                    const StepInput& input);
-    OutlineKey outline_key(const Painted& strokes, const LaidKinds& laid,
-                           const TileLook& look) const;
-    // Returns for each tile whether it overlaps an earlier one that stays.
-    Ref<std::vector<char>> left_out(const Painted& strokes, const LaidKinds& laid,
-                                    const OutlineKey& key);
-    std::size_t count_overlaps(const Painted& strokes, const LaidKinds& laid,
-                               const OutlineKey& key);
+    Painted painted(const ShownInput& shown, const StepInput& input);
+    Ref<TileLayout> slid(const Ref<TileBase>& base, const Ref<TileLayout>& layout,
+                         const TileLook& look);
+    Ref<Stage> shown(const ShownInput& in, Timings& timings);
+    // Returns why the tiles of strokes cannot be shown; empty: they are in the stage.
+    std::string add_painted(Stage& stage, const ShownInput& in, const Members& members,
+                            TileCounts& told, Timings& timings);
+    void add_sets(Stage& stage, const ShownInput& in, const std::vector<TileCell>& cells,
+                  std::vector<PlacedTiles> of_kinds, Timings& timings);
+    std::size_t count_overlaps(const Runs<Tile>& tiles, const Outlines& outlines);
 
-    // Uncut is the part of a base on which tiles are laid. It stays the same, with all that is
-    // laid, while only the base's cuts and its splitting change.
-    struct Uncut {
-        std::vector<Part> parts;
-        Ref<Shape> shape;
-        bool operator==(const Uncut&) const = default;
-    };
-    Recent<Uncut, Ref<EvaluatedObject>> uncut_;
+    Kept<Uncut, Ref<EvaluatedObject>> uncut_;
     LimitBases limits_;
-    Recent<Pieces, Ref<TileBase>> bases_;
-    Recent<std::pair<Ref<TileBase>, Strokes>, Ref<TileLayout>> layouts_;
+    Kept<Pieces, Ref<TileBase>> bases_;
+    Kept<LayoutInput, Ref<TileLayout>> layouts_;
     Layouter layouter_;
-    Recent<Ref<TileBase>, Lazy<TileCurvature>> curvatures_;
+    Kept<Ground, Lazy<TileCurvature>> curvatures_;
     TextureTiles textures_;
-    Recent<std::pair<Ref<TileLayout>, Ref<TextureLayout>>, Ref<TileLayout>> joined_;
-    Recent<SlideKey, Ref<TileLayout>> slides_;
+    Kept<std::pair<Ref<TileLayout>, Ref<TextureLayout>>, Ref<TileLayout>> joined_;
+    Kept<SlideInput, Ref<TileLayout>> slides_;
     PaintedTiles painted_;
-    std::vector<Ref<TileSet>> sets_; // the last ones
-    Recent<std::pair<Ref<TileLayout>, OutlineKey>, Ref<std::vector<char>>> left_out_;
+    std::vector<Ref<TileSet>> sets_;                      // the last ones
+    Kept<OverlapInput, Ref<std::vector<char>>> left_out_; // of each tile, whether it overlaps
     std::optional<Counted> counted_;
     TileKindsOf kinds_of_;
     MasksOf masks_of_;
     Covers covers_;
     Strands strands_;
-    Recent<Key, Ref<Stage>> shown_;
+    Kept<ShownInput, Ref<Stage>> shown_;
 };
 
 } // namespace trivar
