@@ -33,7 +33,7 @@ Object bound(const Object& before, const Bind& command)
 
 Document applied(Document document, const Bind& command)
 {
-    if (holds_others(object(document, command.to).source))
+    if (!kind_of(document, command.to).has_surface)
         throw Rejected(named(document, command.to) +
                        " has no shape of its own; choose an object that has");
     for (const Id id : distinct(document, command.objects)) {

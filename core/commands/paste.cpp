@@ -64,8 +64,8 @@ Object bare(Object o)
     o.splitting.reset();
     o.travel = {};
     o.tracks = {};
-    if (!std::holds_alternative<LatticeShape>(o.source)) o.shaping.clear();
-    if (!std::holds_alternative<ImportedFile>(o.source)) o.playing = {};
+    if (!kind_of(o).has_cage) o.shaping.clear();
+    if (!kind_of(o).has_clips) o.playing = {};
     return o;
 }
 
@@ -77,7 +77,7 @@ std::vector<Id> supports_of(const PlacementStep& stroke, const Document& documen
         std::erase_if(bases, [&](Id id) {
             const Object& base = object(document, id);
             if (base.stroke) return true;
-            return stroke.round->normal ? holds_others(base.source)
+            return stroke.round->normal ? !kind_of(base).has_surface
                                         : !band_round(base.source, 0, glm::dmat4(1));
         });
     return bases;
@@ -134,7 +134,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     if (!inside && o.parent != 0 && !o.stroke) o.transform = decomposed(to_world(document, id));
     if (!inside) o.parent = 0;
     if (!o.stroke) o.travel = {};
-    if (!std::holds_alternative<ImportedFile>(o.source)) o.playing = {};
+    if (!kind_of(o).has_clips) o.playing = {};
     if (o.tiles && !document.objects.contains(o.tiles->base)) o.tiles.reset();
     each_file(o, [&](const auto& file, auto&) {
         if (file.kind != FileKind::font && !file.path.empty())

@@ -4,24 +4,37 @@
 #include "core/placement/round.h"
 
 namespace trivar {
+namespace {
+
+std::optional<Band> band_of(const auto&)
+{
+    return {};
+}
+std::optional<Band> band_of(const CylinderShape& s)
+{
+    return Band{.radius = s.radius};
+}
+std::optional<Band> band_of(const SphereShape& s)
+{
+    return Band{.of = Band::Of::sphere, .radius = s.radius};
+}
+std::optional<Band> band_of(const TorusShape& s)
+{
+    return Band{.of = Band::Of::torus, .radius = s.radius, .tube = s.tube};
+}
+std::optional<Band> band_of(const MoebiusShape& s)
+{
+    return Band{.of = Band::Of::moebius, .radius = s.radius};
+}
+
+} // namespace
 
 std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world)
 {
-    Band band{.level = level, .to_world = to_world};
-    if (const auto* cylinder = std::get_if<CylinderShape>(&source))
-        band.radius = cylinder->radius;
-    else if (const auto* sphere = std::get_if<SphereShape>(&source)) {
-        band.of = Band::Of::sphere;
-        band.radius = sphere->radius;
-    } else if (const auto* torus = std::get_if<TorusShape>(&source)) {
-        band.of = Band::Of::torus;
-        band.radius = torus->radius;
-        band.tube = torus->tube;
-    } else if (const auto* moebius = std::get_if<MoebiusShape>(&source)) {
-        band.of = Band::Of::moebius;
-        band.radius = moebius->radius;
-    } else
-        return {};
+    std::optional<Band> band = std::visit([](const auto& shape) { return band_of(shape); }, source);
+    if (!band) return band;
+    band->level = level;
+    band->to_world = to_world;
     return band;
 }
 

@@ -18,8 +18,7 @@ const Object& object(const Document& document, Id id)
 bool is_lattice(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);
-    return found != document.objects.end() &&
-           std::holds_alternative<LatticeShape>(found->second->source);
+    return found != document.objects.end() && kind_of(*found->second).has_cage;
 }
 
 std::string named(Id id, const Object& object)
@@ -36,7 +35,7 @@ std::vector<Id> lattices_round(const Document& document, Id id)
 {
     std::vector<Id> out;
     for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
-        if (bends_others(object(document, up).source)) out.push_back(up);
+        if (kind_of(document, up).bends_others) out.push_back(up);
     return out;
 }
 

@@ -36,6 +36,22 @@ struct Document {
 
 // The object with that id. Throws Rejected, naming the id, where there is none.
 const Object& object(const Document& document, Id id);
+inline const ObjectKind& kind_of(const Object& object)
+{
+    return std::visit(
+        []<class Shape>(const Shape&) -> const ObjectKind& { return object_kind<Shape>; },
+        object.source);
+}
+inline const ObjectKind& kind_of(const Document& document, Id id) // throws as object() does
+{
+    return kind_of(object(document, id));
+}
+// Returns the shape of an object; null: there is no such object, or it is of another kind.
+template <class Shape> const Shape* made_of(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found == document.objects.end() ? nullptr : std::get_if<Shape>(&found->second->source);
+}
 bool is_lattice(const Document& document, Id id); // false also where there is no such object
 // "object 3 (Snake)", for a sentence; a long name is cut.
 std::string named(Id id, const Object& object);

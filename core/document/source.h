@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace trivar {
@@ -86,17 +87,53 @@ using Source =
                  TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape, HeightShape,
                  VoxelShape, TetrahedraShape, SimplexSheetShape>;
 
-// Whether a source is a volume that deforms its contents.
-inline bool bends_others(const Source& source)
-{
-    return std::holds_alternative<LatticeShape>(source) ||
-           std::holds_alternative<TetrahedraShape>(source);
-}
+enum class KindIcon { mesh, volume, tetrahedra, group };
 
-// Whether a source is a parent for others: a group, or a volume round them.
-inline bool holds_others(const Source& source)
-{
-    return std::holds_alternative<GroupShape>(source) || bends_others(source);
-}
+// An ObjectKind says what the objects of one kind are called and what can be done with them.
+struct ObjectKind {
+    std::string_view type = "Primitive"; // what the outliner and its filter call it
+    KindIcon icon = KindIcon::mesh;
+    bool has_shape = true;      // false: there is nothing to evaluate or to lay on a stroke
+    bool has_surface = true;    // triangles of its own, for steps, tiles, cuts and strokes
+    bool holds_others = false;  // it is a parent for others, as a group is
+    bool bends_others = false;  // it is a volume that deforms what it holds
+    bool has_cage = false;      // control points to shape, on a stroke or not
+    bool takes_material = true; // one material over all of it
+    bool has_clips = false;     // of its file, to play
+    bool has_curves = false;    // its file may have lines
+    bool has_levels = false;    // it is volume data
+    bool is_flat = false;       // nothing goes round it
+    bool has_rows = false;      // the inspector has rows of its own for its numbers
+};
+template <class Shape> inline constexpr ObjectKind object_kind{};
+template <>
+inline constexpr ObjectKind object_kind<GroupShape>{.type = "Group",
+                                                    .icon = KindIcon::group,
+                                                    .has_shape = false,
+                                                    .has_surface = false,
+                                                    .holds_others = true,
+                                                    .takes_material = false};
+template <>
+inline constexpr ObjectKind object_kind<ImportedFile>{
+    .type = "Model", .has_clips = true, .has_curves = true, .has_rows = true};
+template <> inline constexpr ObjectKind object_kind<PlaneShape>{.is_flat = true};
+template <> inline constexpr ObjectKind object_kind<TextShape>{.type = "Text", .has_rows = true};
+template <>
+inline constexpr ObjectKind object_kind<LatticeShape>{.type = "Lattice",
+                                                      .icon = KindIcon::volume,
+                                                      .has_surface = false,
+                                                      .holds_others = true,
+                                                      .bends_others = true,
+                                                      .has_cage = true,
+                                                      .takes_material = false};
+template <>
+inline constexpr ObjectKind object_kind<VoxelShape>{
+    .type = "Volume data", .icon = KindIcon::volume, .has_levels = true, .has_rows = true};
+template <>
+inline constexpr ObjectKind object_kind<TetrahedraShape>{.type = "Tetrahedra",
+                                                         .icon = KindIcon::tetrahedra,
+                                                         .has_surface = false,
+                                                         .holds_others = true,
+                                                         .bends_others = true};
 
 } // namespace trivar

@@ -111,12 +111,12 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
         all.insert(all.end(), stage->mixed_materials->begin(), stage->mixed_materials->end());
         result.materials = make_ref(std::move(all));
     }
-    const bool shows_volume = std::holds_alternative<LatticeShape>(object.source);
-    result.bounds = Lazy<Box>([stage, shows_volume] {
+    const bool has_cage = kind_of(object).has_cage;
+    result.bounds = Lazy<Box>([stage, has_cage] {
         Box box;
         for (const Part& part : with_points(stage->parts, stage->curves))
             box.add(bounds_in_world(part));
-        if (shows_volume) add_control_points(box, *stage->seen_cage());
+        if (has_cage) add_control_points(box, *stage->seen_cage());
         if (stage->tetrahedra) add_control_points(box, *stage);
         if (stage->shape->volume)
             for (const glm::dvec3& p : stage->shape->volume->seen_corners(stage->own_to_world))
@@ -215,8 +215,7 @@ Evaluation Evaluator::operator()(const Document& still, double frame, const Prog
     Evaluation result;
     std::map<Id, Ref<EvaluatedObject>> done;
     std::vector<Id> order = order_of(far);
-    std::erase_if(
-        order, [&](Id id) { return std::holds_alternative<GroupShape>(object(far, id).source); });
+    std::erase_if(order, [&](Id id) { return !kind_of(far, id).has_shape; });
     std::map<Id, Failures> failed;
     for (const Id id : order) {
         const Ref<Object>& ref = far.objects.at(id);

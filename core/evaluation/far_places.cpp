@@ -26,7 +26,7 @@ Box place_of(const Document& document, Id id, const Shape& shape)
     Box out;
     if (object.stroke || object.tiles) return out;
     const glm::dmat4 to_world = trivar::to_world(document, id);
-    if (bends_others(object.source)) out.add(glm::dvec3(to_world[3]));
+    if (kind_of(object).bends_others) out.add(glm::dvec3(to_world[3]));
     const auto add = [&](const Box& box, const glm::dmat4& to_model) {
         if (box.empty()) return;
         const glm::dmat4 matrix = to_world * to_model;

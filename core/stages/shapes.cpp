@@ -15,27 +15,11 @@ Model model_of(const Mesh& mesh)
 {
     return single_mesh_model("", mesh);
 }
-Model primitive(const GroupShape&)
-{
-    return {};
-}
-Model primitive(const LatticeShape&)
-{
-    return {};
-}
 Model primitive(const SimplexSheetShape& s)
 {
     Model model = model_of(simplex_sheet(s));
     for (Material& material : model.materials) material.double_sided = true;
     return model;
-}
-Model primitive(const TetrahedraShape&)
-{
-    return {};
-}
-Model primitive(const ImportedFile&)
-{
-    return {};
 }
 Model primitive(const PlaneShape& s)
 {
@@ -68,21 +52,6 @@ Model primitive(const TeapotShape& s)
     return model_of(teapot_mesh(s.height, s.resolution));
 }
 
-Model primitive(const TextShape&)
-{
-    return {};
-}
-
-Model primitive(const HeightShape&)
-{
-    return {};
-}
-
-Model primitive(const VoxelShape&)
-{
-    return {};
-}
-
 struct Letters {
     Model model; // with its notices
     std::vector<std::string> lacks;
@@ -102,6 +71,63 @@ Letters letters(const TextShape& text, const AssetStore& assets)
     return out;
 }
 
+// A Making makes the shape of one source. What it made before it threw is kept.
+struct Making {
+    const AssetStore& assets;
+    VoxelShapes& voxels;
+    Timings& timings;
+    const Progress& progress;
+    Shape shape = {};
+    bool missing = false; // its file
+
+    void take(const std::vector<std::string>& notices)
+    {
+        shape.notices.insert(shape.notices.begin(), notices.begin(), notices.end());
+        if (missing) shape.lacks = notices;
+    }
+    template <class Primitive> void operator()(const Primitive& source)
+    {
+        shape = shape_of(timed(timings, "import", [&] {
+            if constexpr (object_kind<Primitive>.has_surface)
+                return make_ref(primitive(source));
+            else
+                return make_ref(Model{});
+        }));
+    }
+    void operator()(const ImportedFile& file)
+    {
+        const AssetStore::LoadedModel loaded =
+            timed(timings, "import", [&] { return assets.load(file, progress); });
+        missing = !loaded.model;
+        shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));
+        take(loaded.notices);
+        if (file.subdivisions > 0)
+            timed(timings, "subdivide", [&] { subdivide(shape, file.subdivisions, progress); });
+    }
+    void operator()(const TextShape& text)
+    {
+        Letters made = timed(timings, "letters", [&] { return letters(text, assets); });
+        shape = shape_of(make_ref(std::move(made.model)));
+        take(shape.model->notices);
+        shape.lacks.insert(shape.lacks.begin(), made.lacks.begin(), made.lacks.end());
+    }
+    void operator()(const HeightShape& heights)
+    {
+        const AssetStore::LoadedImage loaded = timed(timings, "import", [&] {
+            return assets.load_image(heights.image, heights.image_hash);
+        });
+        missing = !loaded.image;
+        shape = shape_of(make_ref(
+            loaded.image ? model_of(height_sheet(*loaded.image, sheet_of(heights))) : Model{}));
+        take(loaded.notices);
+    }
+    void operator()(const VoxelShape& data)
+    {
+        shape = voxels(data, assets, timings, progress);
+        missing = !shape.volume;
+    }
+};
+
 } // namespace
 
 HeightSheet sheet_of(const HeightShape& s)
@@ -118,44 +144,10 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
 {
     const auto found = std::ranges::find(known_, source, &std::pair<Source, Ref<Shape>>::first);
     if (found != known_.end()) return found->second;
-    Shape shape;
-    bool missing = false;
+    Making making{*assets_, voxels_, timings, progress};
+    Shape& shape = making.shape;
     try {
-        if (const auto* file = std::get_if<ImportedFile>(&source)) {
-            const AssetStore::LoadedModel loaded =
-                timed(timings, "import", [&] { return assets_->load(*file, progress); });
-            missing = !loaded.model;
-            shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));
-            shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
-                                 loaded.notices.end());
-            if (missing) shape.lacks = loaded.notices;
-            if (file->subdivisions > 0)
-                timed(timings, "subdivide",
-                      [&] { subdivide(shape, file->subdivisions, progress); });
-        } else if (const auto* text = std::get_if<TextShape>(&source)) {
-            Letters made = timed(timings, "letters", [&] { return letters(*text, *assets_); });
-            shape = shape_of(make_ref(std::move(made.model)));
-            shape.notices.insert(shape.notices.begin(), shape.model->notices.begin(),
-                                 shape.model->notices.end());
-            shape.lacks.insert(shape.lacks.begin(), made.lacks.begin(), made.lacks.end());
-        } else if (const auto* heights = std::get_if<HeightShape>(&source)) {
-            const AssetStore::LoadedImage loaded = timed(timings, "import", [&] {
-                return assets_->load_image(heights->image, heights->image_hash);
-            });
-            missing = !loaded.image;
-            shape = shape_of(
-                make_ref(loaded.image ? model_of(height_sheet(*loaded.image, sheet_of(*heights)))
-                                      : Model{}));
-            shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
-                                 loaded.notices.end());
-            if (missing) shape.lacks = loaded.notices;
-        } else if (const auto* voxels = std::get_if<VoxelShape>(&source)) {
-            shape = voxels_(*voxels, *assets_, timings, progress);
-            missing = !shape.volume;
-        } else
-            shape = shape_of(timed(timings, "import", [&] {
-                return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));
-            }));
+        std::visit(making, source);
     } catch (const Rejected& error) {
         if (!shape.materials) shape = shape_of(make_ref(Model{}));
         say_lacking(shape, error.what());
@@ -163,7 +155,7 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
     for (std::size_t i = 0; i < shape.meshes.size(); ++i)
         shape.meshes[i].slot = static_cast<int>(i);
     Ref<Shape> result = make_ref(std::move(shape));
-    if (!missing) known_.emplace_back(source, result);
+    if (!making.missing) known_.emplace_back(source, result);
     return result;
 }
 

@@ -165,7 +165,7 @@ void add_edit_actions(std::vector<Action>& a)
          {[](const Editor& e) {
               const auto& objects = e.session.document().objects;
               const auto found = objects.find(e.session.selected);
-              return found != objects.end() && holds_others(found->second->source);
+              return found != objects.end() && kind_of(*found->second).holds_others;
           },
           "select a group first"});
     edit("Attach", {}, attach_selected,

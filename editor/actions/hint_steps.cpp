@@ -72,10 +72,8 @@ HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::siz
 // Whoever bends, parts, paints or draws things without a stroke is not told of strokes.
 bool is_for_more_than_strokes(const Object& o)
 {
-    return std::holds_alternative<LatticeShape>(o.source) ||
-           std::holds_alternative<TetrahedraShape>(o.source) ||
-           std::holds_alternative<VoxelShape>(o.source) || o.tiles || o.splitting || o.cutting ||
-           o.incising || o.line_drawing;
+    return kind_of(o).bends_others || kind_of(o).has_levels || o.tiles || o.splitting ||
+           o.cutting || o.incising || o.line_drawing;
 }
 
 } // namespace
@@ -97,8 +95,8 @@ std::optional<HintCard> hint_card(const Editor& editor)
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
     std::size_t shapes = 0, texts = 0, placed = 0, others = 0;
     for (const auto& [id, each] : session.document().objects) {
-        shapes += holds_others(each->source) ? 0 : 1;
-        texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
+        shapes += kind_of(*each).has_surface ? 1 : 0;
+        texts += made_of<TextShape>(session.document(), id) ? 1 : 0;
         placed += each->stroke ? 1 : 0;
         others += is_for_more_than_strokes(*each) ? 1 : 0;
     }

@@ -156,7 +156,7 @@ std::vector<Id> can_be_bound_to(const Editor& editor, const std::vector<Id>& dep
     const std::set<Id> above = depending_on(document, there);
     std::vector<Id> out;
     for (const Id id : in_row_order(document))
-        if (!above.contains(id) && !holds_others(object(document, id).source)) out.push_back(id);
+        if (!above.contains(id) && kind_of(document, id).has_surface) out.push_back(id);
     return out;
 }
 

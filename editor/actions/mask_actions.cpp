@@ -27,7 +27,7 @@ bool selects_layer(const Editor& e)
 bool selects_surface(const Editor& e)
 {
     const auto found = e.session.document().objects.find(e.session.selected);
-    return found != e.session.document().objects.end() && !holds_others(found->second->source) &&
+    return found != e.session.document().objects.end() && kind_of(*found->second).has_surface &&
            !found->second->tiles;
 }
 
@@ -143,9 +143,7 @@ void use_image(Editor& editor, const std::string& path)
 
 void change_heights_image(Editor& editor, int id, const std::string& path)
 {
-    const auto found = editor.session.document().objects.find(id);
-    if (found == editor.session.document().objects.end()) return;
-    const auto* shape = std::get_if<HeightShape>(&found->second->source);
+    const auto* shape = made_of<HeightShape>(editor.session.document(), id);
     if (!shape) return;
     SetHeights command{id, *shape};
     command.shape.image = std::filesystem::absolute(path).string();

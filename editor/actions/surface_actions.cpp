@@ -15,7 +15,7 @@ std::vector<Id> selected_surfaces(const Editor& e, const auto& wanted)
     std::vector<Id> out;
     for (const Id id : e.session.selected.ids()) {
         const Object& each = object(e.session.document(), id);
-        if (!holds_others(each.source) && wanted(each)) out.push_back(id);
+        if (kind_of(each).has_surface && wanted(each)) out.push_back(id);
     }
     return out;
 }

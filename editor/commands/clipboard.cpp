@@ -56,7 +56,7 @@ bool same_shape(Source a, Source b, const std::string& folder)
 std::vector<Id> hidden_in(const Document& document, Id first, const std::string& folder)
 {
     const auto stands = [](const Object& each) {
-        return !each.stroke && !holds_others(each.source);
+        return !each.stroke && kind_of(each).has_surface;
     };
     std::vector<std::pair<glm::dmat4, const Source*>> added;
     for (const auto& [id, each] : document.objects)

@@ -174,7 +174,7 @@ Id laid_shape(const Session& session)
     const auto there = document.objects.find(id);
     if (shown == session.evaluated().objects.end() || there == document.objects.end()) return 0;
     const bool laid = there->second->stroke && shown->second->placement;
-    if (!laid || shown->second->has_no_geometry() || holds_others(there->second->source)) return 0;
+    if (!laid || shown->second->has_no_geometry() || !kind_of(*there->second).has_surface) return 0;
     return id;
 }
 

@@ -16,9 +16,7 @@ const EvaluatedObject* shown_tetrahedra(const Session& session, Id id)
 
 const TetrahedraShape* tetrahedra_shape(const Document& document, Id id)
 {
-    const auto found = document.objects.find(id);
-    return found == document.objects.end() ? nullptr
-                                           : std::get_if<TetrahedraShape>(&found->second->source);
+    return made_of<TetrahedraShape>(document, id);
 }
 
 const EvaluatedObject* selected_tetrahedra(const Session& session)

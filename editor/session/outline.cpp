@@ -7,6 +7,7 @@
 #include "ui/icons.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -81,7 +82,7 @@ public:
         const std::size_t before = rows_.size();
         for (Id id = children_.first_in(parent); id != 0; id = children_.after(id)) {
             const Object& each = object(document_, id);
-            const bool group = holds_others(each.source) || children_.first_in(id) != 0;
+            const bool group = kind_of(each).holds_others || children_.first_in(id) != 0;
             const bool found = filter_.empty() || filter_.takes(each);
             const bool open = !filter_.empty() || !closed_.contains(id);
             const std::size_t row = rows_.size();
@@ -124,24 +125,19 @@ bool as_before(const Document& before, const Document& after, const std::vector<
 
 std::string type_of(const Object& object)
 {
-    if (std::holds_alternative<LatticeShape>(object.source)) return "Lattice";
-    if (std::holds_alternative<TetrahedraShape>(object.source)) return "Tetrahedra";
-    if (object.tiles) return "Tiles";
-    if (object.stroke) return "Placed";
-    if (std::holds_alternative<GroupShape>(object.source)) return "Group";
-    if (std::holds_alternative<TextShape>(object.source)) return "Text";
-    if (std::holds_alternative<VoxelShape>(object.source)) return "Volume data";
-    return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
+    const ObjectKind& kind = kind_of(object);
+    if (kind.bends_others || (!object.tiles && !object.stroke)) return std::string(kind.type);
+    return object.tiles ? "Tiles" : "Placed";
 }
 
 const char* icon_of(const Object& object)
 {
-    if (std::holds_alternative<LatticeShape>(object.source)) return ui::icon::volume;
-    if (std::holds_alternative<TetrahedraShape>(object.source)) return ui::icon::tetrahedra;
-    if (object.tiles) return ui::icon::tiles;
-    if (object.stroke) return ui::icon::place;
-    if (std::holds_alternative<VoxelShape>(object.source)) return ui::icon::volume;
-    return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
+    static constexpr std::array icons{ui::icon::mesh, ui::icon::volume, ui::icon::tetrahedra,
+                                      ui::icon::group}; // by KindIcon
+    const ObjectKind& kind = kind_of(object);
+    if (kind.bends_others || (!object.tiles && !object.stroke))
+        return icons.at(static_cast<std::size_t>(kind.icon));
+    return object.tiles ? ui::icon::tiles : ui::icon::place;
 }
 
 std::vector<OutlineRow> outline(const Document& document, const std::string& filter,
@@ -174,7 +170,7 @@ RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
         if (within >= edge && within <= 1 - edge) {
             drop.onto = row;
             wanted.parent = under.id;
-            if (!holds_others(object(document, under.id).source))
+            if (!kind_of(document, under.id).holds_others)
                 drop.refused =
                     "Only a group can hold it. Drop it between two rows, or group both first.";
         } else if (within < edge) {

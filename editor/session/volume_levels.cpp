@@ -90,9 +90,7 @@ double readable_value(double value, const VolumeSummary& summary)
 
 const VoxelShape* volume_of(const Document& document, Id id)
 {
-    const auto found = document.objects.find(id);
-    return found == document.objects.end() ? nullptr
-                                           : std::get_if<VoxelShape>(&found->second->source);
+    return made_of<VoxelShape>(document, id);
 }
 
 Id volume_at_work(const Document& document, Id active)
@@ -100,7 +98,7 @@ Id volume_at_work(const Document& document, Id active)
     if (volume_of(document, active)) return active;
     Id only = 0;
     for (const auto& [id, each] : document.objects) {
-        if (!std::holds_alternative<VoxelShape>(each->source)) continue;
+        if (!kind_of(*each).has_levels) continue;
         if (only != 0) return 0;
         only = id;
     }

@@ -64,9 +64,7 @@ void check(const Cutting& cutting)
 Document applied(Document document, const CutThrough& command)
 {
     check(command.cutting);
-    for (const Id id : distinct(document, command.objects))
-        if (const Object& own = object(document, id); holds_others(own.source))
-            throw Rejected(named(id, own) + " has no surface of its own; cut the objects in it");
+    for (const Id id : distinct(document, command.objects)) check_has_surface(document, id, "cut");
     return with_all_changed(std::move(document), command.objects,
                             [&](Object& o) { o.cutting = command.cutting; });
 }

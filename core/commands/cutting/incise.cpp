@@ -136,9 +136,7 @@ Document applied(Document document, const Incise& command)
 {
     check(command.incision);
     const Object& own = object(document, command.object);
-    if (holds_others(own.source))
-        throw Rejected(named(command.object, own) +
-                       " has no surface of its own; incise the objects in it");
+    check_has_surface(document, command.object, "incise");
     if (own.incising && own.incising->cuts.size() >= most_incisions)
         throw Rejected(fmt::format("{} has {} incisions already; at most {} are taken",
                                    named(command.object, own), own.incising->cuts.size(),

@@ -13,8 +13,7 @@ namespace trivar {
 void check_splitting(const Document& document, Id id, const Splitting& splitting)
 {
     const Object& own = object(document, id);
-    if (holds_others(own.source))
-        throw Rejected(named(id, own) + " has no surface of its own; split the objects in it");
+    check_has_surface(document, id, "split");
     if (splitting.obstacles.empty()) throw Rejected("field \"obstacles\" names no object");
     if (splitting.obstacles.size() > most_obstacles)
         throw Rejected(fmt::format("field \"obstacles\" has {} entries but at most {} are taken",
@@ -26,7 +25,7 @@ void check_splitting(const Document& document, Id id, const Splitting& splitting
     const std::set<Id> above = depending_on(document, {id});
     for (const ObstacleUse& each : splitting.obstacles) {
         const Object& other = object(document, each.object);
-        if (holds_others(other.source))
+        if (!kind_of(other).has_surface)
             throw Rejected(named(each.object, other) +
                            " has no shape of its own; choose the objects in it as obstacles");
         if (above.contains(each.object))

@@ -92,7 +92,7 @@ void refuse_other_kind(const Document& document, Id id, std::string_view help)
 
 void check_has_volume(const Object& o, Id id)
 {
-    if (!o.stroke && !std::holds_alternative<LatticeShape>(o.source))
+    if (!o.stroke && !kind_of(o).has_cage)
         throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
                                    "lattice round it",
                                    id, o.name));
@@ -103,6 +103,13 @@ void check_bent(const Document& document, Id id)
     if (!object(document, id).stroke && lattices_round(document, id).empty())
         throw Rejected(named(document, id) +
                        " is neither placed on a stroke nor in a lattice, so nothing bends it");
+}
+
+void check_has_surface(const Document& document, Id id, std::string_view verb)
+{
+    if (!kind_of(document, id).has_surface)
+        throw Rejected(fmt::format("{} has no surface of its own; {} the objects in it",
+                                   named(document, id), verb));
 }
 
 void check_placed(const Object& o, Id id)

@@ -37,6 +37,8 @@ void check_placed(const Object& object, Id id);
 void check_bent(const Document& document, Id id);
 // Throws Rejected where the object neither lies on a stroke nor is a lattice.
 void check_has_volume(const Object& object, Id id);
+// Throws Rejected where the object has no surface; `verb` says what to do with those in it.
+void check_has_surface(const Document& document, Id id, std::string_view verb);
 // The tiling of a layer of tiles. Throws Rejected where the object is none.
 const Tiling& tiling_of(const Document& document, Id id);
 

@@ -65,7 +65,7 @@ Document without(Document document, const std::set<Id>& chosen, std::set<Id>& go
         for (Id at = id; at != 0;) {
             if (chosen.contains(at)) return true;
             at = object(document, at).parent;
-            if (at == 0 || !holds_others(object(document, at).source)) return false;
+            if (at == 0 || !kind_of(document, at).holds_others) return false;
         }
         return false;
     };

@@ -120,7 +120,7 @@ StepTitle title(const Group& c, const StepDocuments& step)
 Document applied(Document document, const Ungroup& command)
 {
     const Object& group = object(document, command.object);
-    if (!holds_others(group.source))
+    if (!kind_of(group).holds_others)
         throw Rejected(named(document, command.object) + " is not a group");
     const Id parent = group.parent;
     std::vector<Id> members;
@@ -167,7 +167,7 @@ Document applied(Document document, const Reorder& command)
     const Id parent = command.parent, before = command.before;
     if (parent != 0) {
         const Object& group = object(document, parent);
-        if (!holds_others(group.source))
+        if (!kind_of(group).holds_others)
             throw Rejected(named(document, parent) + " is not a group");
         check_no_ring(document, members, parent);
     }

@@ -23,7 +23,7 @@ Document applied(Document document, const KeepShape& command)
         if (std::ranges::count(lattices_round(document, id), command.object) == 0)
             throw Rejected(fmt::format("field \"members\": {} is not in {}", named(document, id),
                                        named(document, command.object)));
-        if (holds_others(object(document, id).source))
+        if (!kind_of(document, id).has_surface)
             throw Rejected("field \"members\": " + named(document, id) +
                            " has no shape of its own");
         if (command.files[i].path.empty()) throw Rejected("field \"path\" names no file");

@@ -9,9 +9,7 @@ namespace trivar {
 
 Document applied(Document document, const SetLineDrawing& command)
 {
-    for (const Id id : distinct(document, command.objects))
-        if (const Object& o = object(document, id); holds_others(o.source))
-            throw Rejected(named(id, o) + " has no surface of its own; draw the objects in it");
+    for (const Id id : distinct(document, command.objects)) check_has_surface(document, id, "draw");
     if (command.drawing.more.light == glm::vec3(0))
         throw Rejected("the light of isophotes needs a direction other than 0, 0, 0");
     return with_all_changed(std::move(document), command.objects,

@@ -14,9 +14,9 @@ Document with_surfacing(Document document, const std::vector<Id>& ids,
                         const std::optional<Surfacing>& surfacing)
 {
     for (const Id id : distinct(document, ids))
-        if (const Object& o = object(document, id);
-            holds_others(o.source) && !std::holds_alternative<TetrahedraShape>(o.source))
-            throw Rejected(named(id, o) + " is a group; give materials to the objects in it");
+        if (!kind_of(document, id).takes_material)
+            throw Rejected(named(document, id) +
+                           " is a group; give materials to the objects in it");
     return with_all_changed(std::move(document), ids, [&](Object& o) { o.surfacing = surfacing; });
 }
 

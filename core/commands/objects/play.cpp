@@ -12,7 +12,7 @@ namespace trivar {
 Document applied(Document document, const PlayClip& command)
 {
     for (const Id id : distinct(document, command.objects))
-        if (!std::holds_alternative<ImportedFile>(object(document, id).source))
+        if (!kind_of(document, id).has_clips)
             throw Rejected(named(document, id) + " is not an imported model, so it has no clips");
     const std::vector<Playing>& each = command.playings;
     if (!each.empty() && each.size() != command.objects.size())

@@ -13,7 +13,7 @@ namespace trivar {
 Document applied(Document document, const Shade& command)
 {
     for (const Id id : distinct(document, command.objects))
-        if (holds_others(object(document, id).source))
+        if (!kind_of(document, id).has_surface)
             throw Rejected(named(document, id) +
                            " has no faces of its own; shade the objects in it");
     return with_all_changed(std::move(document), command.objects, [&](Object& o) {

@@ -14,7 +14,7 @@ namespace trivar {
 Document applied(Document document, const Simplify& command)
 {
     for (const Id id : distinct(document, command.objects))
-        if (holds_others(object(document, id).source))
+        if (!kind_of(document, id).has_surface)
             throw Rejected(named(document, id) +
                            " has no triangles of its own; simplify the objects in it");
     return with_all_changed(std::move(document), command.objects,

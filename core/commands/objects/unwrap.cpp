@@ -10,9 +10,7 @@ namespace trivar {
 Document applied(Document document, const Unwrap& command)
 {
     for (const Id id : distinct(document, command.objects))
-        if (holds_others(object(document, id).source))
-            throw Rejected(named(document, id) +
-                           " has no surface of its own; unwrap the objects in it");
+        check_has_surface(document, id, "unwrap");
     return with_all_changed(std::move(document), command.objects,
                             [&](Object& o) { o.unwrapping = command.unwrapping; });
 }

@@ -41,7 +41,7 @@ Document applied(Document document, const ApplyShape& command)
 {
     const Object& laid = object(document, command.object);
     check_placed(laid, command.object);
-    if (holds_others(laid.source))
+    if (!kind_of(laid).has_surface)
         throw Rejected("field \"object\": " + named(document, command.object) +
                        " has no shape of its own");
     if (command.file.path.empty()) throw Rejected("field \"path\" names no file");

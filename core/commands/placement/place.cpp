@@ -19,15 +19,10 @@
 namespace trivar {
 namespace {
 
-bool is_group(const Object& o)
-{
-    return holds_others(o.source);
-}
-
 // Throws Rejected for a group, which has no shape to place; a lattice has its box.
 void check_can_be_laid(const Document& document, Id id)
 {
-    if (std::holds_alternative<GroupShape>(object(document, id).source))
+    if (!kind_of(document, id).has_shape)
         throw Rejected(named(document, id) + " is a group; place the objects in it");
     if (object(document, id).tiles)
         throw Rejected(named(document, id) +
@@ -38,7 +33,7 @@ void check_can_be_laid(const Document& document, Id id)
 // box.
 void forget_shaping(Object& o)
 {
-    if (!std::holds_alternative<LatticeShape>(o.source)) o.shaping.clear();
+    if (!kind_of(o).has_cage) o.shaping.clear();
 }
 
 // Largest number of supports, more than any stroke meets; each placement stores its whole list.
@@ -77,7 +72,7 @@ std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>&
     std::set<Id> given(onto.begin(), onto.end());
     for (const Id other : given) object(document, other);
     for (const Id other : with_contents(document, std::move(given))) {
-        if (is_group(object(document, other))) continue;
+        if (!kind_of(document, other).has_surface) continue;
         if (other == id) throw Rejected("field \"onto\": an object cannot lie on itself");
         if (above.contains(other))
             throw Rejected(fmt::format(
@@ -127,7 +122,7 @@ void check_cut(const Document& document, const PlaceRound& command)
     const glm::dvec3& normal = *command.normal;
     if (!std::isfinite(glm::dot(normal, normal)) || !(glm::length(normal) > 0))
         throw Rejected("field \"normal\" has no direction");
-    if (holds_others(object(document, command.around).source))
+    if (!kind_of(document, command.around).has_surface)
         throw Rejected(fmt::format("field \"around\": {} has no surface of its own; name one of "
                                    "the objects in it",
                                    named(document, command.around)));
@@ -183,7 +178,7 @@ std::vector<Id> possible_bases(const Document& document, Id id)
     const std::set<Id> above = depending_on(document, {id});
     std::vector<Id> result;
     for (const auto& [other, ref] : document.objects)
-        if (!is_group(*ref) && !above.contains(other) && visible(document, other))
+        if (kind_of(*ref).has_surface && !above.contains(other) && visible(document, other))
             result.push_back(other);
     return result;
 }

@@ -31,7 +31,7 @@ void check_mask(const Document& document, Id layer, const TileMask& mask)
     if (mask.from != MaskFrom::curve || mask.curve == 0) return;
     const Object& other = object(document, mask.curve);
     if (mask.curve == layer) throw Rejected("field \"curve\": the tiles are no curve");
-    if (!other.stroke && !std::holds_alternative<ImportedFile>(other.source))
+    if (!other.stroke && !kind_of(other).has_curves)
         throw Rejected(named(mask.curve, other) +
                        " has no curve; choose an object that lies on a stroke, or one with lines");
     if (depending_on(document, {layer}).contains(mask.curve))

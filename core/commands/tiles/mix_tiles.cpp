@@ -18,7 +18,7 @@ void check_can_be_tile_of(const Document& document, Id layer, Id id, std::string
     if (id == layer)
         throw Rejected(
             fmt::format("field \"{}\": {} is the layer itself", field, named(id, other)));
-    if (holds_others(other.source))
+    if (!kind_of(other).has_surface)
         throw Rejected(named(id, other) + " has no shape of its own; choose an object that has");
     if (other.stroke)
         throw Rejected(named(id, other) +

@@ -21,12 +21,12 @@ std::size_t stroke_index(const Document& document, Id id, int number)
 void check_can_be_tile(const Document& document, Id id, Id base)
 {
     const Object& tile = object(document, id);
-    if (holds_others(tile.source))
+    if (!kind_of(tile).has_surface)
         throw Rejected(named(id, tile) + " has no shape of its own; paint with an object that has");
     if (tile.stroke)
         throw Rejected(named(id, tile) +
                        " lies on a stroke; remove it from the stroke first, or paint with a copy");
-    if (holds_others(object(document, base).source))
+    if (!kind_of(document, base).has_surface)
         throw Rejected(named(document, base) + " has no surface; paint on an object that has one");
     if (id == base) throw Rejected("field \"base\": an object cannot be painted on itself");
     if (depending_on(document, {id}).contains(base))

@@ -137,7 +137,7 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     if (const auto* file = std::get_if<ImportedFile>(&each.source))
         draw_file(editor, theme, *file, id);
     const Document& document = editor.session.document();
-    if (holds_others(each.source)) {
+    if (kind_of(each).holds_others) {
         const auto inside = [&](const auto& other) {
             return other.first != id && belongs_to(document, other.first, id);
         };
@@ -171,7 +171,7 @@ void shape_rows(const Session& session, const ui::Theme& theme, const std::vecto
         for (const glm::dvec3& p : points_of(session, ids)) box.add(p);
     const glm::dvec3 size = box.size();
     const auto is_seen = [&](Id id) { return visible(document, id); };
-    const auto holds = [&](Id id) { return holds_others(object(document, id).source); };
+    const auto holds = [&](Id id) { return kind_of(document, id).holds_others; };
     ui::fact_row(theme, "Size",
                  !box.empty() ? fmt::format("{} × {} × {} m", number_text(size.x),
                                             number_text(size.y), number_text(size.z))
@@ -308,7 +308,7 @@ ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> 
 void draw_materials(Editor& editor, const ui::Theme& theme, std::vector<Id> ids)
 {
     const auto& objects = editor.session.document().objects;
-    std::erase_if(ids, [&](Id id) { return holds_others(objects.at(id)->source); });
+    std::erase_if(ids, [&](Id id) { return !kind_of(*objects.at(id)).has_surface; });
     if (ids.empty() || !ui::section(theme, "Material")) return;
     const Ref<Object> active = objects.at(ids.back()); // edits replace it while we read
     const bool same = std::ranges::all_of(

@@ -76,7 +76,7 @@ void choose_warp(const ui::Theme& theme, WarpAtHand& at_hand, const Steps& steps
 
 void box_rows(Editor& editor, const ui::Theme& theme, Id id)
 {
-    LatticeShape s = std::get<LatticeShape>(object(editor.session.document(), id).source);
+    LatticeShape s = *made_of<LatticeShape>(editor.session.document(), id);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     FieldRows<LatticeShape> fields(rows, s, "shape");

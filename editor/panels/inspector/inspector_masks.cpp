@@ -177,7 +177,7 @@ void draw_masks(Editor& editor, const ui::Theme& theme, Id id, const Tiling& til
 void draw_heights(Editor& editor, const ui::Theme& theme, Id id)
 {
     if (!ui::section(theme, "Heights")) return;
-    HeightShape shape = std::get<HeightShape>(object(editor.session.document(), id).source);
+    HeightShape shape = *made_of<HeightShape>(editor.session.document(), id);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     FieldRows<HeightShape> fields(rows, shape, "shape");

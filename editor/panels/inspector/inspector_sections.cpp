@@ -18,7 +18,7 @@ namespace {
 
 template <class Shape> bool is_made_of(const Document& document, Id id)
 {
-    return std::holds_alternative<Shape>(object(document, id).source);
+    return made_of<Shape>(document, id) != nullptr;
 }
 
 bool is_placed(const Document& document, Id id)
@@ -28,19 +28,24 @@ bool is_placed(const Document& document, Id id)
 
 bool has_a_volume(const Document& document, Id id)
 {
-    return is_placed(document, id) || is_made_of<LatticeShape>(document, id);
+    return is_placed(document, id) || kind_of(document, id).has_cage;
 }
 
 // Placed objects have these rows among those of their placement.
 bool is_bent_by_lattices_alone(const Document& document, Id id)
 {
-    return !is_placed(document, id) && !holds_others(object(document, id).source) &&
+    return !is_placed(document, id) && kind_of(document, id).has_surface &&
            !lattices_round(document, id).empty();
 }
 
 bool has_triangles(const Document& document, Id id)
 {
-    return !holds_others(object(document, id).source);
+    return kind_of(document, id).has_surface;
+}
+
+bool has_clips(const Document& document, Id id)
+{
+    return kind_of(document, id).has_clips;
 }
 
 bool is_parted(const Document& document, Id id)
@@ -77,7 +82,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_made_of<TetrahedraShape>, draw_tetrahedra},
         {is_made_of<SimplexSheetShape>, draw_simplex_sheet},
         {has_a_volume, draw_shaping},
-        {is_made_of<ImportedFile>,
+        {has_clips,
          [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},
         {is_made_of<VoxelShape>, draw_volume_data},
         {is_made_of<TextShape>, draw_text},

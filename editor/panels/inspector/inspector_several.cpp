@@ -67,16 +67,14 @@ void draw_several(Editor& editor, const ui::Theme& theme)
         draw_travel(editor, theme, placed_ids);
         draw_refinement(editor, theme, placed_ids);
     }
-    const auto imported = [&](Id id) {
-        return std::holds_alternative<ImportedFile>(object(session.document(), id).source);
-    };
-    if (std::ranges::all_of(session.selected.ids(), imported))
+    const auto has_clips = [&](Id id) { return kind_of(session.document(), id).has_clips; };
+    if (std::ranges::all_of(session.selected.ids(), has_clips))
         draw_clip(editor, theme, {session.selected.ids().begin(), session.selected.ids().end()});
     const std::vector<Id> ids(session.selected.ids().begin(), session.selected.ids().end());
     draw_materials(editor, theme, ids);
     std::vector<Id> with_faces;
     for (const Id id : ids)
-        if (!holds_others(object(session.document(), id).source)) with_faces.push_back(id);
+        if (kind_of(session.document(), id).has_surface) with_faces.push_back(id);
     draw_shading(editor, theme, with_faces);
     if (ui::section(theme, "Shape")) shape_rows(session, theme, ids);
 }

@@ -35,8 +35,7 @@ std::vector<double> span_middles(const Knots& axis)
 void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const Knots& knots,
                  const double* deviation)
 {
-    const bool box =
-        std::holds_alternative<LatticeShape>(object(editor.session.document(), id).source);
+    const bool box = is_lattice(editor.session.document(), id);
     ui::label_row(theme, (box ? of_a_box : of_a_stroke)[static_cast<std::size_t>(axis)]);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = theme.size.row;
@@ -115,7 +114,7 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
 {
     Session& session = editor.session;
     const auto found = session.evaluated().objects.find(id);
-    const bool box = std::holds_alternative<LatticeShape>(object(session.document(), id).source);
+    const bool box = is_lattice(session.document(), id);
     if (!ui::section(theme, box ? "Control points" : "Lattice", box)) return;
     if (found == session.evaluated().objects.end() || !found->second->placement) return;
     const Ref<Placement> placement = found->second->placement;

@@ -116,7 +116,7 @@ void facts(const Session& session, const ui::Theme& theme, Id id)
                  count(volume ? volume->layers.front()->domain().cells.size() : 0));
     ui::fact_row(theme, "Control points", count(volume ? volume->displacements.size() : 0));
     ui::fact_row(theme, "Refinements", count(volume ? volume->layers.size() - 1 : 0));
-    const auto* shape = std::get_if<TetrahedraShape>(&object(session.document(), id).source);
+    const auto* shape = made_of<TetrahedraShape>(session.document(), id);
     if (!shape || shape->displaced.empty()) return; // it never was a lattice
     const bool as_it_was = is_as_converted(*shape);
     ui::fact_row(theme, "Off the lattice",
@@ -129,7 +129,7 @@ void facts(const Session& session, const ui::Theme& theme, Id id)
 
 void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
 {
-    TetrahedraShape shape = std::get<TetrahedraShape>(object(editor.session.document(), id).source);
+    TetrahedraShape shape = *made_of<TetrahedraShape>(editor.session.document(), id);
     auto& at_hand = editor.memory.of<EditAtHand>();
     const std::size_t chosen = chosen_edit(at_hand, id, shape.edits.size());
     if (!ui::section(theme, "Edits")) return;
@@ -172,8 +172,7 @@ void draw_edits(Editor& editor, const ui::Theme& theme, Id id)
 void draw_tetrahedra(Editor& editor, const ui::Theme& theme, Id id)
 {
     if (ui::section(theme, "Domain")) {
-        TetrahedraShape shape =
-            std::get<TetrahedraShape>(object(editor.session.document(), id).source);
+        TetrahedraShape shape = *made_of<TetrahedraShape>(editor.session.document(), id);
         const KeyGutter keys(editor, {id});
         ValueRows rows{theme, &keys};
         domain_rows(rows, shape);
@@ -187,7 +186,7 @@ void draw_tetrahedra(Editor& editor, const ui::Theme& theme, Id id)
 void draw_simplex_sheet(Editor& editor, const ui::Theme& theme, Id id)
 {
     if (!ui::section(theme, "Sheet")) return;
-    auto shape = std::get<SimplexSheetShape>(object(editor.session.document(), id).source);
+    auto shape = *made_of<SimplexSheetShape>(editor.session.document(), id);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     FieldRows<SimplexSheetShape> fields(rows, shape, "shape");

@@ -74,9 +74,8 @@ void font_row(Editor& editor, ValueRows& rows, TextShape& s)
 
 void draw_text(Editor& editor, const ui::Theme& theme, Id id)
 {
-    const Object& each = object(editor.session.document(), id);
     if (!ui::section(theme, "Text")) return;
-    TextShape s = std::get<TextShape>(each.source);
+    TextShape s = *made_of<TextShape>(editor.session.document(), id);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     rows.take(letters_field(theme, s.text));

@@ -14,10 +14,7 @@ namespace {
 bool only_by_keys(const Object& object, const Parameter& number)
 {
     const std::string& name = number.name;
-    if (name.starts_with("shape."))
-        return !std::holds_alternative<TextShape>(object.source) &&
-               !std::holds_alternative<VoxelShape>(object.source) &&
-               !std::holds_alternative<ImportedFile>(object.source);
+    if (name.starts_with("shape.")) return !kind_of(object).has_rows;
     const bool step = name.find(".press.") != name.npos || name.find(".shift.") != name.npos ||
                       name.find(".warp.") != name.npos;
     return name.starts_with("shaping.") && step && name.find(".samples.") == name.npos &&
@@ -37,7 +34,7 @@ std::string step_of(const std::string& parameter)
 std::string caption_of(const Object& object, const std::string& step)
 {
     const std::size_t number = std::stoul(step.substr(step.find('.') + 1));
-    const bool box = std::holds_alternative<LatticeShape>(object.source);
+    const bool box = kind_of(object).has_cage;
     return fmt::format("Step {}: {}", number + 1, words_of(*object.shaping[number], box));
 }
 

@@ -28,7 +28,7 @@ bool can_be_cut(const Session& session, Id id)
     const auto there = session.document().objects.find(id);
     const auto shown = session.evaluated().objects.find(id);
     return there != session.document().objects.end() &&
-           shown != session.evaluated().objects.end() && !holds_others(there->second->source) &&
+           shown != session.evaluated().objects.end() && kind_of(*there->second).has_surface &&
            !there->second->tiles && !shown->second->shape->meshes.empty() &&
            !locked(session.document(), id);
 }

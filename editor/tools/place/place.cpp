@@ -105,8 +105,7 @@ void paint_no(const ui::Theme& theme, glm::vec2 at)
 bool can_be_placed(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);
-    return found != document.objects.end() &&
-           !std::holds_alternative<GroupShape>(found->second->source);
+    return found != document.objects.end() && kind_of(*found->second).has_shape;
 }
 
 std::vector<Id> bases_for_stroke(const Session& session, Id model)

@@ -18,8 +18,8 @@ namespace {
 bool goes_round(const Document& document, Id id)
 {
     const Object& body = object(document, id);
-    return !body.stroke && visible(document, id) && !holds_others(body.source) &&
-           !std::holds_alternative<PlaneShape>(body.source);
+    return !body.stroke && visible(document, id) && kind_of(body).has_surface &&
+           !kind_of(body).is_flat;
 }
 
 glm::dvec3 direction_of(RoundAxis axis)

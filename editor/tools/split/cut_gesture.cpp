@@ -22,7 +22,7 @@ bool CutGesture::begin(Session& session, const ViewportInput& input, bool straig
     const Id id = session.selected;
     const auto shown = session.evaluated().objects.find(id);
     if (shown == session.evaluated().objects.end() ||
-        holds_others(object(session.document(), id).source) || shown->second->parts.empty())
+        !kind_of(session.document(), id).has_surface || shown->second->parts.empty())
         return false;
     object_ = id;
     under_ = input.under;

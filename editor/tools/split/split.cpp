@@ -114,8 +114,7 @@ std::vector<Id> SplitTool::chosen(const Session& session)
 {
     std::vector<Id> out;
     for (const Id id : session.selected.ids())
-        if (session.document().objects.contains(id) &&
-            !holds_others(object(session.document(), id).source))
+        if (session.document().objects.contains(id) && kind_of(session.document(), id).has_surface)
             out.push_back(id);
     return out;
 }

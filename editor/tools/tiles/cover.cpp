@@ -30,8 +30,8 @@ std::optional<CoverWithTiles> cover_wish(const Session& session)
     const Document& document = session.document();
     const Id tile = chosen[0], base = chosen[1];
     const Object& o = object(document, tile);
-    if (holds_others(o.source) || o.stroke || locked(document, tile) ||
-        holds_others(object(document, base).source))
+    if (!kind_of(o).has_surface || o.stroke || locked(document, tile) ||
+        !kind_of(document, base).has_surface)
         return {};
     if (o.tiles && o.tiles->base != 0 && o.tiles->base != base) return {};
     const double length = usual_tile_length(session, base);

@@ -75,8 +75,8 @@ Id TilesTool::tile(const Session& session) const
     const auto found = session.document().objects.find(selected);
     if (found == session.document().objects.end()) return 0;
     const Object& o = *found->second;
-    return holds_others(o.source) || o.stroke || locked(session.document(), selected) ? 0
-                                                                                      : selected;
+    return !kind_of(o).has_surface || o.stroke || locked(session.document(), selected) ? 0
+                                                                                       : selected;
 }
 
 bool TilesTool::begins_layer(const Session& session) const
@@ -114,9 +114,7 @@ std::optional<std::vector<std::string>> TilesTool::chosen_models(const Session& 
     if (begins_layer(session)) return files_;
     std::vector<std::string> files;
     const auto add = [&](Id id) {
-        const auto found = session.document().objects.find(id);
-        if (found == session.document().objects.end()) return;
-        if (const auto* file = std::get_if<ImportedFile>(&found->second->source))
+        if (const auto* file = made_of<ImportedFile>(session.document(), id))
             files.push_back(file->path);
     };
     const Id id = tile(session);
