@@ -24,7 +24,7 @@ Measure measure_of(MotionKind kind)
                                         : Measure::plain;
 }
 
-glm::dvec3 factors_along(const Handle& constraint, double factor)
+glm::dvec3 factors_along(const GizmoHandle& constraint, double factor)
 {
     glm::dvec3 factors(constraint.grip == Grip::axis ? 1 : factor);
     if (constraint.grip == Grip::axis) factors[constraint.axis] = factor;
@@ -112,10 +112,10 @@ void TransformGesture::move_hand(const Camera& camera, glm::dvec2 to_px, HeldKey
 
 void TransformGesture::choose_axis(int axis, bool plane)
 {
-    const Handle wanted{plane                         ? Grip::plane
-                        : kind_ == MotionKind::rotate ? Grip::ring
-                                                      : Grip::axis,
-                        axis};
+    const GizmoHandle wanted{plane                         ? Grip::plane
+                             : kind_ == MotionKind::rotate ? Grip::ring
+                                                           : Grip::axis,
+                             axis};
     // There is no turning in a line.
     if (kind_ == MotionKind::rotate && (plane || own_axes_)) return;
     by_handle_ = false;

@@ -39,7 +39,7 @@ glm::dmat3 shared_axes(const std::vector<Stand>& stands, Id active, Orientation 
 // A Grasp says how a gesture begins: on a handle, or by its key.
 struct Grasp {
     glm::dvec3 pivot_world{0};
-    Handle handle = {};
+    GizmoHandle handle = {};
     glm::dvec2 from_px{0};
     double scale = 1;      // of the interface
     bool own_axes = false; // no other axes can be chosen, and a turn is about that of the handle
@@ -71,8 +71,8 @@ public:
     std::string words() const;  // "Move X 1.25 m"
     std::string amount() const; // "X 1.25 m"
 
-    const Handle& constraint() const { return constraint_; } // none: free
-    MotionFrame frame() const;                               // of the handles, at the beginning
+    const GizmoHandle& constraint() const { return constraint_; } // none: free
+    MotionFrame frame() const; // of the handles, at the beginning
     glm::dvec3 turn_axis_world() const;
     bool free() const; // the hand may go anywhere, and no number is typed
     double travelled_px() const { return travelled_px_; }
@@ -96,7 +96,7 @@ private:
     Orientation asked_; // of the options bar, while a key chose the other one
     Camera camera_;
     glm::dvec3 pivot_world_;
-    Handle constraint_;
+    GizmoHandle constraint_;
     bool by_handle_, own_axes_;
     double scale_;
     glm::dvec2 from_px_, hand_px_, mouse_px_; // the hand goes slower than the mouse while fine

@@ -179,10 +179,10 @@ std::vector<HandleShape> gizmo_shapes(MotionKind kind, const Camera& camera,
     return shapes;
 }
 
-Handle handle_at(const std::vector<HandleShape>& shapes, glm::vec2 p_px, double scale)
+GizmoHandle handle_at(const std::vector<HandleShape>& shapes, glm::vec2 p_px, double scale)
 {
     auto nearest = static_cast<float>(7 * scale);
-    Handle result;
+    GizmoHandle result;
     // What is painted last lies above.
     for (auto it = shapes.rbegin(); it != shapes.rend(); ++it) {
         if (it->opacity < 0.25f) continue;

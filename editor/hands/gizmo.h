@@ -12,15 +12,15 @@ namespace trivar {
 // A Grip is the part of a handle that a hand can take: an arrow or box of an axis, a ring about it,
 // the plane across it, the ring of the picture, or the middle.
 enum class Grip { none, axis, plane, ring, view_ring, center };
-struct Handle {
+struct GizmoHandle {
     Grip grip = Grip::none;
     int axis = 0; // 0, 1, 2; for a plane the axis across it
-    bool operator==(const Handle&) const = default;
+    bool operator==(const GizmoHandle&) const = default;
 };
 
-// A HandleShape is a handle as it appears in the picture, in pixels.
+// A HandleShape is one of them as it appears in the picture, in pixels.
 struct HandleShape {
-    Handle handle;
+    GizmoHandle handle;
     std::vector<glm::vec2> line = {}; // drawn open
     std::vector<glm::vec2> area = {}; // filled
     std::vector<glm::vec2> back =
@@ -36,14 +36,14 @@ std::vector<HandleShape> gizmo_shapes(MotionKind kind, const Camera& camera,
                                       const MotionFrame& frame, double scale);
 
 // The handle under a pixel; the nearest one where there are several.
-Handle handle_at(const std::vector<HandleShape>& shapes, glm::vec2 p_px, double scale);
+GizmoHandle handle_at(const std::vector<HandleShape>& shapes, glm::vec2 p_px, double scale);
 
 // The distance of a ring from the pivot, in pixels at scale 1.
 inline constexpr double ring_radius_px = 82;
 
 // Paints the handles, `lit` above the others; `at` is where the picture begins in the window.
 void paint_gizmo(const ui::Theme& theme, glm::vec2 at, const std::vector<HandleShape>& shapes,
-                 Handle lit);
+                 GizmoHandle lit);
 
 ui::Color axis_color(const ui::Theme& theme, int axis);
 

@@ -71,7 +71,7 @@ ui::Color axis_color(const ui::Theme& theme, int axis)
 }
 
 void paint_gizmo(const ui::Theme& theme, glm::vec2 at, const std::vector<HandleShape>& shapes,
-                 Handle lit)
+                 GizmoHandle lit)
 {
     for (const HandleShape& shape : shapes)
         if (shape.handle != lit) paint(theme, at, shape, false);

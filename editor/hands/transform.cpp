@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-constexpr Handle about_surface{Grip::ring, 2}; // of what lies on a stroke
+constexpr GizmoHandle about_surface{Grip::ring, 2}; // of what lies on a stroke
 
 } // namespace
 

@@ -65,7 +65,7 @@ private:
     bool beginning_ = false;
     bool outside_ = false;    // the mouse is not over the picture
     double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
-    Handle hovered_;
+    GizmoHandle hovered_;
     std::optional<Command> shown_; // the last proposal
 };
 

@@ -46,7 +46,7 @@ void TransformTool::gesture_overlay(const Session& session, const ui::Theme& the
 {
     const Camera& camera = session.view.camera;
     const MotionFrame frame = gesture_->frame();
-    const Handle& held = gesture_->constraint();
+    const GizmoHandle& held = gesture_->constraint();
     const bool free = held.grip == Grip::none, plane = held.grip == Grip::plane;
     for (int axis = 0; axis < 3; ++axis)
         if (!free && (axis == held.axis) != plane)

@@ -308,7 +308,7 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 }
 
 void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
-                              const Handle& handle, MotionKind kind)
+                              const GizmoHandle& handle, MotionKind kind)
 {
     const Lattice& volume = selected_volume(session)->placement->volume;
     of_ = point_count(volume);

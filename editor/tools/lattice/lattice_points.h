@@ -51,7 +51,7 @@ private:
     void choose(const Session& session, const ViewportInput& input);
     void choose_line(const Session& session);
     void choose_in_box(const Session& session, const ViewportInput& input);
-    void begin(const Session& session, const ViewportInput& input, const Handle& handle,
+    void begin(const Session& session, const ViewportInput& input, const GizmoHandle& handle,
                MotionKind kind = MotionKind::move);
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
@@ -73,7 +73,7 @@ private:
     glm::ivec3 of_{0};               // its control points along, across and up
     std::vector<glm::ivec3> chosen_; // of that one's volume, in the order they were chosen
     std::optional<glm::ivec3> hovered_;
-    Handle hovered_handle_;
+    GizmoHandle hovered_handle_;
     std::optional<glm::ivec3> pressed_; // a click on it chooses it alone
     std::optional<glm::dvec2> box_px_;  // where it began
     std::optional<TransformGesture> gesture_;

@@ -137,8 +137,8 @@ bool TetrahedraClouds::grab(Session& session, MotionKind kind)
     return true;
 }
 
-void TetrahedraClouds::begin(const ViewportInput& input, const Camera& camera, const Handle& handle,
-                             MotionKind kind)
+void TetrahedraClouds::begin(const ViewportInput& input, const Camera& camera,
+                             const GizmoHandle& handle, MotionKind kind)
 {
     before_ = basis_;
     kind_ = kind;

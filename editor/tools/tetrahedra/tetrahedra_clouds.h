@@ -32,7 +32,7 @@ private:
     void follow(const Session& session);
     void pick(int vertex, int knot);
     void pick_none();
-    void begin(const ViewportInput& input, const Camera& camera, const Handle& handle,
+    void begin(const ViewportInput& input, const Camera& camera, const GizmoHandle& handle,
                MotionKind kind);
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);

@@ -265,7 +265,7 @@ std::optional<std::vector<std::string>> TetrahedraPoints::numbers(const Session&
 }
 
 void TetrahedraPoints::begin(const Session& session, const ViewportInput& input,
-                             const Handle& handle, MotionKind kind)
+                             const GizmoHandle& handle, MotionKind kind)
 {
     const EvaluatedObject& volume = *selected_tetrahedra(session);
     const MotionFrame stands = frame(volume);

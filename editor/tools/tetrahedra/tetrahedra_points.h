@@ -44,7 +44,7 @@ private:
     std::optional<int> place_at(const Session& session, const ViewportInput& input) const;
     void choose_at(const Session& session, const ViewportInput& input);
     void choose_in_box(const Session& session, const ViewportInput& input);
-    void begin(const Session& session, const ViewportInput& input, const Handle& handle,
+    void begin(const Session& session, const ViewportInput& input, const GizmoHandle& handle,
                MotionKind kind);
     void go_on(Session& session, const ViewportInput& input, const Manner& manner);
     void finish(Session& session);
@@ -60,7 +60,7 @@ private:
     std::vector<glm::dvec3> at_world_; // one per place
     std::vector<int> chosen_;          // numbers of places, in the order they were chosen
     std::optional<int> hovered_, pressed_;
-    Handle hovered_handle_;
+    GizmoHandle hovered_handle_;
     std::optional<glm::dvec2> box_px_; // where it began
     std::optional<TransformGesture> gesture_;
     MotionKind kind_ = MotionKind::move;

@@ -16,7 +16,7 @@ Camera seen_from(const glm::dvec3& eye)
     return camera;
 }
 
-const HandleShape* shape_of(const std::vector<HandleShape>& shapes, Handle handle)
+const HandleShape* shape_of(const std::vector<HandleShape>& shapes, GizmoHandle handle)
 {
     for (const HandleShape& shape : shapes)
         if (shape.handle == handle) return &shape;
@@ -49,7 +49,7 @@ TEST(Gizmo, IsTakenHoldOfWhereItIsSeen)
                                      : (shape.area[0] + shape.area[1] + shape.area[2]) / 3.0f;
             EXPECT_EQ(handle_at(gizmo_shapes(kind, camera, {}, 1), at, 1), shape.handle);
         }
-    EXPECT_EQ(handle_at(gizmo_shapes(MotionKind::move, camera, {}, 1), {5, 5}, 1), Handle{});
+    EXPECT_EQ(handle_at(gizmo_shapes(MotionKind::move, camera, {}, 1), {5, 5}, 1), GizmoHandle{});
 }
 
 TEST(Gizmo, LeavesOutWhatCannotBeSeen)

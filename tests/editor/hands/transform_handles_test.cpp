@@ -10,7 +10,7 @@ namespace {
 using testing::Boxes;
 
 // A drag on a handle, found by where it is drawn.
-glm::vec2 handle_of(const Boxes& rig, MotionKind kind, Handle wanted)
+glm::vec2 handle_of(const Boxes& rig, MotionKind kind, GizmoHandle wanted)
 {
     const auto stands = stands_of(rig.editor.session.document(), rig.editor.session.selected.ids());
     const Camera& camera = rig.editor.session.view.camera;
