@@ -24,7 +24,7 @@
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/hands/last_shaping.h"
-#include "editor/hands/placement_handles.h"
+#include "editor/hands/selected_placement.h"
 #include "editor/tools/all_tools.h"
 
 #include <tuple>

@@ -3,7 +3,7 @@
 
 #include "core/placement/view.h"
 #include "core/steps/laying/attaching.h"
-#include "editor/hands/placement_handles.h"
+#include "editor/hands/selected_placement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,46 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/hands/placement_holds.h"
-#include "editor/hands/tool.h"
+#include "editor/hands/handles.h"
 #include "ui/option_bar.h"
 
 namespace trivar {
 
-// Which handles of a placed object are shown; all tools that show them share the choice.
+// A HandleChoice says which handles of a placed object are shown; all tools share it.
 enum class HandleChoice { all, stroke, sizes, none };
 
-// PlacementHandles are the handles of the one selected object on a stroke, for the tools that show
-// them. A drag is one step.
-class PlacementHandles {
-public:
-    explicit PlacementHandles(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
-
-    bool shown(const Session& session) const;
-    // Returns whether the mouse is on a handle, or drags one, so that it belongs to nobody else.
-    bool use(Session& session, const ViewportInput& input);
-    bool busy() const { return drag_.has_value(); }
-    void cancel(Session& session);
-    void overlay(const Session& session, const ui::Theme& theme, const ViewportInput& input) const;
-    std::vector<Hint> hints() const; // of a drag
-    bool hovers() const { return hovered_.kind != HoldKind::none; }
-    // The option to choose handles, where an object with handles is selected.
-    std::optional<ui::Option> option(const Session& session, const ui::Theme& theme);
-
-private:
-    std::vector<HoldPoint> points(const Session& session) const;
-
-    std::shared_ptr<HandleChoice> choice_;
-    Hold hovered_;
-    std::optional<HoldDrag> drag_;
-    glm::dvec2 at_px_{0};
-    bool moved_ = false;
-};
-
-// The selected object, if it is the only one, lies on a stroke, is visible and not locked; else
-// null.
-const EvaluatedObject* selected_placement(const Session& session);
-// The same for any volume: that of a placed object, or of a lattice.
-const EvaluatedObject* selected_volume(const Session& session);
+// The handles of the one selected object on a stroke, by the kinds of their keys: "stroke", places
+// of the stroke; "width" and "height", the rims and the roof of its volume, a handle per point of
+// their profiles (of a rim 2 x point, and 1 more on the left one); "across" of the height across,
+// "map" of the height map, row by row; "rise" of the rise, up a corner of the volume; "start" and
+// "end" of the model on the stroke; "contact", the level that lies on the scene; "sunk", how deep
+// the floor is sunk under it. A size that is seen end-on, like heights from the view of the stroke,
+// stands on a stalk. `scale`: of the interface.
+std::vector<Handle> placement_handles(const Session& session, HandleChoice choice, double scale);
+// The pixel of the window at which the legend of such an object begins; their words leave it free.
+float end_of_words(const ui::Theme& theme, const ViewportInput& input);
+// The option to choose handles, where an object with handles is selected.
+std::optional<ui::Option> handles_option(const Session& session, const ui::Theme& theme,
+                                         HandleChoice& choice);
 
 } // namespace trivar

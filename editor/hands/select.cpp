@@ -3,6 +3,7 @@
 
 #include "editor/hands/laid_motion.h"
 #include "editor/hands/motion.h"
+#include "editor/hands/selected_placement.h"
 #include "editor/session/scene_facts.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -31,7 +32,9 @@ const char* SelectTool::icon() const
 
 void SelectTool::use(Session& session, const ViewportInput& input)
 {
-    if (box_ == Box::none && handles_.use(session, input)) return;
+    if (box_ == Box::none &&
+        handles_.use(session, input, placement_handles(session, *choice_, input.scale)))
+        return;
     if (input.pressed) {
         corner_px_ = input.mouse;
         if (box_ == Box::armed)
@@ -66,7 +69,8 @@ void SelectTool::cancel(Session& session)
 void SelectTool::overlay(const Session& session, const ui::Theme& theme,
                          const ViewportInput& input) const
 {
-    handles_.overlay(session, theme, input);
+    handles_.paint(theme, input, placement_handles(session, *choice_, input.scale),
+                   end_of_words(theme, input));
     if (box_ == Box::drawn) paint_choice_box(theme, input, corner_px_);
 }
 
@@ -101,7 +105,7 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
     if (!handles) return;
     const float taken = std::min(room, ui::text_width(theme.font.body, words));
     ImGui::SetCursorScreenPos({at.x + taken + theme.px(24), at.y});
-    if (const auto option = handles_.option(session, theme))
+    if (const auto option = handles_option(session, theme, *choice_))
         ui::option_bar(theme, {*option}, width - taken - theme.px(24));
 }
 

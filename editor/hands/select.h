@@ -11,7 +11,7 @@ namespace trivar {
 // Shift or Ctrl it adds.
 class SelectTool : public Tool {
 public:
-    explicit SelectTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
+    explicit SelectTool(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
     std::string name() const override { return "Select"; }
     const char* icon() const override;
     std::string help() const override { return "Click an object to select it."; }
@@ -24,6 +24,7 @@ public:
         return box_ == Box::armed || box_ == Box::drawn || handles_.busy();
     }
     bool shows_volume() const override { return true; }
+    void take_keys(Session&) override { handles_.take_keys(); }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
@@ -36,7 +37,8 @@ private:
     // armed: the next drag draws the box; pressed: on nothing, so far a click.
     enum class Box { none, armed, pressed, drawn } box_ = Box::none;
     glm::dvec2 corner_px_{0}; // of the box, where the drag began
-    PlacementHandles handles_;
+    std::shared_ptr<HandleChoice> choice_;
+    Handles handles_; // of the selected placement
 };
 
 // Paints the box of a choice that is being drawn from one corner to the mouse, in pixels of the

@@ -3,7 +3,7 @@
 
 #include "editor/hands/last_shaping.h"
 #include "editor/hands/lattice_round.h"
-#include "editor/hands/placement_handles.h"
+#include "editor/hands/selected_placement.h"
 #include "editor/hands/shown_points.h"
 #include "ui/widgets.h"
 

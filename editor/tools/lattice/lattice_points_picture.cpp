@@ -2,8 +2,8 @@
 #include "editor/tools/lattice/lattice_points.h"
 
 #include "editor/hands/last_shaping.h"
-#include "editor/hands/placement_handles.h"
 #include "editor/hands/select.h"
+#include "editor/hands/selected_placement.h"
 #include "editor/hands/shown_points.h"
 #include "editor/picture/volume_picture.h"
 #include "ui/widgets.h"

@@ -2,10 +2,12 @@
 #include "editor/tools/place/place.h"
 
 #include "core/base/rounded.h"
+#include "core/commands/placement/place.h"
 #include "core/placement/embed.h"
 #include "core/placement/redraw.h"
 #include "core/steps/laying/attaching.h"
 #include "core/steps/laying/ground_plane.h"
+#include "editor/hands/selected_placement.h"
 #include "editor/hands/strip_paint.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
@@ -162,6 +164,11 @@ bool PlaceTool::copies(const Session& session) const
     return (new_stroke_ == NewStroke::copies) != other_;
 }
 
+const EvaluatedObject* PlaceTool::handled(const Session& session) const
+{
+    return *choice_ == HandleChoice::none ? nullptr : selected_placement(session);
+}
+
 Id PlaceTool::laid(const Session& session) const
 {
     return copies(session) ? session.committed().next_id : model_;
@@ -233,13 +240,13 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
 
 void PlaceTool::use(Session& session, const ViewportInput& input)
 {
-    if (!drawing_ && handles_.use(session, input)) {
+    if (!drawing_ &&
+        handles_.use(session, input, placement_handles(session, *choice_, input.scale))) {
         on_line_ = false;
         return;
     }
     if (!drawing_) {
-        const EvaluatedObject* laid =
-            handles_.shown(session) ? selected_placement(session) : nullptr;
+        const EvaluatedObject* laid = handled(session);
         on_line_ = laid && (input.hovered || input.pressed) &&
                    nearest_on_line(*laid->stroke_placement(), session.view.camera, input.mouse)
                            .distance_px < near_line_px * input.scale;
@@ -282,6 +289,7 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
 void PlaceTool::take_keys(Session& session)
 {
     (void)session;
+    handles_.take_keys();
     if (!drawing_ || !typed_.take_letters()) return;
     constexpr double widest = 1e6; // as in the options bar
     width_ = std::clamp(typed_.value(0, Measure::length).value_or(0), 0.0, widest);
@@ -334,7 +342,7 @@ std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme&
 
 std::vector<gpu::Translucent> PlaceTool::veils(const Session& session, const ui::Theme& theme) const
 {
-    const EvaluatedObject* held = handles_.shown(session) ? selected_placement(session) : nullptr;
+    const EvaluatedObject* held = handled(session);
     const Placement* placement = drawing_ ? placement_of(session, laid(session))
                                  : held   ? held->stroke_placement().get()
                                           : nullptr;
@@ -346,12 +354,12 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
     if (drawing_) return paint_stroke(session, theme, input);
-    if (const EvaluatedObject* laid = selected_placement(session);
-        laid && handles_.shown(session)) {
+    if (const EvaluatedObject* laid = handled(session)) {
         paint_nodes(theme, input, session.view.camera, *laid->stroke_placement(), Nodes::trouble);
         paint_strip_legend(theme, input.rect, *laid->stroke_placement());
     }
-    handles_.overlay(session, theme, input);
+    handles_.paint(theme, input, placement_handles(session, *choice_, input.scale),
+                   end_of_words(theme, input));
     if (!input.hovered || handles_.hovers() || handles_.busy()) return;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     if (!why_not_.empty()) return paint_no(theme, mouse);

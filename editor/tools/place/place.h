@@ -19,7 +19,7 @@ enum class NewStroke { moves, copies };
 // the model, or lays a copy of it, as the options bar says; Alt does the other of the two.
 class PlaceTool : public Tool {
 public:
-    explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
+    explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
     std::string name() const override { return "Place"; }
     const char* icon() const override;
     std::string help() const override
@@ -50,6 +50,8 @@ private:
     Command command(const Session& session) const;
     // Whether a stroke lays a copy of the model now.
     bool copies(const Session& session) const;
+    // The selected placement while its handles are shown; null: they are not.
+    const EvaluatedObject* handled(const Session& session) const;
     Id laid(const Session& session) const; // the object that the present stroke lays
     void options_of_model(Session& session, const ui::Theme& theme,
                           std::vector<ui::Option>& options);
@@ -78,7 +80,8 @@ private:
     TypedAmounts typed_;             // the width, while it is drawn
     bool retyped_ = false;           // and not shown yet
     PlacementParameters parameters_; // for the next new placement
-    PlacementHandles handles_;
+    std::shared_ptr<HandleChoice> choice_;
+    Handles handles_; // of the selected placement
 };
 
 // Whether a stroke can lay the object: groups cannot be laid.

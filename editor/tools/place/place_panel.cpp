@@ -106,7 +106,7 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
                            parameters_.springs = gaps == 0;
                        },
                        "Bridge: springs hold the model over gaps. Follow: it drops into them."});
-    if (const auto handles = handles_.option(session, theme)) options.push_back(*handles);
+    if (const auto handles = handles_option(session, theme, *choice_)) options.push_back(*handles);
     ui::option_bar(theme, options, width);
 }
 

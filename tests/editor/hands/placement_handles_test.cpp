@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/objects/arrange.h"
+#include "core/commands/placement/place.h"
 #include "core/document/document_digest.h"
+#include "core/evaluation/evaluate.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"
 #include "editor/hands/placement_handles.h"
+#include "editor/hands/selected_placement.h"
 #include "tests/editor/laid.h"
 
 #include <gmock/gmock.h>
@@ -17,25 +20,29 @@ using testing::Rig;
 
 struct PlacedRig : testing::LaidRig {
     using LaidRig::LaidRig;
-    HoldPoint hold(HoldKind kind, int index = 0) const
+    Handle handle(const HandleKey& key) const
     {
-        for (const HoldPoint& point : hold_points(step(), laid()))
-            if (point.hold == Hold{kind, index}) return point;
+        for (const Handle& each : placement_handles(editor.session, HandleChoice::all, 1))
+            if (each.key == key) return each;
         ADD_FAILURE() << "there is no such handle";
         return {};
     }
-    glm::vec2 handle(const HoldPoint& point) const
+    glm::vec2 in_window(const Handle& handle) const
     {
-        const glm::dvec2 at = *trivar::seen_at(point, editor.session.view.camera, 1);
-        return layout().view.lo + glm::vec2(at);
+        return layout().view.lo + glm::vec2(handle.p_px);
     }
     // A drag of a handle by some pixels.
-    void pull(const HoldPoint& point, glm::vec2 by)
+    void pull(const Handle& handle, glm::vec2 by)
     {
-        const glm::vec2 at = handle(point);
+        const glm::vec2 at = in_window(handle);
         move(at);
         draw({at, at + by});
         wait();
+    }
+    // A drag that makes the way from what it is tied to longer by a share.
+    void lengthen(const Handle& handle, float by)
+    {
+        pull(handle, by * glm::vec2(handle.p_px - handle.base_px));
     }
 };
 
@@ -45,25 +52,25 @@ TEST(PlacementHandles, ARimSetsTheWidthAndTheRoofTheHeightAStepEach)
     ASSERT_TRUE(rig.editor.session.evaluated().objects.at(2)->placement);
     const std::size_t before = rig.steps();
     const double width = rig.laid().report.width_world, height = rig.laid().report.height_world;
-    const HoldPoint rim = rig.hold(HoldKind::width);
-    const glm::vec2 way = rig.seen_at(rim.p_world) - rig.seen_at(rim.base_world);
-    rig.pull(rim, way); // as far again
+    const Handle rim = rig.handle({"width"});
+    rig.lengthen(rim, 1); // as far again
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.02 * width);
     EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.02 * width);
-    const HoldPoint roof = rig.hold(HoldKind::height);
+    const Handle roof = rig.handle({"height"});
     // The height is seen end on from where the stroke was drawn: its handle is on a stalk.
-    EXPECT_GT(glm::distance(rig.handle(roof), rig.seen_at(roof.p_world)), 20);
+    EXPECT_GT(glm::distance(rig.in_window(roof), rig.seen_at(roof.p_world)), 20);
     const Camera& camera = rig.editor.session.view.camera;
-    const double px = pixel_size_world(camera, project(camera, roof.base_world).depth_world);
+    const double px = pixel_size_world(
+        camera, project(camera, evaluate(rig.laid().volume, {0.5, 0.5, 0}).value).depth_world);
     rig.pull(roof, {0, -40});
     EXPECT_EQ(rig.steps(), before + 2);
     EXPECT_NEAR(rig.step().parameters.height, height + 40 * px, 0.03 * height);
     rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.frames(4);
-    const HoldPoint aside = rig.hold(HoldKind::height);
+    const Handle aside = rig.handle({"height"});
     const double now = rig.step().parameters.height;
-    rig.pull(aside, 0.25f * (rig.seen_at(aside.p_world) - rig.seen_at(aside.base_world)));
+    rig.lengthen(aside, 0.25f);
     EXPECT_EQ(rig.steps(), before + 3);
     EXPECT_NEAR(rig.step().parameters.height, 1.25 * now, 0.03 * now);
     rig.editor.session.undo();
@@ -80,9 +87,8 @@ TEST(PlacementHandles, ARimOfAProfileMovesItsPointOnly)
     p.width_profile = {{0, 1}, {0.5, 1}, {1, 1}};
     ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
     rig.wait();
-    const HoldPoint middle = rig.hold(HoldKind::width, 3); // the left rim at the second point
-    const glm::vec2 way = rig.seen_at(middle.p_world) - rig.seen_at(middle.base_world);
-    rig.pull(middle, 0.5f * way);
+    const Handle middle = rig.handle({"width", {3}}); // the left rim at the second point
+    rig.lengthen(middle, 0.5f);
     const std::vector<glm::dvec2>& profile = rig.step().parameters.width_profile;
     EXPECT_EQ(rig.step().parameters.width, p.width);
     EXPECT_NEAR(Profile(profile).at(0.5), 1.5, 0.05);
@@ -95,27 +101,27 @@ TEST(PlacementHandles, TheFloorIsPulledIntoTheSceneAndTheRiseUpAndDown)
     PlacedRig rig;
     rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.frames(4);
-    const HoldPoint floor = rig.hold(HoldKind::sunk);
+    const Handle floor = rig.handle({"sunk"});
     const double height = rig.laid().report.height_world;
-    rig.pull(floor, 0.3f * (rig.seen_at(floor.p_world) - rig.seen_at(floor.base_world)));
+    rig.lengthen(floor, 0.3f);
     const double sunk = rig.step().parameters.contact_level;
     EXPECT_NEAR(sunk, 0.3, 0.03);
     EXPECT_NEAR(rig.laid().report.height_world, height, 1e-9);
     EXPECT_EQ(rig.laid().ground, sunk);
-    rig.pull(rig.hold(HoldKind::sunk), {0, -300}); // no further than up again
+    rig.pull(rig.handle({"sunk"}), {0, -300}); // no further than up again
     EXPECT_EQ(rig.step().parameters.contact_level, 0);
     PlacementParameters p = rig.step().parameters;
     p.rise_profile = {{0, 0}, {0.5, 0.5}, {1, 1}};
     p.height_across = {{0, 1}, {0.5, 1}, {1, 1}};
     ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
     rig.wait();
-    const HoldPoint middle = rig.hold(HoldKind::rise, 1);
-    rig.pull(middle, 0.4f * (rig.seen_at(middle.p_world) - rig.seen_at(middle.base_world)));
+    const Handle middle = rig.handle({"rise", {1}});
+    rig.lengthen(middle, 0.4f);
     EXPECT_NEAR(ShareCurve(rig.step().parameters.rise_profile).at(0.5), 0.7, 0.03);
-    rig.pull(rig.hold(HoldKind::rise, 1), {0, -400}); // it stays a rise
+    rig.pull(rig.handle({"rise", {1}}), {0, -400}); // it stays a rise
     EXPECT_LT(rig.step().parameters.rise_profile[1].y, 1);
-    const HoldPoint left = rig.hold(HoldKind::across, 2);
-    rig.pull(left, 0.5f * (rig.seen_at(left.p_world) - rig.seen_at(left.base_world)));
+    const Handle left = rig.handle({"across", {2}});
+    rig.lengthen(left, 0.5f);
     EXPECT_NEAR(rig.step().parameters.height_across.back().y, 1.5, 0.05);
     EXPECT_EQ(rig.step().parameters.height_across.front().y, 1);
 }
@@ -128,14 +134,14 @@ TEST(PlacementHandles, APointOfTheHeightMapIsRaisedOverTheRoof)
     ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
     rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.wait();
-    const HoldPoint inner = rig.hold(HoldKind::map, 1 * 3 + 1);
-    EXPECT_LT(glm::distance(inner.p_world, evaluate(rig.laid().volume, {inner.u, 0.5, 1}).value),
-              1e-12);
+    const Handle inner = rig.handle({"map", {1, 1}});
+    const double u = HeightMap(p.height_map).along()[1];
+    EXPECT_LT(glm::distance(inner.p_world, evaluate(rig.laid().volume, {u, 0.5, 1}).value), 1e-12);
     const std::size_t before = rig.steps();
-    rig.pull(inner, 0.5f * (rig.seen_at(inner.p_world) - rig.seen_at(inner.base_world)));
+    rig.lengthen(inner, 0.5f);
     EXPECT_EQ(rig.steps(), before + 1);
     const HeightGrid& grid = rig.step().parameters.height_map;
-    EXPECT_NEAR(HeightMap(grid).at(inner.u, 0.5), 1.5, 0.05);
+    EXPECT_NEAR(HeightMap(grid).at(u, 0.5), 1.5, 0.05);
     EXPECT_EQ(rig.step().parameters.height, p.height);
     HeightGrid others = grid;
     others[1][1] = 1;
@@ -145,7 +151,7 @@ TEST(PlacementHandles, APointOfTheHeightMapIsRaisedOverTheRoof)
 TEST(PlacementHandles, TheEndsOfTheModelSlideAlongTheStroke)
 {
     PlacedRig rig({1000, 760}); // no card lies over the ends
-    const HoldPoint start = rig.hold(HoldKind::start), end = rig.hold(HoldKind::end);
+    const Handle start = rig.handle({"start"}), end = rig.handle({"end"});
     rig.pull(start, {80, 0});
     const double begins = rig.step().parameters.start;
     EXPECT_GT(begins, 0.1);
@@ -158,7 +164,7 @@ TEST(PlacementHandles, TheEndsOfTheModelSlideAlongTheStroke)
 TEST(PlacementHandles, APlaceOfTheStrokeIsPulledWhereTheMouseGoes)
 {
     PlacedRig rig;
-    const HoldPoint middle = rig.hold(HoldKind::stroke, 1);
+    const Handle middle = rig.handle({"stroke", {1}});
     const glm::vec2 goal = rig.seen_at(middle.p_world) + glm::vec2(0, 40);
     const Sketch before = rig.step().sketch;
     rig.pull(middle, {0, 40});
@@ -174,7 +180,7 @@ TEST(PlacementHandles, AlsoFromAnotherSideThanItWasDrawnFrom)
     PlacedRig rig;
     rig.editor.session.view.camera.eye = {-4, -4, 5};
     rig.frames(4);
-    const HoldPoint end = rig.hold(HoldKind::stroke, 2);
+    const Handle end = rig.handle({"stroke", {2}});
     const glm::vec2 goal = rig.seen_at(end.p_world) + glm::vec2(25, 30);
     rig.pull(end, {25, 30});
     const NearestLine now =
@@ -197,8 +203,8 @@ TEST(PlacementHandles, ARimSetsTheWidthOfWhatWentWithItsHostAndKeepsItAttached)
         return line[line.size() / 2];
     };
     const auto pulled = [&] { // a rim, as far again
-        const HoldPoint rim = rig.hold(HoldKind::width);
-        rig.pull(rim, rig.seen_at(rim.p_world) - rig.seen_at(rim.base_world));
+        const Handle rim = rig.handle({"width"});
+        rig.lengthen(rim, 1);
     };
     ASSERT_THAT(touched(), ElementsAre(1));
     const double width = rig.laid().report.width_world;
@@ -237,13 +243,40 @@ TEST(PlacementHandles, ARimSetsTheWidthOfWhatWentWithItsHostAndKeepsItAttached)
     EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
 }
 
+TEST(PlacementHandles, TakeATypedNumberInPlaceOfTheWayOfTheHand)
+{
+    PlacedRig rig;
+    const std::size_t before = rig.steps();
+    const auto type = [&](const HandleKey& key, const std::string& number) {
+        const glm::vec2 at = rig.in_window(rig.handle(key));
+        rig.move(at);
+        rig.draw({at, at + glm::vec2(0, 9)}, false);
+        rig.type(number);
+        rig.key({ui::key_enter});
+        rig.screen.input().push(ui::press(ui::Button::left, false));
+        rig.wait();
+    };
+    type({"width"}, "0.7312345");
+    EXPECT_EQ(rig.steps(), before + 1);
+    EXPECT_NEAR(rig.laid().report.width_world, 0.7312345, 1e-9);
+    EXPECT_EQ(rig.handle({"width"}).words, "width 0.731 m");
+    type({"height"}, "45 cm");
+    EXPECT_NEAR(rig.laid().report.height_world, 0.45, 1e-9);
+    type({"sunk"}, "25");
+    EXPECT_EQ(rig.step().parameters.contact_level, 0.25);
+    type({"width"}, "-1"); // is refused, in a sentence
+    EXPECT_EQ(rig.steps(), before + 3);
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+}
+
 TEST(PlacementHandles, EscapeAndWhatIsLockedLeaveNoTrace)
 {
     PlacedRig rig;
     const std::size_t before = rig.steps();
     const std::string then = digest(rig.editor.session.committed());
-    const HoldPoint rim = rig.hold(HoldKind::width);
-    const glm::vec2 at = rig.handle(rim);
+    const Handle rim = rig.handle({"width"});
+    const glm::vec2 at = rig.in_window(rim);
     rig.move(at);
     rig.draw({at, at + glm::vec2(0, 50)}, false);
     EXPECT_TRUE(rig.editor.active_tool().busy());
