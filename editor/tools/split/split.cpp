@@ -8,6 +8,7 @@
 #include "editor/session/scene_names.h"
 #include "editor/session/topics.h"
 #include "editor/tools/split/cut_picture.h"
+#include "editor/tools/split/split_handles.h"
 #include "editor/tools/split/split_picture.h"
 #include "ui/icons.h"
 #include "ui/option_bar.h"
@@ -119,9 +120,15 @@ std::vector<Id> SplitTool::chosen(const Session& session)
     return out;
 }
 
+std::vector<Handle> SplitTool::handles(const Session& session, double scale) const
+{
+    return at_ == SplitAt::obstacle ? opening_handles(session, scale) : cut_handles(session, scale);
+}
+
 void SplitTool::use(Session& session, const ViewportInput& input)
 {
-    if (!cut_.going() && !rests(session, input) && handles_.use(session, input, handles_of())) {
+    if (!cut_.going() && !rests(session, input) &&
+        handles_.use(session, input, handles(session, input.scale))) {
         if (shown_ != 0) { // an obstacle behind the handle, before it
             shown_ = 0;
             if (!handles_.busy()) session.cancel();
@@ -196,7 +203,7 @@ void SplitTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
     cut_.paint(theme, input);
-    if (!cut_.going()) handles_.overlay(session, theme, input, handles_of());
+    if (!cut_.going()) handles_.paint(theme, input, handles(session, input.scale));
 }
 
 std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme& theme) const

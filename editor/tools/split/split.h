@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/commands/cutting/split.h"
+#include "editor/hands/handles.h"
 #include "editor/tools/split/cut_gesture.h"
-#include "editor/tools/split/split_handles.h"
 #include "ui/option_bar.h"
 
 namespace trivar {
@@ -38,6 +38,7 @@ public:
     {
         return at_ != SplitAt::obstacle && !handles_.hovers() && !handles_.busy();
     }
+    void take_keys(Session&) override { handles_.take_keys(); }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
@@ -51,10 +52,7 @@ public:
 private:
     // What is selected and can be parted.
     static std::vector<Id> chosen(const Session& session);
-    SplitHandlesOf handles_of() const
-    {
-        return at_ == SplitAt::obstacle ? SplitHandlesOf::openings : SplitHandlesOf::cuts;
-    }
+    std::vector<Handle> handles(const Session& session, double scale) const;
     // Whether the mouse has not moved since it showed what it is on.
     bool rests(const Session& session, const ViewportInput& input) const
     {
@@ -69,7 +67,7 @@ private:
 
     SplitAt at_ = SplitAt::obstacle;
     CutGesture cut_;
-    SplitHandles handles_;
+    Handles handles_;
     PlainCut one_;       // how the next cut keeps
     Splitting settings_; // of what it parts anew; what it cuts is closed and filled like that
     ObstacleUse use_;

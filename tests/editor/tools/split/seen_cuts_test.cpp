@@ -4,6 +4,7 @@
 #include "core/commands/objects/shape.h"
 #include "core/commands/volumes/lattice.h"
 #include "editor/tools/split/split.h"
+#include "editor/tools/split/split_handles.h"
 #include "tests/editor/laid.h"
 #include "tests/editor/tools/incise/incise_rig.h"
 
@@ -114,12 +115,11 @@ struct SeenCutRig : Rig {
     // The handles of the last cut stand on the line, and those of its gap on the faces beside it.
     void expect_handles_near(const glm::vec2& a, const glm::vec2& b) const
     {
-        const Cutting& cutting = *own().cutting;
-        const auto number = static_cast<int>(cutting.cuts.size()) - 1;
-        for (const SplitHoldPoint& point : cut_holds(cutting, shown()))
-            if (point.hold == SplitHold{SplitHoldKind::level, number, 0}) {
-                EXPECT_LT(std::abs(beside(point.p_world, a, b)), 2);
-            }
+        const auto number = static_cast<int>(own().cutting->cuts.size()) - 1;
+        const std::vector<Handle> all = cut_handles(editor.session, 1);
+        const auto level = std::ranges::find(all, HandleKey{"level", {number}}, &Handle::key);
+        ASSERT_NE(level, all.end());
+        EXPECT_LT(std::abs(beside(level->p_world, a, b)), 2);
     }
 };
 
@@ -245,13 +245,17 @@ TEST(SeenCuts, HaveHandlesWhereTheBodyIsShown)
     rig.open_last(0.2);
     ASSERT_EQ(rig.shown().parts.size(), 3u);
     const Cutting& cutting = *rig.own().cutting;
-    for (const SplitHoldPoint& point : cut_holds(cutting, rig.shown())) {
-        if (point.hold == SplitHold{SplitHoldKind::level, 1, 0}) {
+    const std::vector<Handle> handles = cut_handles(rig.editor.session, 1);
+    EXPECT_EQ(handles.size(), 6u);
+    for (const Handle& point : handles) {
+        if (point.key == HandleKey{"level", {1}}) {
             EXPECT_LT(std::abs(rig.beside(point.p_world, a, b)), 1);
         }
         // Gap handles stand where a part ends along the way of its gap
-        if (point.hold.kind == SplitHoldKind::gap) {
-            const auto along = [&](const glm::dvec3& p) { return glm::dot(p, point.way); };
+        if (point.key.kind == "gap") {
+            const glm::dvec3 normal =
+                glm::normalize(cutting.cuts[static_cast<std::size_t>(point.key.numbers[0])].normal);
+            const auto along = [&](const glm::dvec3& p) { return glm::dot(p, normal); };
             double nearest = 1e300;
             for (const auto& part : rig.parts()) {
                 const auto [lo, hi] = std::ranges::minmax(part, {}, along);

@@ -4,7 +4,7 @@
 
 #include "core/commands/objects/animate.h"
 #include "core/commands/objects/arrange.h"
-#include "editor/tools/split/split_holds.h"
+#include "editor/tools/split/split_handles.h"
 #include "tests/editor/rig.h"
 
 #include <gtest/gtest.h>
@@ -107,9 +107,8 @@ TEST(SplitTool, ShowsTheSameWhereAHandleOfWhatItShowsComesUnderTheMouse)
     ASSERT_TRUE(rig.parted());
     std::vector<glm::vec2> handles;
     const Session& session = rig.editor.session;
-    for (const SplitHoldPoint& each :
-         split_holds(session.document(), *session.evaluated().objects.at(split_ball)))
-        if (each.hold.kind == SplitHoldKind::place) // the others stand beside the pillar
+    for (const Handle& each : opening_handles(session, 1))
+        if (each.key.kind == "place") // the others stand beside the pillar
             handles.push_back(rig.seen_at(each.p_world));
     ASSERT_FALSE(handles.empty());
     for (const glm::vec2 at : handles) {
