@@ -13,8 +13,8 @@ const EvaluatedObject* selected_volume(const Session& session)
     if (found == session.evaluated().objects.end() || !found->second->placement) return nullptr;
     const auto there = session.document().objects.find(session.selected);
     if (there == session.document().objects.end()) return nullptr;
-    const bool lattice = std::holds_alternative<LatticeShape>(there->second->source);
-    return lattice || there->second->stroke ? &*found->second : nullptr;
+    const bool has_volume = kind_of(*there->second).has_cage || there->second->stroke;
+    return has_volume ? &*found->second : nullptr;
 }
 
 const EvaluatedObject* selected_placement(const Session& session)

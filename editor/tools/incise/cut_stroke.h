@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/tools/incise/incision_holds.h"
+#include "editor/tools/incise/cut_snap.h"
 
 namespace trivar {
 

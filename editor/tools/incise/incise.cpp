@@ -5,6 +5,7 @@
 #include "editor/hands/select.h"
 #include "editor/hands/usual_layers.h"
 #include "editor/session/topics.h"
+#include "editor/tools/incise/incision_handles.h"
 #include "editor/tools/incise/incision_picture.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
@@ -101,9 +102,10 @@ void InciseTool::look(const Session& session)
         if (!incising.cuts[i].hidden)
             cuts_[i] = seen_cut(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
     };
-    const int other = crossing_drag_ ? crossing_drag_->held.crossing.other_than(number) : 0;
+    const auto& held = handles_.key().numbers;               // of both that cross, or 0
     for (int i = 0; i < static_cast<int>(cuts_.size()); ++i) // in a drag only what is in the hand
-        if (!dragging() || i + 1 == number || i + 1 == other) see(static_cast<std::size_t>(i));
+        if (!handles_.busy() || i + 1 == number || i + 1 == held[0] || i + 1 == held[1])
+            see(static_cast<std::size_t>(i));
     crossings_ = crossings_of(cuts_);
     looks_ = (looks_ + 1) % 4;
 }
@@ -115,26 +117,30 @@ const SeenCut* InciseTool::seen_chosen(const Session& session) const
     return &*cuts_[number - 1];
 }
 
-std::vector<IncisionHoldPoint> InciseTool::holds(const Session& session, double scale) const
+std::vector<Handle> InciseTool::handles(const Session& session, double scale) const
 {
     const SeenCut* seen = seen_chosen(session);
-    if (!seen) return {};
+    if (!seen || !known_) return {};
+    const int number = session.incision.number;
+    const Camera& camera = session.view.camera;
+    const auto take = [this, &session, number]() -> std::optional<TakenIncision> {
+        const SeenCut* now = seen_chosen(session);
+        if (!now) return {};
+        return TakenIncision{session.selected, number, session.document(), *now, skin_,
+                             snaps_but(number)};
+    };
+    const bool holds_crossing = handles_.busy() && handles_.key().numbers[0] != 0;
+    const glm::dvec2 near_px =
+        holds_crossing ? project(camera, handles_.held_at()).p_px : mouse_px_;
+    std::vector<Handle> out =
+        crossing_handles({open_, cuts_, crossings_}, number, camera, near_px, scale, take);
     std::vector<double> crossed;
     for (const CutCrossing& each : crossings_)
-        if (each.first == session.incision.number || each.second == session.incision.number)
-            crossed.push_back(each.share_of(session.incision.number));
-    const auto index = static_cast<std::size_t>(session.incision.number) - 1;
-    return incision_holds(open_.cuts[index], *seen, session.view.camera, scale, crossed);
-}
-
-std::vector<CrossingHold> InciseTool::crossing_holds(const Session& session, double scale) const
-{
-    if (!seen_chosen(session) || !known_) return {};
-    const Camera& camera = session.view.camera;
-    const glm::dvec2 near_px =
-        crossing_drag_ ? project(camera, crossing_drag_->held.crossing.at.p_world).p_px : mouse_px_;
-    return trivar::crossing_holds({open_, cuts_, crossings_}, session.incision.number, camera,
-                                  near_px, scale);
+        if (each.first == number || each.second == number) crossed.push_back(each.share_of(number));
+    std::ranges::move(incision_handles(open_.cuts[static_cast<std::size_t>(number) - 1],
+                                       *chosen(session), *seen, camera, scale, crossed, take),
+                      std::back_inserter(out));
+    return out;
 }
 
 CutSnaps InciseTool::snaps_but(int number) const
@@ -159,9 +165,14 @@ void InciseTool::use(Session& session, const ViewportInput& input)
     look(session);
     if (shown_chosen_ != session.incision) looks_ = (looks_ + 1) % 4;
     shown_chosen_ = session.incision;
-    if (dragging()) return chosen(session) ? drag_on(session, input) : cancel(session);
+    const bool dragged = handles_.busy();
+    if (dragged && !chosen(session)) return cancel(session);
+    const bool draws = !dragged && ImGui::GetIO().KeyShift; // a stroke begins even on a handle
+    const bool on_handle =
+        handles_.use(session, input, draws ? std::vector<Handle>{} : handles(session, input.scale));
+    if (dragged) return;
     hover(session, input);
-    if (session.committing()) return;
+    if (session.committing() || (on_handle && input.pressed)) return;
     if (input.pressed)
         press(session, input);
     else if (input.hovered)
@@ -170,22 +181,11 @@ void InciseTool::use(Session& session, const ViewportInput& input)
 
 void InciseTool::hover(Session& session, const ViewportInput& input)
 {
-    hovered_ = IncisionHold::none;
-    hovered_crossing_.reset();
     hovered_snap_.reset();
     hovered_cut_ = 0;
     over_ = 0;
     if (!input.hovered && !input.pressed) return;
     const Camera& camera = session.view.camera;
-    const bool draws = ImGui::GetIO().KeyShift; // a stroke begins even on a handle
-    const auto hold = incision_hold_at(holds(session, input.scale), input.mouse, input.scale);
-    const auto crossings = crossing_holds(session, input.scale);
-    const auto crossing = crossing_hold_at(crossings, input.mouse, input.scale);
-    const auto away = [&](const glm::dvec2& p_px) { return glm::distance(p_px, input.mouse); };
-    if (!draws && crossing && (!hold || away(crossings[*crossing].p_px) < away(hold->p_px)))
-        hovered_crossing_ = crossings[*crossing];
-    else if (!draws && hold)
-        hovered_ = hold->hold;
     double nearest = cut_reach_px * input.scale;
     for (std::size_t i = 0; i < cuts_.size(); ++i)
         if (const auto near = cuts_[i] ? near_cut(*cuts_[i], camera, input.mouse) : std::nullopt;
@@ -195,9 +195,7 @@ void InciseTool::hover(Session& session, const ViewportInput& input)
             hovered_at_ = near->share;
         }
     over_ = base_of(session, input.seen_at ? input.seen_at(input.mouse) : Id{0});
-    if (hovers())
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    else if (over_ != 0 && over_ == session.selected)
+    if (!handles_.hovers() && over_ != 0 && over_ == session.selected)
         hovered_snap_ = snap_near(snaps_but(0), camera, input.mouse, input.scale);
 }
 
@@ -324,10 +322,9 @@ void InciseTool::cancel(Session& session)
         return;
     }
     in_air_.reset();
-    if (!gesture_ && !dragging()) return;
+    handles_.cancel(session);
+    if (!gesture_) return;
     gesture_.reset();
-    drag_.reset();
-    crossing_drag_.reset();
     typed_ = {};
     session.cancel();
 }

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "editor/hands/tool.h"
-#include "editor/hands/typed_amounts.h"
-#include "editor/tools/incise/crossing_holds.h"
+#include "editor/tools/incise/crossing_handles.h"
 #include "editor/tools/incise/cut_stroke.h"
 
 namespace trivar {
@@ -21,9 +20,12 @@ public:
     }
     std::string page() const override { return "incise"; }
     std::vector<ui::Chord> keys() const override { return {{'C'}}; }
-    bool crosshair() const override { return gesture_ || (over_ && !hovers() && !dragging()); }
+    bool crosshair() const override
+    {
+        return gesture_ || (over_ && !handles_.hovers() && !handles_.busy());
+    }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || in_air_ || dragging() || finishing_; }
+    bool busy() const override { return gesture_ || in_air_ || handles_.busy() || finishing_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
     bool takes_wheel() const override { return gesture_.has_value(); }
@@ -38,10 +40,9 @@ public:
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
     std::vector<Hint> hints(const Session& session) const override;
-    // The handles of the chosen incision, as they are seen.
-    std::vector<IncisionHoldPoint> holds(const Session& session, double scale) const;
-    // Those where it crosses others; of flaps, those at the crossing near the mouse.
-    std::vector<CrossingHold> crossing_holds(const Session& session, double scale) const;
+    // The handles of the chosen incision, as they are seen, and those where it crosses others; of
+    // flaps, those at the crossing near the mouse.
+    std::vector<Handle> handles(const Session& session, double scale) const;
 
 private:
     enum class Way { free, straight, uv }; // of strokes
@@ -65,8 +66,6 @@ private:
     };
     static const NamedIncision* chosen(const Session& session);
     static Id base_of(const Session& session, Id under); // what would be cut; 0: nothing
-    bool hovers() const { return hovered_ != IncisionHold::none || hovered_crossing_; }
-    bool dragging() const { return drag_ || crossing_drag_; }
     void keep_chosen(Session& session) const;
     void look(const Session& session);
     void hover(Session& session, const ViewportInput& input);
@@ -74,13 +73,6 @@ private:
     bool begin_stroke(Session& session, const ViewportInput& input, glm::dvec2 at_px, Id under);
     void come_from_air(Session& session, const ViewportInput& input);
     void drag_by_key(Session& session, const ViewportInput& input);
-    void begin_drag(const Session& session, const IncisionHoldPoint& held,
-                    const ViewportInput& input, glm::dvec2 at_px);
-    void begin_crossing_drag(const Session& session, const CrossingHold& held,
-                             const ViewportInput& input, glm::dvec2 at_px);
-    void drag_on(Session& session, const ViewportInput& input);
-    bool ends_drag(const ViewportInput& input) const;
-    std::optional<Command> typed_command() const;
     std::string typed_words(const std::string& said) const;
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
@@ -89,10 +81,6 @@ private:
     Command command_of(const Gesture& gesture) const;
     const SeenCut* seen_chosen(const Session& session) const; // null: it is not seen
     CutSnaps snaps_but(int number) const;
-    void paint_crossings(const Session& session, const ui::Theme& theme,
-                         const ViewportInput& input) const;
-    std::vector<IncisionHoldPoint> paint_holds(const Session& session, const ui::Theme& theme,
-                                               const ViewportInput& input) const;
     void paint_stroke(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
 
@@ -107,8 +95,6 @@ private:
     Ref<EvaluatedObject> known_shown_;
     std::vector<std::optional<SeenCut>> cuts_; // by number; nothing: it is not seen
     std::vector<CutCrossing> crossings_;
-    IncisionHold hovered_ = IncisionHold::none;
-    std::optional<CrossingHold> hovered_crossing_;
     std::optional<CutEnd> hovered_snap_; // where a stroke from the mouse would begin
     glm::dvec2 mouse_px_{-1e9};
     int hovered_cut_ = 0;   // the incision under the mouse; 0: none
@@ -116,10 +102,8 @@ private:
     Id over_ = 0;           // what the mouse is over and could be cut
     std::optional<Gesture> gesture_;
     std::optional<InAir> in_air_;
-    std::optional<IncisionDrag> drag_;
-    std::optional<CrossingDrag> crossing_drag_;
-    bool moved_ = false, by_key_ = false, entered_ = false;
-    TypedAmounts typed_;
+    Handles handles_;
+    TypedAmounts typed_; // the width, while a stroke is drawn
     std::optional<Finishing> finishing_;
     ChosenIncision shown_chosen_;
     int looks_ = 0; // counts up, modulo four, when its lines in the scene change

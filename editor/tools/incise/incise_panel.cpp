@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tool of incisions shows: lines, handles, numbers at the mouse, its settings and hints.
 #include "core/base/rounded.h"
-#include "editor/hands/arrow_head.h"
-#include "editor/hands/handle_drag.h"
 #include "editor/tools/incise/incise.h"
 #include "editor/tools/incise/incision_picture.h"
 #include "ui/icons.h"
@@ -31,40 +29,6 @@ void paint_haloed(const ui::Theme& theme, const std::vector<glm::vec2>& path, ui
     if (path.size() < 2) return;
     ui::paint_path(path, theme.color.halo, theme.line(width + 2));
     ui::paint_path(path, color, theme.line(width));
-}
-
-const char* drag_words(IncisionHold hold)
-{
-    switch (hold) {
-    case IncisionHold::none: return "";
-    case IncisionHold::start:
-    case IncisionHold::end: return "Drag to move this end";
-    case IncisionHold::open_left:
-    case IncisionHold::open_right: return "Drag to open or close it";
-    case IncisionHold::depth: return "Drag to cut deeper";
-    case IncisionHold::zip: return "Drag along the cut to zip it";
-    case IncisionHold::place: return "Drag to move it over the skin";
-    }
-    return "";
-}
-
-// Of the handles that are there, the one that was held before something changed.
-const CrossingHold& shown_crossing(const CrossingHold& held, const std::vector<CrossingHold>& now)
-{
-    const CrossingHold* out = &held;
-    double nearest = 1e300;
-    for (const CrossingHold& each : now) {
-        const bool same = each.crossing.first == held.crossing.first &&
-                          each.crossing.second == held.crossing.second &&
-                          each.flap.has_value() == held.flap.has_value() &&
-                          (!each.flap || each.flap->same_place(*held.flap));
-        const double away = glm::distance(each.base_px, held.base_px);
-        if (same && away < nearest) {
-            nearest = away;
-            out = &each;
-        }
-    }
-    return *out;
 }
 
 } // namespace
@@ -105,9 +69,8 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
 {
     if (gesture_) return paint_stroke(session, theme, input);
     const Camera& camera = session.view.camera;
-    const NamedIncision* one = chosen(session);
-    const SeenCut* seen = seen_chosen(session);
-    if (hovered_cut_ != 0 && !hovers() && !dragging() && hovered_cut_ != session.incision.number &&
+    const bool free = !handles_.hovers() && !handles_.busy();
+    if (free && hovered_cut_ != 0 && hovered_cut_ != session.incision.number &&
         static_cast<std::size_t>(hovered_cut_) <= cuts_.size() &&
         cuts_[static_cast<std::size_t>(hovered_cut_) - 1]) {
         std::vector<glm::dvec3> line;
@@ -115,103 +78,16 @@ void InciseTool::overlay(const Session& session, const ui::Theme& theme,
             line.push_back(each.p_world);
         paint_haloed(theme, seen_path(line, camera, input), theme.color.hovered, 2);
     }
-    if (hovered_snap_ && !dragging())
+    if (hovered_snap_ && !handles_.busy())
         for (const glm::vec2& p : seen_path({hovered_snap_->p_world}, camera, input))
             ui::paint_dot(p, theme.px(hovered_snap_->along ? 4 : 7), 0, theme.color.selected,
                           theme.px(2));
-    if (!one || !seen) return;
-    paint_crossings(session, theme, input);
-    const IncisionHold lit = drag_ ? drag_->held.hold : hovered_;
-    const std::vector<IncisionHoldPoint> points = paint_holds(session, theme, input);
-    std::string words;
-    if (const auto& held = crossing_drag_ ? std::optional(crossing_drag_->held) : hovered_crossing_)
-        words = words_of(shown_crossing(*held, crossing_holds(session, input.scale)), *known_,
-                         *seen, session.incision.number);
-    else if (!points.empty() && lit != IncisionHold::none && points.back().hold == lit)
-        words = words_of(lit, *one, *seen);
-    if (words.empty()) return;
-    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
-    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {typed_words(words)});
+    handles_.paint(theme, input, handles(session, input.scale));
 }
 
-void InciseTool::paint_crossings(const Session& session, const ui::Theme& theme,
-                                 const ViewportInput& input) const
+std::string InciseTool::typed_words(const std::string& said) const
 {
-    const ui::Palette& c = theme.color;
-    const std::vector<CrossingHold> all = crossing_holds(session, input.scale);
-    const std::optional<CrossingHold> lit =
-        crossing_drag_ ? std::optional(crossing_drag_->held) : hovered_crossing_;
-    const CrossingHold* const on = lit ? &shown_crossing(*lit, all) : nullptr;
-    for (const CrossingHold& each : all) {
-        const bool is_lit = &each == on;
-        const glm::vec2 p = input.rect.lo + glm::vec2(each.p_px);
-        if (each.flap) {
-            paint_haloed(theme, {input.rect.lo + glm::vec2(each.base_px), p}, c.free_node, 1.4f);
-            paint_arrow_head(theme, p, glm::vec2(each.way_px), theme.scale * (is_lit ? 6.5f : 5),
-                             is_lit ? c.incision : c.free_node);
-            continue;
-        }
-        ui::paint_diamond(p, theme.scale * (is_lit ? 8.0f : 6.5f), is_lit ? c.selected : c.halo,
-                          c.incision, theme.px(2));
-        if (!is_lit) continue;
-        // A bar along the one that is cut first
-        const auto& first = cuts_.at(static_cast<std::size_t>(each.crossing.first) - 1);
-        if (!first) continue;
-        const double s = each.crossing.share_of_first;
-        const Camera& camera = session.view.camera;
-        const glm::vec2 way = glm::vec2(project(camera, first->at(s + 0.01)).p_px -
-                                        project(camera, first->at(s - 0.01)).p_px);
-        if (const float length = glm::length(way); length > 0.01f) {
-            const glm::vec2 half = way / length * theme.px(15);
-            paint_haloed(theme, {p - half, p + half}, c.selected, 2);
-        }
-    }
-}
-
-std::vector<IncisionHoldPoint> InciseTool::paint_holds(const Session& session,
-                                                       const ui::Theme& theme,
-                                                       const ViewportInput& input) const
-{
-    const IncisionHold lit = drag_ ? drag_->held.hold : hovered_;
-    std::vector<IncisionHoldPoint> points = holds(session, input.scale);
-    // The one in the hand above the others
-    std::stable_partition(points.begin(), points.end(),
-                          [&](const auto& p) { return p.hold != lit; });
-    const auto in_window = [&](const glm::dvec2& p_px) { return input.rect.lo + glm::vec2(p_px); };
-    for (const IncisionHoldPoint& point : points)
-        if (point.hold == IncisionHold::depth || point.hold == IncisionHold::zip)
-            paint_haloed(theme, {in_window(point.base_px), in_window(point.p_px)},
-                         point.hold == IncisionHold::depth ? theme.color.lattice : theme.color.path,
-                         1.4f);
-    for (const IncisionHoldPoint& point : points) {
-        const bool on = point.hold == lit;
-        const glm::vec2 p = in_window(point.p_px);
-        const float radius = theme.scale * (on ? 7.0f : 5.5f), rim = theme.px(1.5f);
-        const ui::Palette& c = theme.color;
-        switch (point.hold) {
-        case IncisionHold::none: break;
-        case IncisionHold::start:
-        case IncisionHold::end:
-            ui::paint_dot(p, radius, on ? c.selected : c.incision, c.halo, rim);
-            break;
-        case IncisionHold::open_left:
-        case IncisionHold::open_right:
-            ui::paint_dot(p, radius, on ? c.incision : c.free_node, c.halo, rim);
-            break;
-        case IncisionHold::place: // hollow: it changes no number
-            ui::paint_dot(p, radius, c.halo, c.halo, rim + theme.px(1));
-            ui::paint_dot(p, radius - theme.px(0.5f), 0, on ? c.selected : c.incision, theme.px(2));
-            break;
-        case IncisionHold::depth:
-            paint_arrow_head(theme, p, glm::vec2(point.way_px), radius,
-                             on ? c.selected : c.lattice);
-            break;
-        case IncisionHold::zip:
-            ui::paint_diamond(p, radius + theme.px(1.5f), on ? c.selected : c.path, c.halo, rim);
-            break;
-        }
-    }
-    return points;
+    return gesture_->redrawn || !typed_.open() ? said : "Width " + typed_.words(0, " m", said);
 }
 
 void InciseTool::options(Session&, const ui::Theme& theme, float width)
@@ -261,23 +137,7 @@ std::vector<Hint> InciseTool::hints(const Session& session) const
                 {{"wheel"}, "Width"},
                 {{"0", "...", "9"}, "Type the width"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    if (dragging()) {
-        const bool typed = crossing_drag_ || (drag_->held.hold != IncisionHold::start &&
-                                              drag_->held.hold != IncisionHold::end &&
-                                              drag_->held.hold != IncisionHold::place);
-        std::vector<Hint> out{{{"left"}, by_key_ ? "Click when done" : "Let go when done"},
-                              {{"Ctrl"}, "Round steps"}};
-        if (typed) out.push_back({{"0", "...", "9"}, "Type a number"});
-        out.push_back({{"Esc", "/", "right"}, "Cancel"});
-        return out;
-    }
-    if (hovered_crossing_ && hovered_crossing_->flap)
-        return handle_hints(false, "Drag to peel this flap");
-    if (hovered_crossing_)
-        return {{{"left"}, "Drag to slide the crossing"},
-                {{"left"}, "Click to swap which is cut first"},
-                {{"Ctrl"}, "Round steps"}};
-    if (hovers()) return handle_hints(false, drag_words(hovered_));
+    if (handles_.busy() || handles_.hovers()) return handles_.hints();
     std::vector<Hint> out;
     if (hovered_cut_ != 0 && hovered_cut_ == session.incision.number)
         out.push_back({{"Ctrl", "left"}, "Drag to redraw from here"});

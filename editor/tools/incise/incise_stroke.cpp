@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where strokes of the tool of incisions begin.
+// Where strokes of the tool of incisions begin, and which keys it takes.
 #include "editor/hands/select.h"
 #include "editor/session/topics.h"
 #include "editor/tools/incise/incise.h"
@@ -9,17 +9,34 @@
 
 namespace trivar {
 
+bool InciseTool::awaits(const ui::Chord& chord) const
+{
+    return chord.key == 'F' && !chord.ctrl && !chord.alt && shown_chosen_.number != 0;
+}
+
+// F opens the chosen incision, and Shift F deepens it.
+void InciseTool::drag_by_key(Session& session, const ViewportInput& input)
+{
+    const bool depth = ui::struck({.key = 'F', .shift = true});
+    if (!depth && !ui::struck({'F'})) return;
+    const auto all = handles(session, input.scale);
+    const auto held = std::ranges::find_if(all, [&](const Handle& each) {
+        const std::string_view kind = each.key.kind;
+        return depth ? kind == "depth" : kind == "left" || kind == "right";
+    });
+    if (held != all.end()) handles_.take_by_key(session, input, *held);
+}
+
+void InciseTool::take_keys(Session&)
+{
+    handles_.take_keys();
+    if (gesture_ && typed_.take_letters()) gesture_->changed = true;
+}
+
 void InciseTool::press(Session& session, const ViewportInput& input)
 {
     session.notices.forget(of_a_step);
     const glm::dvec2 at_px = input.moves.empty() ? input.mouse : input.moves.front().p_px;
-    if (hovered_crossing_) return begin_crossing_drag(session, *hovered_crossing_, input, at_px);
-    if (hovers()) {
-        const auto all = holds(session, input.scale);
-        const auto held = std::ranges::find(all, hovered_, &IncisionHoldPoint::hold);
-        if (held != all.end()) begin_drag(session, *held, input, at_px);
-        return;
-    }
     if (begin_stroke(session, input, at_px, input.under)) return go_on(session, input);
     in_air_ = InAir{input.under, at_px, at_px};
 }

@@ -218,7 +218,7 @@ std::vector<Handle> cut_handles(const Session& session, double scale)
         normals = glm::transpose(glm::inverse(to_world));
     for (std::size_t i = 0; i < cutting->cuts.size(); ++i) {
         const PlainCut& cut = cutting->cuts[i];
-        if (!(glm::length(cut.normal) > 1e-9)) continue;
+        if (!cut.cuts()) continue;
         const ShownCut seen = shown_cut(*cutting, i, *shown);
         const glm::dvec3 up = glm::normalize(normals * glm::normalize(cut.normal));
         const auto number = static_cast<int>(i);

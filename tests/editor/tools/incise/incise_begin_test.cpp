@@ -74,7 +74,7 @@ TEST(InciseTool, GoesThroughACrossingOfOthers)
     InciseRig rig;
     rig.drag({{-110, 0}, {110, 0}});
     rig.drag({{30, -100}, {30, 100}});
-    const glm::dvec3 crossing = rig.crossing(false).crossing.at.at_rest.p;
+    const glm::dvec3 crossing = rig.handle("crossing").p_world;
     rig.drag({{-40, -76}, {26, -2}, {27, 2}, {95, 76}}); // by the crossing, a few pixels off
     ASSERT_EQ(rig.incising()->cuts.size(), 3u);
     double nearest = 1;
@@ -90,10 +90,10 @@ TEST(IncisionFlaps, ThatAreLaidBackLeaveNoRow)
     rig.drag({{-110, 0}, {110, 0}});
     rig.drag({{30, -100}, {30, 100}});
     const auto pull = [&](float by) {
-        rig.move(rig.in_window(rig.crossing(false).p_px));
+        rig.move(rig.in_window(rig.handle("crossing")));
         rig.frames(2);
-        const CrossingHold flap = rig.crossing(true);
-        const glm::vec2 at = rig.in_window(flap.p_px);
+        const Handle flap = rig.handle("flap");
+        const glm::vec2 at = rig.in_window(flap);
         rig.move(at);
         rig.frames(2);
         rig.draw({at, at + 0.5f * by * glm::vec2(flap.way_px), at + by * glm::vec2(flap.way_px)});

@@ -23,7 +23,7 @@ struct CrossedRig : InciseRig {
     }
     void hover_crossing()
     {
-        move(in_window(crossing(false).p_px));
+        move(in_window(handle("crossing")));
         frames(2);
     }
     const std::vector<PeeledFlap>& flaps() const { return incising()->flaps; }
@@ -40,25 +40,29 @@ struct CrossedRig : InciseRig {
 TEST(IncisionCrossings, AreFoundWithTheirShares)
 {
     CrossedRig rig;
-    const CutCrossing at = rig.crossing(false).crossing;
-    EXPECT_EQ(at.first, 1);
-    EXPECT_EQ(at.second, 2);
-    EXPECT_NEAR(at.share_of_first, 140.0 / 220, 0.05);
-    EXPECT_NEAR(at.share_of_second, 0.5, 0.05);
-    EXPECT_LT(
-        glm::distance(rig.seen_at(at.at.p_world), rig.layout().view.center() + glm::vec2(30, 0)),
-        4);
+    const auto share = [&] { // of the chosen one
+        const std::string words = rig.handle("crossing").words;
+        return std::stod(words.substr(std::string("Crosses at ").size())) / 100;
+    };
+    const Handle at = rig.handle("crossing");
+    EXPECT_EQ(at.key, (HandleKey{"crossing", {1, 2}}));
+    EXPECT_TRUE(at.words.ends_with("Incision 2 is the later one")) << at.words;
+    EXPECT_NEAR(share(), 0.5, 0.05);
+    EXPECT_LT(glm::distance(rig.seen_at(at.p_world), rig.layout().view.center() + glm::vec2(30, 0)),
+              4);
+    rig.editor.session.incision.number = 1;
+    rig.frames(2);
+    EXPECT_NEAR(share(), 140.0 / 220, 0.05);
 }
 
 TEST(IncisionCrossings, LieUnderNoOtherHandle)
 {
     CrossedRig rig;
-    const glm::dvec2 at = rig.crossing(false).p_px;
-    for (const IncisionHoldPoint& each : rig.tool().holds(rig.editor.session, 1))
-        EXPECT_GT(glm::distance(each.p_px, at), 12) << static_cast<int>(each.hold);
-    for (const CrossingHold& each : rig.tool().crossing_holds(rig.editor.session, 1))
-        if (each.flap) {
-            EXPECT_GT(glm::distance(each.p_px, at), 9);
+    const glm::dvec2 at = rig.handle("crossing").p_px;
+    for (const Handle& each : rig.tool().handles(rig.editor.session, 1))
+        if (each.key.kind != "crossing") {
+            EXPECT_GT(glm::distance(each.p_px, at), each.key.kind == "flap" ? 9 : 12)
+                << each.key.kind;
         }
 }
 
@@ -68,7 +72,7 @@ TEST(IncisionCrossings, SlideAlongTheChosenOneAndTakeTheOtherOneWithThem)
     const NamedIncision first = rig.one(0), second = rig.one(1);
     const std::string whole = digest(rig.editor.session.committed());
     const std::size_t before = rig.steps();
-    const glm::vec2 at = rig.in_window(rig.crossing(false).p_px);
+    const glm::vec2 at = rig.in_window(rig.handle("crossing"));
     rig.draw({at, at + glm::vec2(0, 20), at + glm::vec2(4, 45)});
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 1);
@@ -77,7 +81,7 @@ TEST(IncisionCrossings, SlideAlongTheChosenOneAndTakeTheOtherOneWithThem)
     for (const SurfacePoint& each : rig.one(0).cut.stroke)
         EXPECT_NEAR(glm::length(each.p), 1, 0.01);
     rig.frames(2);
-    EXPECT_LT(glm::distance(rig.in_window(rig.crossing(false).p_px), at + glm::vec2(0, 45)), 5);
+    EXPECT_LT(glm::distance(rig.in_window(rig.handle("crossing")), at + glm::vec2(0, 45)), 5);
     EXPECT_EQ(rig.outcome(0).refusal, "");
     rig.editor.session.undo();
     rig.wait();
@@ -89,7 +93,7 @@ TEST(IncisionCrossings, AreSwappedByAClick)
     CrossedRig rig;
     const NamedIncision first = rig.one(0), second = rig.one(1);
     const std::size_t before = rig.steps();
-    rig.click(rig.in_window(rig.crossing(false).p_px));
+    rig.click(rig.in_window(rig.handle("crossing")));
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_EQ(rig.one(0), second);
@@ -106,8 +110,8 @@ TEST(IncisionFlaps, ArePeeledByTheirHandles)
     const std::string whole = digest(rig.editor.session.committed());
     const std::size_t before = rig.steps();
     EXPECT_LT(rig.farthest(), 1.03);
-    const CrossingHold flap = rig.crossing(true);
-    const glm::vec2 at = rig.in_window(flap.p_px);
+    const Handle flap = rig.handle("flap");
+    const glm::vec2 at = rig.in_window(flap);
     const glm::vec2 up = glm::vec2(flap.way_px) * 30.0f;
     rig.move(at);
     rig.frames(2);
@@ -115,15 +119,17 @@ TEST(IncisionFlaps, ArePeeledByTheirHandles)
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 1);
     ASSERT_EQ(rig.flaps().size(), 1u);
-    EXPECT_TRUE(rig.flaps().front().same_place(*flap.flap));
-    EXPECT_NEAR(rig.flaps().front().lift, 30 * flap.metres_per_px, 0.02 * 30 * flap.metres_per_px);
+    const PeeledFlap peeled = rig.flaps().front();
+    EXPECT_EQ((std::array{peeled.first, peeled.second}),
+              (std::array{flap.key.numbers[0], flap.key.numbers[1]}));
     EXPECT_GT(rig.farthest(), 1 + 0.9 * rig.flaps().front().lift);
     // A second drag goes on from there
     rig.move(at);
     rig.frames(2);
-    const CrossingHold now = rig.crossing(true);
-    ASSERT_TRUE(now.flap->same_place(*flap.flap));
-    const glm::vec2 there = rig.in_window(now.p_px);
+    const Handle now = rig.handle("flap");
+    ASSERT_EQ(now.key, flap.key);
+    const glm::vec2 there = rig.in_window(now);
+    EXPECT_LT(glm::distance(there, at + up), 2); // it went with the hand
     rig.move(there);
     rig.frames(2);
     const double lift = rig.flaps().front().lift;
@@ -131,6 +137,7 @@ TEST(IncisionFlaps, ArePeeledByTheirHandles)
     rig.wait();
     ASSERT_EQ(rig.flaps().size(), 1u);
     EXPECT_NEAR(rig.flaps().front().lift, lift / 2, 0.05 * lift);
+    EXPECT_TRUE(rig.flaps().front().same_place(peeled));
     rig.editor.session.undo();
     rig.editor.session.undo();
     rig.wait();
@@ -140,7 +147,7 @@ TEST(IncisionFlaps, ArePeeledByTheirHandles)
 TEST(IncisionFlaps, TakeTypedNumbers)
 {
     CrossedRig rig;
-    const glm::vec2 at = rig.in_window(rig.crossing(true).p_px);
+    const glm::vec2 at = rig.in_window(rig.handle("flap"));
     rig.move(at);
     rig.frames(2);
     rig.draw({at, at + glm::vec2(0, -10)}, false);
@@ -208,11 +215,11 @@ TEST(IncisionHandles, ShowTheZipWhereTheBladeIs)
     cut.blade = 2;
     EXPECT_TRUE(rig.editor.session.run(EditIncision{1, 1, cut}));
     rig.wait();
-    const glm::vec2 knot = rig.in_window(rig.hold(IncisionHold::zip).base_px);
+    const glm::vec2 knot = rig.in_window(rig.handle("zip").base_px);
     EXPECT_NEAR(knot.x, rig.layout().view.center().x, 6);
     rig.editor.session.run(SetTransform{2, {.translation = {0.25, -1.5, 0}}});
     rig.wait();
-    EXPECT_GT(rig.in_window(rig.hold(IncisionHold::zip).base_px).x, knot.x + 20);
+    EXPECT_GT(rig.in_window(rig.handle("zip").base_px).x, knot.x + 20);
 }
 
 TEST(InciseTool, GivesTheFirstIncisionLayers)

@@ -2,6 +2,7 @@
 // Incisions whose strokes leave the skin.
 #include "tests/editor/tools/incise/incise_rig.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <random>
 
@@ -39,7 +40,7 @@ TEST(SeenCut, OfAStrokeInTheAirIsNothing)
 {
     InciseRig rig;
     EXPECT_FALSE(seen_of(rig, over_ball(9, [](int) { return true; })));
-    EXPECT_TRUE(rig.tool().holds(rig.editor.session, 1).empty());
+    EXPECT_TRUE(rig.tool().handles(rig.editor.session, 1).empty());
 }
 
 TEST(SeenCut, OfAStrokeThatJumpsAGapHasItsHandlesOnTheLongestPart)
@@ -50,12 +51,14 @@ TEST(SeenCut, OfAStrokeThatJumpsAGapHasItsHandlesOnTheLongestPart)
     EXPECT_FALSE(seen->on_skin[20]);
     EXPECT_GT(seen->first, 24u);
     EXPECT_EQ(seen->last, SeenCut::steps);
-    const auto holds = rig.tool().holds(rig.editor.session, 1);
-    EXPECT_GE(holds.size(), 5u);
-    for (const IncisionHoldPoint& each : holds)
-        if (each.hold == IncisionHold::place || each.hold == IncisionHold::open_left ||
-            each.hold == IncisionHold::open_right || each.hold == IncisionHold::depth) {
-            EXPECT_TRUE(seen->on_skin[static_cast<std::size_t>(each.share * SeenCut::steps + 0.5)]);
+    const auto handles = rig.tool().handles(rig.editor.session, 1);
+    EXPECT_GE(handles.size(), 5u);
+    for (const Handle& each : handles)
+        if (each.key.kind == "place" || each.key.kind == "left" || each.key.kind == "right" ||
+            each.key.kind == "depth") {
+            const auto at = std::ranges::find(seen->line, each.p_world, &SurfaceHit::p_world);
+            ASSERT_NE(at, seen->line.end()) << each.key.kind;
+            EXPECT_TRUE(seen->on_skin[static_cast<std::size_t>(at - seen->line.begin())]);
         }
     for (std::size_t i = 0; i < seen->line.size(); ++i)
         EXPECT_LT(seen->line[i].p_world.y, 0) << "the gap is bridged between its ends";
@@ -72,10 +75,10 @@ TEST(SeenCut, HasAPlaceForEachStepWhateverOfItIsInTheAir)
         for (int i = 0; i < 17; ++i) in_air.push_back(dice() % 8 < air);
         const auto seen =
             seen_of(rig, over_ball(17, [&](int i) { return in_air[static_cast<std::size_t>(i)]; }));
-        const auto holds = rig.tool().holds(rig.editor.session, 1);
-        EXPECT_EQ(holds.empty(), !seen) << round;
-        for (const IncisionHoldPoint& each : holds) { // each can be hovered, dragged and let go
-            const glm::vec2 at = rig.place(each);
+        const auto handles = rig.tool().handles(rig.editor.session, 1);
+        EXPECT_EQ(handles.empty(), !seen) << round;
+        for (const Handle& each : handles) { // each can be hovered, dragged and let go
+            const glm::vec2 at = rig.in_window(each);
             rig.draw({at, at + glm::vec2(6, 5)});
         }
         rig.wait();
@@ -102,7 +105,9 @@ TEST(SeenCut, CrossesNothingInTheAir)
     rig.editor.session.run(Incise{1, down});
     rig.editor.session.incision = {1, 2};
     rig.wait();
-    EXPECT_TRUE(rig.tool().crossing_holds(rig.editor.session, 1).empty());
+    const auto handles = rig.tool().handles(rig.editor.session, 1);
+    EXPECT_FALSE(handles.empty());
+    for (const Handle& each : handles) EXPECT_NE(each.key.kind, "crossing");
 }
 
 } // namespace

@@ -46,38 +46,27 @@ struct InciseRig : Rig {
     {
         return editor.session.evaluated().objects.at(1)->parts.front().vertex_count();
     }
-    IncisionHoldPoint hold(IncisionHold wanted)
+    Handle handle(std::string_view kind)
     {
-        for (const IncisionHoldPoint& each : tool().holds(editor.session, 1))
-            if (each.hold == wanted) return each;
+        for (const Handle& each : tool().handles(editor.session, 1))
+            if (each.key.kind == kind) return each;
         ADD_FAILURE() << "there is no such handle";
         return {};
     }
-    glm::vec2 place(const IncisionHoldPoint& point) const
+    glm::vec2 in_window(const Handle& handle) const { return in_window(handle.p_px); }
+    void pull(std::string_view kind, const glm::vec2& by, bool let_go = true)
     {
-        return layout().view.lo + glm::vec2(point.p_px);
-    }
-    void pull(IncisionHold wanted, const glm::vec2& by, bool let_go = true)
-    {
-        const glm::vec2 at = place(hold(wanted));
+        const glm::vec2 at = in_window(handle(kind));
         move(at);
         draw({at, at + by}, let_go);
         wait();
     }
-    CrossingHold crossing(bool flap)
+    // The same, so many pixels along the way of the handle.
+    void pull_along(std::string_view kind, float by, bool let_go = true)
     {
-        for (const CrossingHold& each : tool().crossing_holds(editor.session, 1))
-            if (each.flap.has_value() == flap) return each;
-        ADD_FAILURE() << "there is no such handle";
-        return {};
+        pull(kind, by * glm::vec2(handle(kind).way_px), let_go);
     }
     glm::vec2 in_window(const glm::dvec2& p_px) const { return layout().view.lo + glm::vec2(p_px); }
-    std::string words(IncisionHold of) const
-    {
-        IncisedSkin skin;
-        skin.look(editor.session, 1);
-        return words_of(of, one(), seen_cut(skin, one(), &outcome()).value());
-    }
 };
 
 } // namespace trivar::testing

@@ -119,21 +119,20 @@ TEST(IncisionHandles, WriteTheNumbersThatTheyShowInOneStepEach)
     const std::string whole = digest(rig.editor.session.committed());
 
     std::size_t before = rig.steps();
-    rig.pull(IncisionHold::open_right,
-             glm::vec2(rig.hold(IncisionHold::open_right).way_px) * -4.0f);
+    rig.pull_along("right", -4);
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_LT(rig.one().opening.share, 1);
     EXPECT_GT(rig.one().opening.share, 0);
     EXPECT_EQ(rig.one().cut, first.cut);
-    EXPECT_NE(rig.words(IncisionHold::open_right)
-                  .find(fmt::format("{:.3g} %", 100 * rig.one().opening.share)),
-              std::string::npos);
+    EXPECT_NE(
+        rig.handle("right").words.find(fmt::format("{:.3g} %", 100 * rig.one().opening.share)),
+        std::string::npos);
     rig.editor.session.undo();
     rig.wait();
     EXPECT_EQ(digest(rig.editor.session.committed()), whole);
 
     before = rig.steps();
-    rig.pull(IncisionHold::open_left, glm::vec2(rig.hold(IncisionHold::open_left).way_px) * 30.0f);
+    rig.pull_along("left", 30);
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_EQ(rig.one().opening.share, 1);
     EXPECT_GT(rig.one().cut.width, first.cut.width);
@@ -141,7 +140,7 @@ TEST(IncisionHandles, WriteTheNumbersThatTheyShowInOneStepEach)
     rig.wait();
 
     before = rig.steps();
-    rig.pull(IncisionHold::depth, glm::vec2(rig.hold(IncisionHold::depth).way_px) * 20.0f);
+    rig.pull_along("depth", 20);
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_GT(rig.one().cut.depth, first.cut.depth);
     EXPECT_EQ(rig.one().cut.stroke, first.cut.stroke);
@@ -149,7 +148,7 @@ TEST(IncisionHandles, WriteTheNumbersThatTheyShowInOneStepEach)
     rig.wait();
 
     before = rig.steps();
-    rig.pull(IncisionHold::zip, {-80, 0});
+    rig.pull("zip", {-80, 0});
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_LT(rig.one().opening.to, 0.75);
     EXPECT_GT(rig.one().opening.to, 0.25);
@@ -164,13 +163,13 @@ TEST(IncisionHandles, MoveAnEndAndAllOfIt)
     InciseRig rig;
     rig.cut();
     const NamedIncision first = rig.one();
-    rig.pull(IncisionHold::end, {30, 40});
+    rig.pull("end", {30, 40});
     EXPECT_EQ(rig.one().cut.stroke.front().p, first.cut.stroke.front().p);
     EXPECT_GT(glm::distance(rig.one().cut.stroke.back().p, first.cut.stroke.back().p), 0.2);
     for (const SurfacePoint& each : rig.one().cut.stroke) EXPECT_NEAR(glm::length(each.p), 1, 0.01);
     EXPECT_EQ(rig.outcome().refusal, "");
     const double length = length_of(rig.one().cut.stroke);
-    rig.pull(IncisionHold::place, {0, 60});
+    rig.pull("place", {0, 60});
     EXPECT_LT(rig.one().cut.stroke.front().p.z, first.cut.stroke.front().p.z - 0.2);
     EXPECT_NEAR(length_of(rig.one().cut.stroke), length, 0.05 * length);
     EXPECT_EQ(rig.outcome().refusal, "");
@@ -180,7 +179,7 @@ TEST(IncisionHandles, ShowWhatLettingGoMakes)
 {
     InciseRig rig;
     rig.cut();
-    rig.pull(IncisionHold::depth, glm::vec2(rig.hold(IncisionHold::depth).way_px) * 20.0f, false);
+    rig.pull_along("depth", 20, false);
     const std::string shown = digest(rig.editor.session.document());
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.frames(3);
