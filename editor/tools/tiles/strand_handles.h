@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/commands/tiles/tiles.h"
+#include "editor/hands/handles.h"
 #include "editor/hands/painted_surface.h"
-#include "editor/hands/tool.h"
 
 namespace trivar {
 
@@ -15,31 +15,25 @@ public:
     // `layer` is the layer that is selected; 0: none. Returns whether the mouse is on a point, or
     // drags one, so that it belongs to nobody else.
     bool use(Session& session, const ViewportInput& input, PaintedSurface& surface, Id layer);
-    bool busy() const { return drag_.has_value(); }
-    bool hovers() const { return hovered_.has_value(); }
+    const Handles& hand() const { return hand_; }
     void cancel(Session& session);
-    void forget(); // no strand is shown any more
     void overlay(const Session& session, const ui::Theme& theme, const ViewportInput& input) const;
 
 private:
-    struct StrandHold {
-        std::size_t stroke = 0, sample = 0;
-        bool operator==(const StrandHold&) const = default;
-    };
     struct StrandDrag {
         Id layer = 0;
-        StrandHold held;
+        std::size_t held = 0;      // the sample in the hand
+        bool moved = false;        // by more than a click
         TileStroke before, stroke; // as it becomes
-        bool moved = false, proposed = true;
-        glm::dvec2 from_px{0};
     };
     void drag_to(const Session& session, const SurfaceHit& hit, PaintedSurface& surface, Id base);
     void find(const Session& session, const ViewportInput& input, PaintedSurface& surface,
               Id layer);
+    HandleDrag drag_of(const Session& session, Id layer, std::size_t number, std::size_t sample);
 
-    std::optional<StrandHold> hovered_;
-    std::optional<StrandDrag> drag_;
-    std::vector<std::pair<StrandHold, glm::dvec3>> shown_; // points of one strand, in the world
+    Handles hand_;
+    std::shared_ptr<StrandDrag> drag_; // what hand_ drags
+    std::vector<Handle> shown_;        // of one strand, in its order
 };
 
 } // namespace trivar

@@ -271,8 +271,7 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
         return {{{"left"}, "Let go when done"},
                 {{"wheel"}, "Radius"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    if (strands_.busy()) return {{{"left"}, "Let go when done"}, {{"Esc", "/", "right"}, "Cancel"}};
-    if (strands_.hovers()) return {{{"left"}, "Drag the point of the strand"}};
+    if (const Handles& hand = strands_.hand(); hand.busy() || hand.hovers()) return hand.hints();
     if (tile(session) == 0 && !begins_layer(session))
         return {{{}, "Choose a tile, or select an object to paint with"},
                 {{"left"}, "Select"},

@@ -50,7 +50,7 @@ public:
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override
     {
-        return gesture_.has_value() || hand_.motion().has_value() || strands_.busy();
+        return gesture_.has_value() || hand_.motion().has_value() || strands_.hand().busy();
     }
     bool takes_wheel() const override { return gesture_.has_value(); }
     bool resize(Session& session, double factor) override;
