@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/hands/gesture.h"
+#include "editor/hands/transform_gesture.h"
 #include "editor/session/session.h"
 
 namespace trivar {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/hands/gesture.h"
 #include "editor/hands/laid_motion.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/transform_gesture.h"
 
 #include <memory>
 #include <optional>

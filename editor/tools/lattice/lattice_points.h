@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/commands/objects/shape.h"
-#include "editor/hands/gesture.h"
 #include "editor/hands/proportional.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/transform_gesture.h"
 #include "ui/option_bar.h"
 
 #include <optional>

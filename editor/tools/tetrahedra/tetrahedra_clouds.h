@@ -3,8 +3,8 @@
 
 #include "core/simplex/simplex_basis.h"
 #include "core/simplex/simplex_domain.h"
-#include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/transform_gesture.h"
 
 #include <optional>
 

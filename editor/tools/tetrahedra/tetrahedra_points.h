@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/tetrahedra/control_places.h"
-#include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/transform_gesture.h"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/hands/gesture.h"
+#include "editor/hands/transform_gesture.h"
 #include "tests/editor/boxes.h"
 
 #include <imgui.h>

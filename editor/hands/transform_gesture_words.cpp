@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a gesture says of itself.
-#include "editor/hands/gesture.h"
+#include "editor/hands/transform_gesture.h"
 #include "ui/widgets.h"
 
 namespace trivar {
