@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/transform.h"
 
-#include "editor/hands/gesture_keys.h"
 #include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
@@ -76,7 +75,7 @@ void TransformTool::begin(Session& session)
     refused_s_ = -1e9;
     if (session.selected == 0) return;
     if (!handles_at(session) && !is_coming(session)) return refuse(session);
-    beginning_ = by_key_ = true;
+    beginning_ = true;
 }
 
 bool TransformTool::is_coming(const Session& session) const
@@ -115,7 +114,8 @@ void TransformTool::refuse(Session& session)
                          }}});
 }
 
-void TransformTool::start(const Session& session, Grasp grasp)
+void TransformTool::start(const Session& session, const ViewportInput& input, Grasp grasp,
+                          bool by_key)
 {
     laid_ = laid_stand(session);
     TransformChoices choices = *choices_;
@@ -127,43 +127,37 @@ void TransformTool::start(const Session& session, Grasp grasp)
         if (kind_ == MotionKind::rotate) grasp.handle = about_surface;
     } else
         stands = stands_of(session.document(), session.selected.ids());
-    gesture_.emplace(kind_, std::move(stands), session.selected.active(), choices,
-                     session.view.camera, grasp);
-    shown_.reset();
+    gesture_.begin(TransformGesture(kind_, std::move(stands), session.selected.active(), choices,
+                                    session.view.camera, grasp),
+                   input, by_key);
+    last_.reset();
 }
 
 void TransformTool::use(Session& session, const ViewportInput& input)
 {
-    outside_ = !input.hovered;
     const auto frame = gesture_ ? std::nullopt : handles_at(session);
     if (beginning_ && is_coming(session)) return;
     if (beginning_ && frame)
-        start(session, {frame->pivot, {}, input.mouse, input.scale});
+        start(session, input, {frame->pivot, {}, input.mouse, input.scale}, true);
     else if (beginning_ && session.selected != 0)
         refuse(session);
     beginning_ = false;
-    if (!gesture_) {
-        hovered_ = {};
-        const double scale = input.scale;
-        if (frame && (input.hovered || input.pressed))
-            hovered_ = handle_at(handles(session, scale), glm::vec2(input.mouse), scale);
-        if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        if (!input.pressed || session.committing()) return;
-        if (!frame || hovered_.grip == Grip::none) {
-            select_by_click(session, input.under);
-            return;
-        }
-        by_key_ = false;
-        start(session, {frame->pivot, hovered_, input.mouse, input.scale});
+    if (gesture_) {
+        gesture_.go_on(
+            session, input, [&] { return wanted_last(session.view.camera); },
+            [&] { commit(session); });
         return;
     }
-    const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.view.camera, input.mouse,
-                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
-    if (by_key_ ? input.pressed : input.released)
-        finish(session);
-    else if (by_key_ || gesture_->typed().open() || gesture_->travelled_px() >= click_slip_px)
-        show(session);
+    hovered_ = {};
+    const double scale = input.scale;
+    if (frame && (input.hovered || input.pressed))
+        hovered_ = handle_at(handles(session, scale), glm::vec2(input.mouse), scale);
+    if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!input.pressed || session.committing()) return;
+    if (hovered_.grip == Grip::none)
+        select_by_click(session, input.under);
+    else
+        start(session, input, {frame->pivot, hovered_, input.mouse, scale}, false);
 }
 
 std::optional<Command> TransformTool::wanted(const Camera& camera) const
@@ -176,29 +170,16 @@ std::optional<Command> TransformTool::wanted(const Camera& camera) const
     return moved(*laid_, motion, frame);
 }
 
-void TransformTool::show(Session& session)
+std::optional<Command> TransformTool::wanted_last(const Camera& camera)
 {
-    // One proposal at a time: the next waits until the last one can be seen.
-    if (!session.up_to_date()) return;
-    const std::optional<Command> next = wanted(session.view.camera);
-    if (!next || next == shown_) return;
-    if (session.propose_quietly(*next)) shown_ = next;
+    if (const std::optional<Command> now = wanted(camera)) last_ = now;
+    return last_;
 }
 
-void TransformTool::finish(Session& session)
+void TransformTool::commit(Session& session)
 {
-    const bool by_hand = by_key_ || gesture_->travelled_px() >= click_slip_px;
-    const bool something =
-        !gesture_->motion().is_nothing() && (by_hand || gesture_->typed().open());
-    // Beside all that it could lie on it stays where it was seen last.
-    std::optional<Command> done = something ? wanted(session.view.camera) : std::nullopt;
-    if (something && !done) done = shown_;
-    const std::optional<LaidStand> laid = std::exchange(laid_, std::nullopt);
-    gesture_.reset();
-    if (!done || !session.propose(*done))
-        session.cancel();
-    else if (laid)
-        session.commit_if_placed(laid->object);
+    if (laid_)
+        session.commit_if_placed(laid_->object);
     else
         session.commit();
 }
@@ -206,16 +187,14 @@ void TransformTool::finish(Session& session)
 void TransformTool::cancel(Session& session)
 {
     beginning_ = false;
-    if (!gesture_) return;
-    gesture_.reset();
-    laid_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 void TransformTool::take_keys(Session& session)
 {
-    if (!gesture_) return;
-    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
+    if (gesture_ && gesture_.take_keys())
+        gesture_.finish(
+            session, [&] { return wanted_last(session.view.camera); }, [&] { commit(session); });
 }
 
 } // namespace trivar

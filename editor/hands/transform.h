@@ -2,8 +2,7 @@
 #pragma once
 
 #include "editor/hands/laid_motion.h"
-#include "editor/hands/tool.h"
-#include "editor/hands/transform_gesture.h"
+#include "editor/hands/motion_gesture.h"
 
 #include <memory>
 #include <optional>
@@ -28,7 +27,7 @@ public:
     std::optional<MotionKind> motion() const override { return kind_; }
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value() || beginning_; }
+    bool busy() const override { return gesture_ || beginning_; }
     bool waits() const override { return beginning_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
@@ -41,16 +40,17 @@ public:
 private:
     std::optional<MotionFrame> handles_at(const Session& session) const;
     std::vector<HandleShape> handles(const Session& session, double scale) const;
-    void start(const Session& session, Grasp grasp);
+    void start(const Session& session, const ViewportInput& input, Grasp grasp, bool by_key);
     void refuse(Session& session);
     // Where the selected object lies is not known yet.
     bool is_coming(const Session& session) const;
     // What the present motion asks for; nothing: the mouse is where nothing can lie.
     std::optional<Command> wanted(const Camera& camera) const;
+    // Beside all that it could lie on it stays where it was seen last.
+    std::optional<Command> wanted_last(const Camera& camera);
+    void commit(Session& session);
     std::string amount(const Session& session) const;
     std::string words(const Session& session) const;
-    void show(Session& session); // proposes the present result of the gesture
-    void finish(Session& session);
     void gesture_overlay(const Session& session, const ui::Theme& theme,
                          const ViewportInput& input) const;
     std::vector<Hint> hints_at_work(const Session& session) const;
@@ -58,15 +58,13 @@ private:
 
     MotionKind kind_;
     std::shared_ptr<TransformChoices> choices_;
-    std::optional<TransformGesture> gesture_;
+    MotionGesture gesture_;
     std::optional<LaidStand> laid_; // what the gesture moves, where it lies on a stroke
-    bool by_key_ = false;           // a click ends the gesture, not a release
     // Begun by its key, as soon as it is known where the mouse is and where the objects lie.
     bool beginning_ = false;
-    bool outside_ = false;    // the mouse is not over the picture
     double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
     GizmoHandle hovered_;
-    std::optional<Command> shown_; // the last proposal
+    std::optional<Command> last_; // what was wanted last
 };
 
 } // namespace trivar

@@ -138,7 +138,7 @@ std::vector<Hint> TransformTool::hints_at_work(const Session& session) const
     const bool typing = gesture_->typed().open();
     if (typing)
         hints.push_back(hint({"Enter"}, "Done"));
-    else if (by_key_)
+    else if (gesture_.by_key())
         hints.push_back(hint({"left", "/", "Enter"}, "Done"));
     else
         hints.push_back(hint({"left"}, "Let go when done"));

@@ -5,7 +5,6 @@
 #include "core/commands/edits/edits.h"
 #include "core/placement/shifting.h"
 #include "core/steps/laying/attaching.h"
-#include "editor/hands/gesture_keys.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/last_shaping.h"
 #include "editor/hands/select.h"
@@ -210,7 +209,6 @@ bool LatticePointsTool::resize(Session& session, double factor)
 void LatticePointsTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
-    outside_ = !input.hovered;
     keep_what_is_there(session);
     if (gesture_) {
         if (chosen_.empty()) return cancel(session);
@@ -237,9 +235,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         return;
     }
     if (const auto kind = std::exchange(grabbing_, std::nullopt); kind && !chosen_.empty()) {
-        begin(session, input, {}, *kind);
-        by_key_ = true;
-        return;
+        return begin(session, input, {}, *kind);
     }
     if (!input.hovered && !input.pressed) return;
     if (!chosen_.empty())
@@ -312,7 +308,6 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
 {
     const Lattice& volume = selected_volume(session)->placement->volume;
     of_ = point_count(volume);
-    by_key_ = false;
     kind_ = kind;
     const Ref<Lattice> seen = cage(session);
     const MotionFrame frame = frame_of(*seen);
@@ -334,14 +329,7 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
     }
     distances_ = by_distance(volume, held());
     proportional_.radius_m = radius(volume);
-    // The gesture is that of an object which stands there, turned as the volume is.
-    const Stand stand{object_,
-                      {.translation = frame.pivot,
-                       .rotation_deg = decomposed(glm::dmat4(frame.axes)).rotation_deg},
-                      glm::dmat4(1)};
-    gesture_.emplace(kind, std::vector<Stand>{stand}, object_,
-                     TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
-                     session.view.camera, Grasp{frame.pivot, handle, input.mouse, input.scale});
+    gesture_.begin(kind, object_, frame, handle, session.view.camera, input);
     shown_ = {};
 }
 
@@ -371,36 +359,20 @@ PointShift LatticePointsTool::shift() const
     return with_neighbours(std::move(out), distances_, proportional_.kind, proportional_.radius_m);
 }
 
-void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
-{
-    const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.view.camera, input.mouse,
-                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
-    if (input.wheel != 0) resize(session, std::pow(radius_step, input.wheel));
-    if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
-    if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
-    // One proposal at a time: the next waits until the last one can be seen.
-    if (!session.up_to_date()) return;
-    PointShift wanted = shift();
-    if (wanted == shown_ || (gesture_->motion().is_nothing() && shown_.points.empty())) return;
-    shown_ = std::move(wanted);
-    session.propose_quietly(command());
-}
-
-void LatticePointsTool::finish(Session& session)
+Command LatticePointsTool::wanted()
 {
     shown_ = shift();
-    const bool moved = !gesture_->motion().is_nothing();
-    const bool meant =
-        by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
-    const bool clicked = !meant && pressed_ && !by_key_;
-    gesture_.reset();
-    if (clicked) chosen_ = {*pressed_};
-    if (meant && moved && session.propose(command())) {
+    return MovePoints{object_, shown_};
+}
+
+void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
+{
+    if (input.wheel != 0) resize(session, std::pow(radius_step, input.wheel));
+    const Gesture::State state = gesture_.go_on(session, input, [&] { return wanted(); });
+    if (state == Gesture::State::done)
         told_of_ = object_;
-        session.commit();
-    } else
-        session.cancel();
+    else if (state == Gesture::State::dropped && !gesture_.meant() && pressed_)
+        chosen_ = {*pressed_};
 }
 
 void LatticePointsTool::tell(Session& session)
@@ -425,20 +397,18 @@ std::vector<VolumePart> LatticePointsTool::held_parts(const Session& session) co
 void LatticePointsTool::cancel(Session& session)
 {
     box_px_.reset();
-    if (!gesture_) return;
-    gesture_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 void LatticePointsTool::take_keys(Session& session)
 {
     if (!gesture_) return;
-    const bool ended = take_gesture_keys(*gesture_, by_key_, outside_);
-    const bool typing_formula = gesture_->typed().text(gesture_->typed().at()).starts_with('=');
-    if (!typing_formula && ui::struck({'O'})) proportional_.on = !proportional_.on;
+    const bool ended = gesture_.take_keys();
+    if (!gesture_.types_formula() && ui::struck({'O'})) proportional_.on = !proportional_.on;
     for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
         if (ui::struck({key}, true)) resize(session, std::pow(radius_step, steps));
-    if (ended) finish(session);
+    if (ended && gesture_.finish(session, [&] { return wanted(); }) == Gesture::State::done)
+        told_of_ = object_;
 }
 
 } // namespace trivar

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/commands/objects/shape.h"
+#include "editor/hands/motion_gesture.h"
 #include "editor/hands/proportional.h"
-#include "editor/hands/tool.h"
-#include "editor/hands/transform_gesture.h"
 #include "ui/option_bar.h"
 
 #include <optional>
@@ -32,7 +31,7 @@ public:
     bool takes_wheel() const override { return gesture_ && proportional_.on; }
     bool resize(Session& session, double factor) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value() || box_px_.has_value(); }
+    bool busy() const override { return gesture_.going() || box_px_.has_value(); }
     bool shows_volume() const override { return true; }
     void take_keys(Session& session) override;
     void cancel(Session& session) override;
@@ -54,7 +53,6 @@ private:
     void begin(const Session& session, const ViewportInput& input, const GizmoHandle& handle,
                MotionKind kind = MotionKind::move);
     void go_on(Session& session, const ViewportInput& input);
-    void finish(Session& session);
     void tell(Session& session);
     void paint_points(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
@@ -65,7 +63,7 @@ private:
     double radius(const Lattice& volume) const; // of proportional editing, metres
     PointShift held() const;                    // the chosen ones, by nothing as yet
     PointShift shift() const;                   // what the gesture says now
-    Command command() const { return MovePoints{object_, shown_}; }
+    Command wanted();
     // The handles stand in the middle, along the directions at the first point.
     MotionFrame frame_of(const Lattice& volume) const;
 
@@ -76,7 +74,7 @@ private:
     GizmoHandle hovered_handle_;
     std::optional<glm::ivec3> pressed_; // a click on it chooses it alone
     std::optional<glm::dvec2> box_px_;  // where it began
-    std::optional<TransformGesture> gesture_;
+    MotionGesture gesture_;
     MotionKind kind_ = MotionKind::move; // of the gesture
     // As it began: the volume's directions at the first point, by columns, before the object's own
     // transform and after it, what takes a direction of the world there, and how far all points
@@ -85,13 +83,11 @@ private:
     // Own length by seen length along each of these axes: other volumes stretch the cage.
     glm::dvec3 own_by_seen_{1};
     std::vector<PointDistance> distances_;
-    PointShift shown_; // proposed last
+    PointShift shown_; // wanted last
     Proportional proportional_;
     glm::bvec3 mirror_{false}; // along, across, up
     bool guard_ = true;
     std::optional<MotionKind> grabbing_; // a gesture by its key begins in this frame
-    bool by_key_ = false;                // the gesture goes on till a click
-    bool outside_ = false;               // the mouse is not over the picture
     Id told_of_ = 0;
     // The row or plane that was chosen last by its point: the same again is along the next axis.
     std::optional<glm::ivec3> line_at_;

@@ -97,13 +97,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
     const EvaluatedObject* laid = selected_volume(session);
     if (gesture_) {
         const bool box = laid && is_lattice(session.document(), laid->id);
-        std::vector<Hint> hints{{{}, gesture_->words()},
-                                {{"left"}, by_key_ ? "Done" : "Let go when done"},
-                                {{"X", "Y", "Z"}, box ? "Along an axis" : "Along, across, up"},
-                                {{"0", "-", "9"}, "Type it"},
-                                {{"Ctrl"}, "Snap"},
-                                {{"Shift"}, "Fine"},
-                                {{"Esc", "/", "right"}, "Cancel"}};
+        std::vector<Hint> hints = gesture_.hints(box ? "Along an axis" : "Along, across, up");
         if (proportional_.on) hints.insert(hints.begin() + 2, {{"wheel"}, "Radius"});
         hints.insert(hints.begin() + 3, {{"O"}, "Neighbours"});
         return hints;

@@ -136,7 +136,7 @@ Command PressTool::command() const
 void PressTool::begin(Session& session, const ViewportInput& input)
 {
     const Placement& laid = *placement_;
-    Gesture g{session.selected, by_, {}, laid.volume, input.mouse};
+    Pressing g{session.selected, by_, {}, laid.volume};
     g.press = {.decay = decay_,
                .radius = radius(laid),
                .samples = {glm::dvec4(at_->uvw, 0)},
@@ -148,10 +148,10 @@ void PressTool::begin(Session& session, const ViewportInput& input)
     const glm::dvec3 up = volume_directions(laid.volume, at_->uvw).up;
     const bool lifts = at_scene(laid.volume, laid.ground, at_->uvw);
     g.into_px = metres_by_pixel(session.view.camera, at_->p_world, lifts ? up : -up);
-    g.pull = ImGui::GetIO().KeyCtrl;
+    const bool pulls = ImGui::GetIO().KeyCtrl;
     if (g.by == By::brush)
-        g.press.samples.back().w = (g.pull ? -1 : 1) * brush_step * strength(laid);
-    gesture_ = std::move(g);
+        g.press.samples.back().w = (pulls ? -1 : 1) * brush_step * strength(laid);
+    gesture_.begin(std::move(g), input);
     typed_ = {};
     session.notices.forget(of_a_step);
 }
@@ -192,52 +192,55 @@ void PressTool::use(Session& session, const ViewportInput& input)
         select_by_click(session, input.under);
 }
 
-void PressTool::go_on(Session& session, const ViewportInput& input)
+void PressTool::extend(const Camera& camera, const ViewportInput& input)
 {
-    Gesture& g = *gesture_;
-    const Press before = g.press;
+    Press& press = gesture_->press;
     if (input.wheel != 0)
-        g.press.radius = radius_ = rounded(g.press.radius * std::pow(1.1, input.wheel), 3);
-    const glm::dvec2 drag = input.mouse - g.from_px;
-    g.moved = g.moved || glm::length(drag) >= click_slip_px;
-    if (g.by == By::drag) {
-        if (g.moved) g.press.samples.back().w = glm::dot(drag, g.into_px);
-        if (const auto typed = typed_.value(0, Measure::length)) g.press.samples.back().w = *typed;
-    } else if (const auto at = on_volume(surface_, ray_through(session.view.camera, input.mouse))) {
-        const glm::dvec3 last = evaluate(g.volume, glm::dvec3(g.press.samples.back())).value;
+        press.radius = radius_ = rounded(press.radius * std::pow(radius_step, input.wheel), 3);
+    if (gesture_->by == By::drag) {
+        const glm::dvec2 drag = input.mouse - gesture_.from_px();
+        if (gesture_.moved()) press.samples.back().w = glm::dot(drag, gesture_->into_px);
+        if (const auto typed = typed_.value(0, Measure::length)) press.samples.back().w = *typed;
+    } else if (const auto at = on_volume(surface_, ray_through(camera, input.mouse))) {
+        const glm::dvec3 last = evaluate(gesture_->volume, glm::dvec3(press.samples.back())).value;
         constexpr std::size_t most_samples = 4000;
-        if (glm::distance(last, at->p_world) >= brush_step * g.press.radius &&
-            g.press.samples.size() < most_samples)
-            g.press.samples.emplace_back(glm::dvec4(at->uvw, g.press.samples.back().w));
+        if (glm::distance(last, at->p_world) >= brush_step * press.radius &&
+            press.samples.size() < most_samples)
+            press.samples.emplace_back(glm::dvec4(at->uvw, press.samples.back().w));
     }
-    const bool begins = !session.proposing() && g.by == By::brush;
-    if (input.released || !input.down)
-        finish(session);
-    else if ((!(g.press == before) || retyped_ || begins) && session.up_to_date())
-        // One proposal at a time: the next piece waits until the last one can be seen.
-        retyped_ = !session.propose_quietly(command());
-    else
-        retyped_ = retyped_ || !(g.press == before);
 }
 
-void PressTool::finish(Session& session)
+bool PressTool::holds_points() const
 {
-    told_ = gesture_->press;
-    const bool nothing = gesture_->by == By::drag && told_.samples.back().w == 0;
-    const bool empty = std::ranges::none_of(told_.samples, [&](const glm::dvec4& sample) {
-        std::vector<glm::dvec3> centers = places(told_, glm::dvec3(sample));
-        for (glm::dvec3& center : centers) center = evaluate(gesture_->volume, center).value;
-        return held_by(told_, gesture_->volume, centers, [](const glm::ivec3&, double) {}) > 0;
+    const Press& press = gesture_->press;
+    const Lattice& volume = gesture_->volume;
+    return std::ranges::any_of(press.samples, [&](const glm::dvec4& sample) {
+        std::vector<glm::dvec3> centers = places(press, glm::dvec3(sample));
+        for (glm::dvec3& center : centers) center = evaluate(volume, center).value;
+        return held_by(press, volume, centers, [](const glm::ivec3&, double) {}) > 0;
     });
-    if (!nothing && !empty && session.propose(command())) {
+}
+
+void PressTool::go_on(Session& session, const ViewportInput& input)
+{
+    gesture_.follow(input);
+    extend(session.view.camera, input);
+    const auto presses = [&] {
+        return gesture_->by == By::brush || gesture_->press.samples.back().w != 0;
+    };
+    const auto wanted = [&]() -> std::optional<Command> {
+        if (!presses() || !holds_points()) return {};
+        return command();
+    };
+    const Gesture::State state = gesture_.go_on(session, input, wanted);
+    if (state == Gesture::State::goes_on) return;
+    told_ = gesture_->press;
+    if (state == Gesture::State::done)
         told_of_ = gesture_->object;
-        session.commit();
-    } else
-        session.cancel();
-    if (!nothing && empty && !offer_points(session, gesture_->object, gesture_->volume))
+    else if (presses() && !holds_points() &&
+             !offer_points(session, gesture_->object, gesture_->volume))
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed",
                             "The ball holds no control point; make it larger.", of_a_step);
-    gesture_.reset();
 }
 
 void PressTool::tell(Session& session)
@@ -289,9 +292,7 @@ bool PressTool::offer_points(Session& session, Id id, const Lattice& volume) con
 
 void PressTool::cancel(Session& session)
 {
-    if (!gesture_) return;
-    gesture_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 bool PressTool::resize(Session& session, double factor)
@@ -302,10 +303,9 @@ bool PressTool::resize(Session& session, double factor)
     return true;
 }
 
-void PressTool::take_keys(Session& session)
+void PressTool::take_keys(Session&)
 {
-    (void)session;
-    if (gesture_ && gesture_->by == By::drag && typed_.take_letters()) retyped_ = true;
+    if (gesture_ && gesture_->by == By::drag) typed_.take_letters();
 }
 
 std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui::Theme& theme) const

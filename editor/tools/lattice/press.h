@@ -3,6 +3,7 @@
 
 #include "core/commands/objects/shape.h"
 #include "core/placement/placement.h"
+#include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
 #include "editor/hands/typed_amounts.h"
 #include "editor/picture/volume_surface.h"
@@ -21,7 +22,7 @@ public:
     std::vector<ui::Chord> keys() const override { return {{'P'}, {'3'}}; }
     bool crosshair() const override { return at_.has_value() || busy(); }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value(); }
+    bool busy() const override { return gesture_.going(); }
     bool shows_volume() const override { return true; }
     bool takes_wheel() const override { return busy(); }
     bool resize(Session& session, double factor) override;
@@ -37,20 +38,19 @@ public:
 
 private:
     enum class By { drag, brush };
-    struct Gesture {
+    struct Pressing {
         Id object = 0;
         By by = By::drag;
         Press press;
-        Lattice volume;                    // that it began with
-        glm::dvec2 from_px{0}, into_px{0}; // metres of depth per pixel, along the drag
-        bool pull = false;
-        bool moved = false;
-        double scale = 1; // of the world to the space of the stroke, in which it presses
+        Lattice volume;        // that it began with
+        glm::dvec2 into_px{0}; // metres of depth per pixel, along the drag
+        double scale = 1;      // of the world to the space of the stroke, in which it presses
     };
     void begin(Session& session, const ViewportInput& input);
     void find_place(const Session& session, const ViewportInput& input); // under the mouse
     void go_on(Session& session, const ViewportInput& input);
-    void finish(Session& session);
+    void extend(const Camera& camera, const ViewportInput& input);
+    bool holds_points() const;   // the gesture's ball, anywhere on its way
     void tell(Session& session); // what became of the last stroke
     bool offer_points(Session& session, Id id, const Lattice& volume) const;
     Command command() const;
@@ -67,9 +67,8 @@ private:
     std::optional<OnVolume> at_; // under the mouse
     glm::dvec3 last_at_{0};      // uvw of that, also when it has left the volume
     Id last_of_ = 0;             // of that object; 0: it never was there
-    std::optional<Gesture> gesture_;
+    GestureWith<Pressing> gesture_;
     TypedAmounts typed_;
-    bool retyped_ = false;
     Id told_of_ = 0; // whose last stroke is still to be told of
     Press told_;     // that stroke
 };

@@ -68,9 +68,9 @@ void SilhouettesTool::use(Session& session, const ViewportInput& input)
     levels_ = shape ? static_cast<int>(shape->levels.size()) : 0;
     const std::span<const double> plateaus = plateaus_at(session, id); // looked for from now on
     if (session.committing()) return;
-    if (drag_) return drag(session, input, plateaus);
+    if (gesture_ && !gesture_->by_wheel) return drag(session, input, plateaus);
     turn_wheel(session, input);
-    if (wheel_) return;
+    if (gesture_) return;
     if (!ImGui::GetIO().WantTextInput && input.hovered) take_digits(session);
     if (input.pressed) press(session, input);
 }
@@ -102,95 +102,83 @@ void SilhouettesTool::press(Session& session, const ViewportInput& input)
         session.level = {at_work, *level};
     const int chosen = chosen_in(*shape, at_work, session.level);
     session.level = {at_work, chosen};
-    drag_ = Drag{at_work, chosen, shape->levels[static_cast<std::size_t>(chosen)].value, 0,
-                 input.mouse};
+    const double value = shape->levels[static_cast<std::size_t>(chosen)].value;
+    gesture_.begin({at_work, chosen, value, value, 0, false, input.mouse}, input);
 }
 
-bool SilhouettesTool::propose_value(Session& session, Id object, int level, double value) const
+// Nothing where the value came back.
+std::optional<Command> SilhouettesTool::wanted(const Session& session) const
 {
-    const VoxelShape* now = volume_of(session.document(), object);
-    if (!now || level >= static_cast<int>(now->levels.size())) return false;
-    SetVoxels set{object, *now};
-    set.shape.levels[static_cast<std::size_t>(level)].value = value;
-    return session.propose(set);
+    const auto level = static_cast<std::size_t>(gesture_->level);
+    const VoxelShape* shape = volume_of(session.document(), gesture_->object);
+    if (!shape || level >= shape->levels.size() || gesture_->value == gesture_->from_value)
+        return {};
+    SetVoxels set{gesture_->object, *shape};
+    set.shape.levels[level].value = gesture_->value;
+    return set;
 }
 
 void SilhouettesTool::drag(Session& session, const ViewportInput& input,
                            std::span<const double> plateaus)
 {
-    Drag& d = *drag_;
+    Change& d = *gesture_;
     const VolumeSummary* summary = summary_at(session, d.object);
-    const double step = d.last.y - input.mouse.y; // upward raises the value
-    d.last = input.mouse;
+    const double step = d.last_px.y - input.mouse.y; // upward raises the value
+    d.last_px = input.mouse;
     const double fine = ImGui::GetIO().KeyShift ? 0.1 : 1;
-    d.shift_px += step * fine;
-    d.moved = d.moved || std::abs(d.shift_px) > click_slip_px * input.scale;
+    d.shift += step * fine;
+    d.moved = d.moved || std::abs(d.shift) > click_slip_px * input.scale;
     if (d.moved && summary && step != 0) {
         const double range = summary->greatest - summary->least;
         const double per_px = range / (drag_range_px * input.scale);
-        const double by_hand = d.from_value + d.shift_px * per_px;
+        const double by_hand = d.from_value + d.shift * per_px;
         const double reach =
             ImGui::GetIO().KeyCtrl ? 0 : halt_reach_px * input.scale * fine * per_px;
         const double value = ui::snapped(plateaus, by_hand, reach);
         d.halted = std::ranges::find(plateaus, value) != plateaus.end();
-        propose_value(session, d.object, d.level, readable_value(value, *summary));
+        d.value = readable_value(value, *summary);
     }
-    if (input.released || !input.down) finish(session);
+    gesture_.go_on(session, input, [&] { return wanted(session); });
 }
 
 void SilhouettesTool::turn_wheel(Session& session, const ViewportInput& input)
 {
-    if (wheel_ && !ImGui::GetIO().KeyCtrl) return finish(session);
-    if (!takes_wheel() || !input.hovered || input.wheel == 0) return;
-    const Id id = volume_at_work(session.document(), session.selected);
-    const VoxelShape* shape = volume_of(session.document(), id);
-    const VolumeSummary* summary = summary_at(session, id);
-    if (!shape || !summary) return;
-    const int chosen = chosen_in(*shape, id, session.level);
-    if (!wheel_) wheel_ = Drag{id, chosen, shape->levels[static_cast<std::size_t>(chosen)].value};
-    wheel_->shift_px += input.wheel;
-    const double range = summary->greatest - summary->least;
-    propose_value(
-        session, id, wheel_->level,
-        readable_value(wheel_->from_value + wheel_->shift_px * range / wheel_steps, *summary));
-}
-
-// One step for all of it; none where the value came back.
-void SilhouettesTool::finish(Session& session)
-{
-    const Drag done = drag_ ? *drag_ : *wheel_;
-    drag_.reset();
-    wheel_.reset();
-    if (!session.proposing()) return;
-    const VoxelShape* before = volume_of(session.committed(), done.object);
-    const VoxelShape* now = volume_of(session.document(), done.object);
-    if (before && now && *before == *now)
-        session.cancel();
-    else
-        session.commit();
+    const auto now = [&] { return wanted(session); };
+    if (gesture_ && !ImGui::GetIO().KeyCtrl) gesture_.finish(session, now);
+    if (takes_wheel() && input.hovered && input.wheel != 0) {
+        const Id id = volume_at_work(session.document(), session.selected);
+        const VoxelShape* shape = volume_of(session.document(), id);
+        const VolumeSummary* summary = summary_at(session, id);
+        if (!shape || !summary) return;
+        const int chosen = chosen_in(*shape, id, session.level);
+        const double value = shape->levels[static_cast<std::size_t>(chosen)].value;
+        if (!gesture_) gesture_.begin({id, chosen, value, value, 0, true}, input);
+        gesture_->shift += input.wheel;
+        const double range = summary->greatest - summary->least;
+        gesture_->value =
+            readable_value(gesture_->from_value + gesture_->shift * range / wheel_steps, *summary);
+    }
+    if (gesture_) gesture_.show(session, now);
 }
 
 void SilhouettesTool::take_keys(Session& session)
 {
-    if (ui::struck({ui::key_enter}) || ui::struck({ui::key_keypad_enter})) finish(session);
+    if (gesture_.take_keys()) gesture_.finish(session, [&] { return wanted(session); });
 }
 
 void SilhouettesTool::cancel(Session& session)
 {
-    if (!busy()) return;
-    drag_.reset();
-    wheel_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 std::vector<Hint> SilhouettesTool::hints(const Session& session) const
 {
-    if (drag_)
+    if (gesture_ && !gesture_->by_wheel)
         return {{{"left"}, "Up and down: the level"},
                 {{"Shift"}, "Finer"},
                 {{"Ctrl"}, "Halts nowhere"},
                 {{"Esc"}, "Cancel"}};
-    if (wheel_) return {{{"Ctrl"}, "Let go when done"}, {{"Esc"}, "Cancel"}};
+    if (gesture_) return {{{"Ctrl"}, "Let go when done"}, {{"Esc"}, "Cancel"}};
     const Id id = volume_at_work(session.document(), session.selected);
     const VoxelShape* shape = volume_of(session.document(), id);
     if (!shape)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/objects/voxels.h"
+#include "editor/hands/gesture.h"
 #include "editor/hands/tool.h"
 
 #include <optional>
@@ -24,7 +25,7 @@ public:
     std::vector<ui::Chord> keys() const override { return {{'L'}}; }
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return drag_ || wheel_; }
+    bool busy() const override { return gesture_.going(); }
     bool takes_wheel() const override; // while Ctrl is held
     bool awaits(const ui::Chord& chord) const override;
     void take_keys(Session& session) override;
@@ -35,25 +36,24 @@ public:
     std::vector<Hint> hints(const Session& session) const override;
 
 private:
-    struct Drag { // of the chosen level, from a press on
+    struct Change { // of the chosen level
         Id object = 0;
         int level = 0;
-        double from_value = 0, shift_px = 0;
-        glm::dvec2 last{0};
+        double from_value = 0, value = 0, shift = 0; // shift: pixels of a drag, or notches
+        bool by_wheel = false;                       // while Ctrl is held, not by a drag
+        glm::dvec2 last_px{0};
         bool moved = false;
-        bool halted = false; // the value is at such a place
+        bool halted = false; // the value is where the length of the lines hardly changes
     };
     void press(Session& session, const ViewportInput& input);
     void drag(Session& session, const ViewportInput& input, std::span<const double> plateaus);
     void turn_wheel(Session& session, const ViewportInput& input);
     void take_digits(Session& session) const;
-    bool propose_value(Session& session, Id object, int level, double value) const;
-    void finish(Session& session);
+    std::optional<Command> wanted(const Session& session) const;
 
-    std::optional<Drag> drag_;
-    std::optional<Drag> wheel_; // the same by the wheel, while Ctrl is held
-    int levels_ = 0;            // number of them in the last frame: digits choose one of several
-    bool edits_ = false;        // a field of the bar proposes
+    GestureWith<Change> gesture_;
+    int levels_ = 0;     // number of them in the last frame: digits choose one of several
+    bool edits_ = false; // a field of the bar proposes
 };
 
 } // namespace trivar

@@ -120,12 +120,12 @@ void SilhouettesTool::overlay(const Session& session, const ui::Theme& theme,
         at.x = chip.hi.x + theme.px(8);
         if (at.x > input.rect.hi.x - theme.px(120)) break;
     }
-    if (!drag_ || !drag_->moved || chosen < 0) return;
+    if (!gesture_ || !gesture_->moved || chosen < 0) return;
     const VoxelLevel& level = shape->levels[static_cast<std::size_t>(chosen)];
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     const ui::Rect chip = ui::paint_chip(theme, mouse + glm::vec2(theme.px(16), -theme.px(28)),
-                                         {value_words(level.value, unit), level_color(level)});
-    if (!drag_->halted) return; // with a dot like that on the histogram
+                                         {value_words(gesture_->value, unit), level_color(level)});
+    if (!gesture_->halted) return; // with a dot like that on the histogram
     ui::paint_rim(chip, theme.color.accent, theme.size.rounding, theme.line(1.5f));
     ui::paint_dot({chip.hi.x, chip.center().y}, theme.scale * 3.5f, theme.color.accent,
                   theme.color.text, 1.5f * theme.scale);

@@ -7,6 +7,7 @@
 #include "core/tetrahedra/pulled_layer.h"
 #include "core/tetrahedra/pulling.h"
 #include "core/tetrahedra/tetrahedra_layers.h"
+#include "editor/hands/hand_motion.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"
 #include "editor/picture/tetrahedra_picture.h"
@@ -128,8 +129,9 @@ void TetrahedraTool::start(Session& session, const ViewportInput& input)
 {
     const EvaluatedObject& volume = *shown_tetrahedra(session, session.selected);
     const TetrahedraShape& shape = *tetrahedra_shape(session.document(), volume.id);
-    gesture_ = Gesture{volume.id, edit_at(shape, *at_, session), at_->world,
-                       glm::inverse(glm::dmat3(volume.tetrahedra_to_world)), input.mouse};
+    gesture_.begin({volume.id, edit_at(shape, *at_, session), at_->world,
+                    glm::inverse(glm::dmat3(volume.tetrahedra_to_world))},
+                   input);
     take_hold(session);
 }
 
@@ -141,61 +143,49 @@ void TetrahedraTool::take_hold(const Session& session)
         gesture_->carried = carried_by(*gesture_->edit.pull, *shape, *volume->tetrahedra->volume);
 }
 
-void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
+// In the plane through the grabbed point that the camera faces.
+void TetrahedraTool::pull_on(const Camera& camera, const ViewportInput& input)
 {
-    Gesture& g = *gesture_;
-    const TetrahedraEdit before = g.edit;
-    g.moved = g.moved || glm::length(input.mouse - g.from_px) >= click_slip_px * input.scale;
-    if (input.wheel != 0 && g.edit.pull) {
-        g.edit.pull->radius = radius_ =
-            rounded(g.edit.pull->radius * std::pow(radius_step, input.wheel), 3);
-        take_hold(session);
-    }
-    if (g.edit.pull && g.moved) {
-        // in the plane through the grabbed point that the camera faces
-        const Camera& camera = session.view.camera;
-        const double depth = project(camera, g.grabbed).depth_world;
-        const double pixel = pixel_size_world(camera, std::max(1e-9, depth));
-        const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
-                         right = glm::normalize(glm::cross(ahead, camera.up)),
-                         up = glm::cross(right, ahead);
-        const glm::dvec2 by = (input.mouse - g.from_px) * pixel;
-        g.edit.pull->by = g.to_volume * (right * by.x - up * by.y) / g.carried;
-    }
-    if (!g.edit.pull)
-        if (const std::optional<Place> place = place_under(session, input)) {
-            std::vector<glm::dvec3>& places =
-                g.edit.crease ? g.edit.crease->places : g.edit.refinement->places;
-            const double r = g.edit.crease ? g.edit.crease->radius : g.edit.refinement->radius;
-            constexpr std::size_t most_places = 500;
-            if (glm::distance(places.back(), place->rest) > 0.4 * r && places.size() < most_places)
-                places.push_back(place->rest);
-            g.moved = true;
-        }
-    if (input.released || !input.down) return finish(session);
-    const bool begins = !g.edit.pull && !g.proposed;
-    if ((!(g.edit == before) || begins) && session.up_to_date())
-        g.proposed = session.propose_quietly(EditTetrahedra{g.object, g.edit}) || g.proposed;
+    const glm::dvec3 by =
+        dragged_across(camera, gesture_->grabbed, gesture_.from_px(), input.mouse);
+    gesture_->edit.pull->by = gesture_->to_volume * by / gesture_->carried;
 }
 
-void TetrahedraTool::finish(Session& session)
+void TetrahedraTool::draw_on(const Session& session, const ViewportInput& input)
 {
-    const Gesture done = *gesture_;
-    gesture_.reset();
-    const bool nothing = done.edit.pull && (!done.moved || done.edit.pull->by == glm::dvec3(0));
-    if (!nothing && session.propose(EditTetrahedra{done.object, done.edit}))
-        session.commit();
-    else
-        session.cancel();
+    const std::optional<Place> place = place_under(session, input);
+    if (!place) return;
+    TetrahedraEdit& edit = gesture_->edit;
+    std::vector<glm::dvec3>& places = edit.crease ? edit.crease->places : edit.refinement->places;
+    const double r = edit.crease ? edit.crease->radius : edit.refinement->radius;
+    constexpr std::size_t most_places = 500;
+    if (glm::distance(places.back(), place->rest) > 0.4 * r && places.size() < most_places)
+        places.push_back(place->rest);
+}
+
+void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
+{
+    gesture_.follow(input);
+    std::optional<TetrahedraPull>& pull = gesture_->edit.pull;
+    if (input.wheel != 0 && pull) {
+        pull->radius = radius_ = rounded(pull->radius * std::pow(radius_step, input.wheel), 3);
+        take_hold(session);
+    }
+    if (!pull)
+        draw_on(session, input);
+    else if (gesture_.moved())
+        pull_on(session.view.camera, input);
+    gesture_.go_on(session, input, [&]() -> std::optional<Command> {
+        if (pull && pull->by == glm::dvec3(0)) return {};
+        return EditTetrahedra{gesture_->object, gesture_->edit};
+    });
 }
 
 void TetrahedraTool::cancel(Session& session)
 {
     points_.cancel(session);
     clouds_.cancel(session);
-    if (!gesture_) return;
-    gesture_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 bool TetrahedraTool::resize(Session& session, double factor)

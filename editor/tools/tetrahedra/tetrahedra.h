@@ -53,13 +53,11 @@ private:
     struct Place {                    // on what stands in the volume
         glm::dvec3 world{0}, rest{0}; // and where that rests in the volume
     };
-    struct Gesture {
+    struct Editing {
         Id object = 0;
         TetrahedraEdit edit;
         glm::dvec3 grabbed{0}; // world
         glm::dmat3 to_volume{1};
-        glm::dvec2 from_px{0};
-        bool moved = false, proposed = false;
         double carried = 1; // how far a pull by 1 moves what was grabbed
     };
     std::optional<Place> place_under(const Session& session, const ViewportInput& input) const;
@@ -67,7 +65,8 @@ private:
     void start(Session& session, const ViewportInput& input);
     void take_hold(const Session& session); // so that what a pull grabs goes with the mouse
     void go_on(Session& session, const ViewportInput& input);
-    void finish(Session& session);
+    void pull_on(const Camera& camera, const ViewportInput& input);
+    void draw_on(const Session& session, const ViewportInput& input);
     TetrahedraEdit edit_at(const TetrahedraShape& shape, const Place& place,
                            const Session& session) const;
 
@@ -89,7 +88,7 @@ private:
     double radius_ = 0; // 0: a share of the volume
     int depth_ = 3;     // of creases; the degree and more: a cut; 0: smooth again
     std::optional<Place> at_;
-    std::optional<Gesture> gesture_;
+    GestureWith<Editing> gesture_;
 };
 
 } // namespace trivar

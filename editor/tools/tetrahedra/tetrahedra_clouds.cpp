@@ -4,7 +4,6 @@
 #include "core/commands/edits/edits.h"
 #include "core/commands/volumes/tetrahedra.h"
 #include "core/tetrahedra/cloud_room.h"
-#include "editor/hands/gesture_keys.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"
 #include "editor/session/topics.h"
@@ -72,12 +71,12 @@ void TetrahedraClouds::pick(int vertex, int knot)
 
 void TetrahedraClouds::use(Session& session, const ViewportInput& input)
 {
-    outside_ = !input.hovered;
     follow(session);
     if (gesture_) {
         const SimplexDomain<3>& was = before_->domain();
         if (object_ == 0 || !vertex_ || domain().cells != was.cells) return cancel(session);
-        return go_on(session, input);
+        gesture_.go_on(session, input, [&] { return wanted(); });
+        return;
     }
     hovered_.reset();
     hovered_knot_ = 0;
@@ -90,9 +89,7 @@ void TetrahedraClouds::use(Session& session, const ViewportInput& input)
         return;
     }
     if (const auto kind = std::exchange(grabbing_, std::nullopt); kind && vertex_) {
-        begin(input, camera, {}, *kind);
-        by_key_ = true;
-        return;
+        return begin(input, camera, {}, *kind);
     }
     if (!input.hovered && !input.pressed) return;
     double distance = knot_reach_px * input.scale;
@@ -142,19 +139,13 @@ void TetrahedraClouds::begin(const ViewportInput& input, const Camera& camera,
 {
     before_ = basis_;
     kind_ = kind;
-    by_key_ = proposed_ = stopped_ = false;
+    stopped_ = false;
     cloud_ = {};
     const glm::dvec3 from = world(kind == MotionKind::move ? domain().knot(*vertex_, knot_) : at_);
-    const Stand stand{
-        object_,
-        {.translation = from, .rotation_deg = decomposed(glm::dmat4(axes_)).rotation_deg},
-        glm::dmat4(1)};
-    gesture_.emplace(kind, std::vector<Stand>{stand}, object_,
-                     TransformChoices{.orientation = Orientation::local, .step_m = 0.01}, camera,
-                     Grasp{from, handle, input.mouse, input.scale});
+    gesture_.begin(kind, object_, {from, axes_}, handle, camera, input);
 }
 
-TetrahedraCloud TetrahedraClouds::wanted()
+Command TetrahedraClouds::wanted()
 {
     const Motion motion = gesture_->motion();
     const SimplexDomain<3>& was = before_->domain();
@@ -165,53 +156,25 @@ TetrahedraCloud TetrahedraClouds::wanted()
             share = std::min(share, allowed_share(was, cells_, *vertex_, j,
                                                   (was.knot(*vertex_, j) - at_) * (factor - 1)));
         stopped_ = share < 1;
-        return {.at = at_, .factor = 1 + share * (factor - 1)};
+        cloud_ = {.at = at_, .factor = 1 + share * (factor - 1)};
+    } else {
+        const glm::dvec3 by =
+            glm::round(glm::inverse(glm::dmat3(to_world_)) * (axes_ * motion.offset) * 1e9) / 1e9;
+        const double share = allowed_share(was, cells_, *vertex_, knot_, by);
+        stopped_ = share < 1;
+        cloud_ = {.at = at_, .knot = knot_, .by = by * share};
     }
-    const glm::dvec3 by =
-        glm::round(glm::inverse(glm::dmat3(to_world_)) * (axes_ * motion.offset) * 1e9) / 1e9;
-    const double share = allowed_share(was, cells_, *vertex_, knot_, by);
-    stopped_ = share < 1;
-    return {.at = at_, .knot = knot_, .by = by * share};
-}
-
-void TetrahedraClouds::go_on(Session& session, const ViewportInput& input)
-{
-    const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.view.camera, input.mouse,
-                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
-    if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
-    if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
-    if (!session.up_to_date()) return;
-    const TetrahedraCloud now = wanted();
-    if (now == cloud_ || (gesture_->motion().is_nothing() && !proposed_)) return;
-    cloud_ = now;
-    proposed_ = session.propose_quietly(EditTetrahedra{object_, {.cloud = cloud_}}) || proposed_;
-}
-
-void TetrahedraClouds::finish(Session& session)
-{
-    const TetrahedraCloud last = wanted();
-    const bool meant =
-        by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
-    const bool moved = !gesture_->motion().is_nothing();
-    gesture_.reset();
-    if (meant && moved && session.propose(EditTetrahedra{object_, {.cloud = last}}))
-        session.commit();
-    else
-        session.cancel();
+    return EditTetrahedra{object_, {.cloud = cloud_}};
 }
 
 void TetrahedraClouds::cancel(Session& session)
 {
-    if (!gesture_) return;
-    gesture_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 void TetrahedraClouds::take_keys(Session& session)
 {
-    if (!gesture_) return;
-    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
+    if (gesture_ && gesture_.take_keys()) gesture_.finish(session, [&] { return wanted(); });
 }
 
 } // namespace trivar

@@ -3,8 +3,7 @@
 
 #include "core/simplex/simplex_basis.h"
 #include "core/simplex/simplex_domain.h"
-#include "editor/hands/tool.h"
-#include "editor/hands/transform_gesture.h"
+#include "editor/hands/motion_gesture.h"
 
 #include <optional>
 
@@ -15,7 +14,7 @@ namespace trivar {
 class TetrahedraClouds {
 public:
     void use(Session& session, const ViewportInput& input);
-    bool busy() const { return gesture_.has_value(); }
+    bool busy() const { return gesture_.going(); }
     void cancel(Session& session);
     bool grab(Session& session, MotionKind kind); // the knot is moved, or its cloud scaled
     void take_keys(Session& session);
@@ -34,9 +33,7 @@ private:
     void pick_none();
     void begin(const ViewportInput& input, const Camera& camera, const GizmoHandle& handle,
                MotionKind kind);
-    void go_on(Session& session, const ViewportInput& input);
-    void finish(Session& session);
-    TetrahedraCloud wanted();
+    Command wanted();
     glm::dvec3 world(const glm::dvec3& p) const;
     const SimplexDomain<3>& domain() const { return basis_->domain(); }
 
@@ -53,13 +50,12 @@ private:
     std::vector<std::vector<glm::dvec3>> region_; // in which the knot may be
     std::optional<int> hovered_;
     int hovered_knot_ = 0;
-    std::optional<TransformGesture> gesture_;
+    MotionGesture gesture_;
     MotionKind kind_ = MotionKind::move;
     Ref<SimplexBasis<3>> before_; // as the gesture began
     bool stopped_ = false;        // it would have crossed
-    TetrahedraCloud cloud_;       // proposed last
+    TetrahedraCloud cloud_;       // wanted last
     std::optional<MotionKind> grabbing_;
-    bool by_key_ = false, proposed_ = false, outside_ = false;
 };
 
 } // namespace trivar

@@ -115,13 +115,7 @@ void TetrahedraClouds::overlay(const Session& session, const ui::Theme& theme,
 
 std::vector<Hint> TetrahedraClouds::hints() const
 {
-    if (gesture_)
-        return {{{}, gesture_->words()},
-                {{"left"}, by_key_ ? "Done" : "Let go when done"},
-                {{"X", "Y", "Z"}, "Along an axis"},
-                {{"0", "-", "9"}, "Type it"},
-                {{"Shift"}, "Fine"},
-                {{"Esc", "/", "right"}, "Cancel"}};
+    if (gesture_) return gesture_.hints("Along an axis");
     if (!vertex_) return {{{"left"}, "Show the knots of a vertex"}, {{"Esc"}, "Select"}};
     return {{{"left"}, "Drag a knot"},
             {{"@Scale"}, "Widen or narrow the cloud"},

@@ -4,7 +4,6 @@
 #include "core/base/rounded.h"
 #include "core/commands/edits/edits.h"
 #include "core/commands/volumes/tetrahedra.h"
-#include "editor/hands/gesture_keys.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"
@@ -131,12 +130,11 @@ std::optional<int> TetrahedraPoints::place_at(const Session& session,
 
 void TetrahedraPoints::use(Session& session, const ViewportInput& input, const Manner& manner)
 {
-    outside_ = !input.hovered;
     manner_ = manner;
     if (gesture_) {
         if (!selected_tetrahedra(session)) return cancel(session);
         follow(session);
-        return go_on(session, input, manner);
+        return go_on(session, input);
     }
     follow(session);
     hovered_.reset();
@@ -160,9 +158,7 @@ void TetrahedraPoints::use(Session& session, const ViewportInput& input, const M
         return;
     }
     if (const auto kind = std::exchange(grabbing_, std::nullopt); kind && !chosen_.empty()) {
-        begin(session, input, {}, *kind);
-        by_key_ = true;
-        return;
+        return begin(session, input, {}, *kind);
     }
     if (!input.hovered && !input.pressed) return;
     const EvaluatedObject& volume = *selected_tetrahedra(session);
@@ -269,8 +265,6 @@ void TetrahedraPoints::begin(const Session& session, const ViewportInput& input,
 {
     const EvaluatedObject& volume = *selected_tetrahedra(session);
     const MotionFrame stands = frame(volume);
-    by_key_ = false;
-    proposed_ = false;
     kind_ = kind;
     axes_ = stands.axes;
     to_volume_ = glm::inverse(glm::dmat3(volume.tetrahedra_to_world));
@@ -278,24 +272,17 @@ void TetrahedraPoints::begin(const Session& session, const ViewportInput& input,
     alone_.layer = layer_;
     alone_.radius = rounded(alone_.radius, 3);
     pull_ = alone_;
-    // The gesture is that of an object which stands there, turned as the volume is.
-    const Stand stand{object_,
-                      {.translation = stands.pivot,
-                       .rotation_deg = decomposed(glm::dmat4(stands.axes)).rotation_deg},
-                      glm::dmat4(1)};
-    gesture_.emplace(kind, std::vector<Stand>{stand}, object_,
-                     TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
-                     session.view.camera, Grasp{stands.pivot, handle, input.mouse, input.scale});
+    gesture_.begin(kind, object_, stands, handle, session.view.camera, input);
 }
 
-TetrahedraPull TetrahedraPoints::wanted(const Manner& manner) const
+Command TetrahedraPoints::wanted()
 {
     const Motion motion = gesture_->motion();
     TetrahedraPull out = alone_;
-    out.guard = manner.guard;
-    if (manner.proportional) {
-        out.radius = manner.radius;
-        out.decay = manner.decay;
+    out.guard = manner_.guard;
+    if (manner_.proportional) {
+        out.radius = manner_.radius;
+        out.decay = manner_.decay;
     }
     if (motion.kind == MotionKind::move) out.by = tidied(to_volume_ * (axes_ * motion.offset));
     if (motion.kind == MotionKind::scale) out.factors = motion.factors;
@@ -308,51 +295,26 @@ TetrahedraPull TetrahedraPoints::wanted(const Manner& manner) const
                 decomposed(glm::rotate(glm::dmat4(1), glm::radians(motion.angle_deg), axis))
                     .rotation_deg;
     }
-    return out;
+    pull_ = out;
+    return EditTetrahedra{object_, {.pull = pull_}};
 }
 
-void TetrahedraPoints::go_on(Session& session, const ViewportInput& input, const Manner& manner)
+void TetrahedraPoints::go_on(Session& session, const ViewportInput& input)
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.view.camera, input.mouse,
-                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
-    if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
-    if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
-    // One proposal at a time: the next waits until the last one can be seen.
-    if (!session.up_to_date()) return;
-    const TetrahedraPull now = wanted(manner);
-    if (now == pull_ || (gesture_->motion().is_nothing() && !proposed_)) return;
-    pull_ = now;
-    proposed_ = session.propose_quietly(EditTetrahedra{object_, {.pull = pull_}}) || proposed_;
-}
-
-void TetrahedraPoints::finish(Session& session)
-{
-    const TetrahedraPull last = wanted(manner_);
-    const bool moved = !gesture_->motion().is_nothing();
-    const bool meant =
-        by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
-    const bool clicked = !meant && pressed_ && !by_key_;
-    gesture_.reset();
+    const Gesture::State state = gesture_.go_on(session, input, [&] { return wanted(); });
+    const bool clicked = state == Gesture::State::dropped && !gesture_.meant() && pressed_;
     if (clicked && *pressed_ < static_cast<int>(places_.size())) chosen_ = {*pressed_};
-    if (meant && moved && session.propose(EditTetrahedra{object_, {.pull = last}}))
-        session.commit();
-    else
-        session.cancel();
 }
 
 void TetrahedraPoints::cancel(Session& session)
 {
     box_px_.reset();
-    if (!gesture_) return;
-    gesture_.reset();
-    session.cancel();
+    gesture_.cancel(session);
 }
 
 void TetrahedraPoints::take_keys(Session& session)
 {
-    if (!gesture_) return;
-    if (take_gesture_keys(*gesture_, by_key_, outside_)) finish(session);
+    if (gesture_ && gesture_.take_keys()) gesture_.finish(session, [&] { return wanted(); });
 }
 
 std::string TetrahedraPoints::words() const

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/tetrahedra/control_places.h"
-#include "editor/hands/tool.h"
-#include "editor/hands/transform_gesture.h"
+#include "editor/hands/motion_gesture.h"
 
 #include <optional>
 
@@ -22,8 +21,8 @@ public:
         bool guard = true;
     };
     void use(Session& session, const ViewportInput& input, const Manner& manner);
-    bool busy() const { return gesture_.has_value() || box_px_.has_value(); }
-    bool drags() const { return gesture_.has_value(); }
+    bool busy() const { return gesture_.going() || box_px_.has_value(); }
+    bool drags() const { return gesture_.going(); }
     void cancel(Session& session);
     bool grab(Session& session, MotionKind kind);
     bool choose(const Session& session, PartChoice choice);
@@ -46,9 +45,8 @@ private:
     void choose_in_box(const Session& session, const ViewportInput& input);
     void begin(const Session& session, const ViewportInput& input, const GizmoHandle& handle,
                MotionKind kind);
-    void go_on(Session& session, const ViewportInput& input, const Manner& manner);
-    void finish(Session& session);
-    TetrahedraPull wanted(const Manner& manner) const;
+    void go_on(Session& session, const ViewportInput& input);
+    Command wanted();
     MotionFrame frame(const EvaluatedObject& volume) const;
 
     Id object_ = 0;
@@ -62,14 +60,13 @@ private:
     std::optional<int> hovered_, pressed_;
     GizmoHandle hovered_handle_;
     std::optional<glm::dvec2> box_px_; // where it began
-    std::optional<TransformGesture> gesture_;
+    MotionGesture gesture_;
     MotionKind kind_ = MotionKind::move;
     glm::dmat3 axes_{1}, to_volume_{1}; // as the gesture began
     TetrahedraPull alone_;              // of the chosen ones and no others, by nothing
-    TetrahedraPull pull_;               // proposed last
+    TetrahedraPull pull_;               // wanted last
     Manner manner_;
     std::optional<MotionKind> grabbing_; // a gesture by its key begins in this frame
-    bool by_key_ = false, proposed_ = false, outside_ = false;
 };
 
 } // namespace trivar

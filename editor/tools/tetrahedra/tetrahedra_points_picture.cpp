@@ -85,13 +85,7 @@ void TetrahedraPoints::overlay(const Session& session, const ui::Theme& theme,
 std::vector<Hint> TetrahedraPoints::hints() const
 {
     if (gesture_) {
-        std::vector<Hint> out{{{}, gesture_->words()},
-                              {{"left"}, by_key_ ? "Done" : "Let go when done"},
-                              {{"X", "Y", "Z"}, "Along an axis"},
-                              {{"0", "-", "9"}, "Type it"},
-                              {{"Ctrl"}, "Snap"},
-                              {{"Shift"}, "Fine"},
-                              {{"Esc", "/", "right"}, "Cancel"}};
+        std::vector<Hint> out = gesture_.hints("Along an axis");
         if (manner_.proportional) out.insert(out.begin() + 2, {{"wheel"}, "Radius"});
         return out;
     }
