@@ -86,6 +86,9 @@ struct Editor {
     void lose_context();
     Tool& active_tool() { return *tools[tool]; }
     const Tool& active_tool() const { return *tools[tool]; }
+    // The active tool as one that works on parts, or with models; null: it is none.
+    PartsTool* tool_parts() const { return tools[tool]->parts(); }
+    ModelTool* tool_models() const { return tools[tool]->models(); }
     void choose_tool(std::size_t index);
     void choose_tool(std::string_view name); // nothing happens where there is none
 };

@@ -24,6 +24,7 @@
 #include "editor/commands/new_material.h"
 #include "editor/editor.h"
 #include "editor/hands/last_shaping.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/hands/selected_placement.h"
 #include "editor/tools/all_tools.h"
 
@@ -81,9 +82,10 @@ std::vector<Action> all_actions()
     add_time_actions(a);
     add_key_actions(a);
     for (std::size_t i = 0; i < tools.size(); ++i)
-        tools_menu(tools[i]->name(), tools[i]->keys(), [i](Editor& e) {
+        tools_menu(tools[i]->name(), tools[i]->facts().keys, [i](Editor& e) {
             const std::optional<MotionKind> motion = e.tools[i]->motion();
-            if (motion && e.active_tool().grab(e.session, *motion)) return;
+            PartsTool* parts = e.tool_parts();
+            if (motion && parts && parts->grab(e.session, *motion)) return;
             e.choose_tool(i);
             e.active_tool().begin(e.session);
         });
@@ -99,9 +101,12 @@ std::vector<Action> all_actions()
              "select a placed object or a lattice first"});
     lattice(allow_folds_action, {},
             [](Editor& e) {
-                allow_folds(e.session, e.session.selected, e.active_tool().held_parts(e.session));
+                allow_folds(e.session, e.session.selected, e.tool_parts()->held(e.session));
             },
-            {[](const Editor& e) { return !e.active_tool().held_parts(e.session).empty(); },
+            {[](const Editor& e) {
+                 const PartsTool* parts = e.tool_parts();
+                 return parts && !parts->held(e.session).empty();
+             },
              "choose control points first, or hold the ball of the press somewhere"});
     add_help_actions(a);
     let_keys_take(a);

@@ -10,6 +10,7 @@
 #include "editor/actions/menu.h"
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"
 
@@ -221,7 +222,7 @@ void add_edit_actions(std::vector<Action>& a)
     edit(
         "Delete", {{ui::key_delete}, {'X'}},
         [](Editor& e) {
-            if (e.active_tool().remove_parts(e.session)) return;
+            if (e.tool_parts() && e.tool_parts()->remove(e.session)) return;
             const std::vector<Id> ids = deletable(e, "Nothing was deleted");
             if (!ids.empty()) delete_objects(e, ids);
         },

@@ -49,7 +49,7 @@ void add_help_actions(std::vector<Action>& a)
     const Menu help(a, "Help");
     help(palette_action, {{ui::key_f1 + 2}, {.key = 'P', .ctrl = true, .shift = true}},
          [](Editor& e) { e.palette.show(); });
-    help("Manual", {{ui::key_f1}}, [](Editor& e) { show_manual(e, e.active_tool().page()); });
+    help("Manual", {{ui::key_f1}}, [](Editor& e) { show_manual(e, e.active_tool().facts().page); });
     help("Start card", {}, [](Editor& e) { e.start_card = {.asked = e.session.scenes()}; });
     help(show_hints_action, {}, show_hints_again,
          {[](const Editor& e) {

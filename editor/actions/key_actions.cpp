@@ -5,6 +5,7 @@
 #include "core/commands/objects/view.h"
 #include "editor/actions/menu.h"
 #include "editor/editor.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/topics.h"
 
@@ -57,7 +58,8 @@ void go_to_key(Editor& e, bool forward)
 std::optional<std::vector<std::string>> numbers_of_parts(const Editor& e)
 {
     if (e.timeline.hovered || !e.keys_under_mouse.empty()) return {};
-    return e.active_tool().numbers(e.session);
+    const PartsTool* parts = e.tool_parts();
+    return parts ? parts->numbers(e.session) : std::nullopt;
 }
 
 // Says what became of a key for the parts that the tool has chosen.

@@ -7,12 +7,19 @@
 #include "editor/editor.h"
 #include "editor/files/kept_shapes.h"
 #include "editor/hands/lattice_round.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/session/scene_facts.h"
 #include "editor/tools/tetrahedra/tetrahedra_round.h"
 
 namespace trivar {
 
 namespace {
+
+// Whether neighbours go along with what the tool at work moves; null: it has no such switch.
+bool* proportional_switch(const Editor& e)
+{
+    return e.tool_parts() ? e.tool_parts()->proportional() : nullptr;
+}
 
 // Returns the selected lattice, the active one first; 0: none.
 Id selected_lattice(const Session& session)
@@ -129,12 +136,15 @@ void add_lattice_actions(std::vector<Action>& actions)
         something_selected(), true);
     tools("Proportional editing", {{'O'}},
           [](Editor& e) {
-              if (const auto on = e.active_tool().proportional())
-                  e.active_tool().set_proportional(!*on);
+              bool& on = *proportional_switch(e);
+              on = !on;
           },
-          {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
+          {[](const Editor& e) { return proportional_switch(e) != nullptr; },
            "choose the Lattice tool first"})
-        .on = [](const Editor& e) { return e.active_tool().proportional().value_or(false); };
+        .on = [](const Editor& e) {
+        const bool* on = proportional_switch(e);
+        return on && *on;
+    };
     add_member_actions(actions);
 }
 

@@ -2,6 +2,7 @@
 #include "editor/actions/lent_tool.h"
 
 #include "editor/editor.h"
+#include "editor/tools/place/place.h"
 #include "ui/input.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void lend_place(Editor& editor, Id model)
     const auto place = std::ranges::find(editor.tools, std::string("Place"), &Tool::name);
     const auto index = static_cast<std::size_t>(place - editor.tools.begin());
     if (place == editor.tools.end() || editor.active_tool().busy()) return;
-    (*place)->take_up(editor.session, model);
+    dynamic_cast<PlaceTool&>(**place).take_up(editor.session, model);
     if (index == editor.tool) return;
     editor.memory.of<LentTool>() = {
         .model = model, .scene = editor.session.scenes(), .tool = index, .before = editor.tool};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "editor/action.h"
-#include "editor/hands/tool.h"
+#include "editor/hands/model_tool.h"
 
 #include <string>
 #include <vector>

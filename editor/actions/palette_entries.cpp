@@ -23,7 +23,7 @@ const char* icon_of(const Editor& editor, const Action& each)
 {
     if (each.menu == "Tools")
         for (const auto& tool : editor.tools)
-            if (tool->name() == each.name) return tool->icon();
+            if (tool->name() == each.name) return tool->facts().icon;
     if (each.menu == "Add" || each.menu == models_menu) return ui::icon::add;
     if (each.menu == "File") return ui::icon::file;
     if (menu_path(each).starts_with("View")) return ui::icon::eye;

@@ -4,6 +4,7 @@
 #include "core/commands/objects/arrange.h"
 #include "editor/actions/menu.h"
 #include "editor/editor.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/hands/select.h"
 #include "editor/session/scene_facts.h"
 
@@ -79,6 +80,12 @@ void isolate(Editor& e)
         hidden_here.clear();
 }
 
+// Whether the tool at work has chosen among its parts: objects are not meant then.
+bool choose_parts(Editor& e, PartChoice choice)
+{
+    return e.tool_parts() && e.tool_parts()->choose(e.session, choice);
+}
+
 } // namespace
 
 void add_selection_actions(std::vector<Action>& a)
@@ -87,34 +94,34 @@ void add_selection_actions(std::vector<Action>& a)
     select(
         "Select all", {{'A'}},
         [](Editor& e) {
-            if (e.active_tool().choose_parts(e.session, PartChoice::all)) return;
+            if (choose_parts(e, PartChoice::all)) return;
             select_keeping_active(e, visible_ones(e));
         },
         something_there());
     select(
         "Deselect all", {{.key = 'A', .alt = true}},
         [](Editor& e) {
-            if (e.active_tool().choose_parts(e.session, PartChoice::none)) return;
+            if (choose_parts(e, PartChoice::none)) return;
             e.session.selected = 0;
         },
         something_selected());
     select(
         "Invert selection", {{.key = 'I', .ctrl = true}},
         [](Editor& e) {
-            if (e.active_tool().choose_parts(e.session, PartChoice::others)) return;
+            if (choose_parts(e, PartChoice::others)) return;
             std::vector<Id> ids = topmost(e.session.document(), others(e));
             std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
             e.session.selected.set(ids);
         },
         something_there());
     select("Select more points", {{ui::key_keypad_plus}, {ui::key_equal}},
-           [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
-           {[](const Editor& e) { return e.active_tool().proportional().has_value(); },
+           [](Editor& e) { choose_parts(e, PartChoice::more); },
+           {[](const Editor& e) { return e.tool_parts() && e.tool_parts()->proportional(); },
             "choose control points with the Lattice tool first"});
     select(
         "Select the same type", {{.key = 'G', .shift = true}},
         [](Editor& e) {
-            if (e.active_tool().choose_parts(e.session, PartChoice::same)) return;
+            if (choose_parts(e, PartChoice::same)) return;
             select_keeping_active(e, of_the_same_type(e));
         },
         something_selected());

@@ -2,6 +2,8 @@
 #include "editor/hands/gesture.h"
 
 #include "editor/hands/tool.h"
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "ui/keys.h"
 
 #include <imgui.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/handles.h"
 
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "editor/session/topics.h"
 #include "ui/widgets.h"
 

@@ -4,8 +4,10 @@
 #include "core/commands/command.h"
 #include "editor/hands/tool.h"
 #include "editor/hands/typed_amounts.h"
+#include "ui/theme.h"
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 namespace trivar {

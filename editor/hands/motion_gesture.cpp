@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/motion_gesture.h"
 
+#include "core/commands/edits/edits.h"
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "editor/session/topics.h"
 #include "ui/keys.h"
 

@@ -12,6 +12,8 @@
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/selected_placement.h"
 #include "editor/hands/strip_paint.h"
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "ui/widgets.h"
 
 #include <algorithm>

@@ -5,27 +5,20 @@
 #include <utility>
 
 namespace trivar {
-namespace {
-
-std::size_t number_of(const glm::ivec3& p, const glm::ivec3& count)
-{
-    return static_cast<std::size_t>((p.x * count.y + p.y) * count.z + p.z);
-}
-
-std::vector<char> chosen_flags(const Points& chosen, const glm::ivec3& count)
-{
-    std::vector<char> out(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
-                          static_cast<std::size_t>(count.z));
-    for (const glm::ivec3& p : chosen) out[number_of(p, count)] = 1;
-    return out;
-}
-
-} // namespace
-
 glm::ivec3 point_count(const Lattice& volume)
 {
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     return {axes[0].count(), axes[1].count(), axes[2].count()};
+}
+
+int number_of(const glm::ivec3& point, const glm::ivec3& count)
+{
+    return (point.x * count.y + point.y) * count.z + point.z;
+}
+
+glm::ivec3 point_of(int number, const glm::ivec3& count)
+{
+    return {number / count.z / count.y, number / count.z % count.y, number % count.z};
 }
 
 Points within(Points points, const glm::ivec3& count)
@@ -59,17 +52,14 @@ Points plane_of(const glm::ivec3& point, int axis, const glm::ivec3& count)
     return out;
 }
 
-Points others(const Points& chosen, const glm::ivec3& count)
-{
-    const std::vector<char> known = chosen_flags(chosen, count);
-    Points out = all_points(count);
-    std::erase_if(out, [&](const glm::ivec3& p) { return known[number_of(p, count)] != 0; });
-    return out;
-}
-
 Points with_next(const Points& chosen, const glm::ivec3& count)
 {
-    std::vector<char> known = chosen_flags(chosen, count);
+    std::vector<char> known(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
+                            static_cast<std::size_t>(count.z));
+    const auto flag = [&](const glm::ivec3& p) -> char& {
+        return known[static_cast<std::size_t>(number_of(p, count))];
+    };
+    for (const glm::ivec3& p : chosen) flag(p) = 1;
     Points out = chosen;
     for (const glm::ivec3& p : chosen)
         for (int axis = 0; axis < 3; ++axis)
@@ -77,7 +67,7 @@ Points with_next(const Points& chosen, const glm::ivec3& count)
                 glm::ivec3 next = p;
                 next[axis] += step;
                 if (next[axis] < 0 || next[axis] >= count[axis]) continue;
-                if (std::exchange(known[number_of(next, count)], 1) == 0) out.push_back(next);
+                if (std::exchange(flag(next), 1) == 0) out.push_back(next);
             }
     return out;
 }

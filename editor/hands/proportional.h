@@ -15,14 +15,6 @@ double falloff(Falloff kind, double x); // x = distance / radius
 inline const std::vector<std::string> falloff_names{"Smooth", "Sphere", "Root",
                                                     "Linear", "Sharp",  "Constant"};
 
-// Proportional editing moves neighbours of the chosen points too, the less the further they are
-// away.
-struct Proportional {
-    bool on = false;
-    Falloff kind = Falloff::smooth;
-    double radius_m = 0; // 0: half of the volume's longest side
-};
-
 // A PointDistance is a control point and its distance in metres from the nearest point of a shift,
 // mirrored points included.
 struct PointDistance {

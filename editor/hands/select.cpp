@@ -4,8 +4,8 @@
 #include "editor/hands/laid_motion.h"
 #include "editor/hands/motion.h"
 #include "editor/hands/selected_placement.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
-#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <imgui.h>
@@ -25,9 +25,10 @@ void select_by_click(Session& session, Id under)
         session.selected = under;
 }
 
-const char* SelectTool::icon() const
+ToolState SelectTool::state() const
 {
-    return ui::icon::select;
+    const bool boxes = box_ == Box::armed || box_ == Box::drawn;
+    return {.busy = boxes || handles_.busy(), .crosshair = boxes, .shows_volume_at_work = true};
 }
 
 void SelectTool::use(Session& session, const ViewportInput& input)

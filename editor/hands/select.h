@@ -11,19 +11,13 @@ namespace trivar {
 // Shift or Ctrl it adds.
 class SelectTool : public Tool {
 public:
-    explicit SelectTool(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
-    std::string name() const override { return "Select"; }
-    const char* icon() const override;
-    std::string help() const override { return "Click an object to select it."; }
-    std::string page() const override { return "select"; }
-    std::vector<ui::Chord> keys() const override { return {{'Q'}, {'1'}}; }
-    bool crosshair() const override { return box_ == Box::armed || box_ == Box::drawn; }
-    void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override
+    SelectTool(ToolFacts facts, std::shared_ptr<HandleChoice> choice)
+        : Tool(std::move(facts)),
+          choice_(std::move(choice))
     {
-        return box_ == Box::armed || box_ == Box::drawn || handles_.busy();
     }
-    bool shows_volume() const override { return true; }
+    ToolState state() const override;
+    void use(Session& session, const ViewportInput& input) override;
     void take_keys(Session&) override { handles_.take_keys(); }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,

@@ -19,11 +19,6 @@ Id tetrahedra_holding(const Session& session, Id id);
 // What came of the last edit; null: nothing did.
 const TetrahedraOutcome* last_outcome(const Session& session, Id id);
 
-// Of more handles than that only those near the mouse are shown as such, pixels at scale 1: others
-// would be a cloud that hides the model.
-inline constexpr std::size_t many_handles = 300;
-inline constexpr double handles_near_px = 90;
-
 // The turn of the volume's own axes in the world, and the length there of a metre in it.
 glm::dmat3 axes_of(const EvaluatedObject& volume);
 double length_of(const EvaluatedObject& volume);

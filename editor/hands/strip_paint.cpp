@@ -2,6 +2,10 @@
 #include "editor/hands/strip_paint.h"
 
 #include "core/base/number_text.h"
+#include "editor/hands/viewport_input.h"
+#include "gpu/picture.h"
+#include "ui/paint.h"
+#include "ui/theme.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,8 @@
 
 #include "core/placement/placement.h"
 #include "editor/hands/tool.h"
+#include "gpu/picture.h"
+#include "ui/paint.h"
 
 namespace trivar {
 

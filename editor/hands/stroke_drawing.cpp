@@ -3,6 +3,7 @@
 
 #include "core/placement/redraw.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/viewport_input.h"
 
 #include <algorithm>
 #include <cmath>

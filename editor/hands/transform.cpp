@@ -2,9 +2,9 @@
 #include "editor/hands/transform.h"
 
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
-#include "ui/icons.h"
 
 #include <imgui.h>
 #include <utility>
@@ -15,30 +15,6 @@ namespace {
 constexpr GizmoHandle about_surface{Grip::ring, 2}; // of what lies on a stroke
 
 } // namespace
-
-std::string TransformTool::name() const
-{
-    return kind_ == MotionKind::move ? "Move" : kind_ == MotionKind::rotate ? "Rotate" : "Scale";
-}
-
-const char* TransformTool::icon() const
-{
-    return kind_ == MotionKind::move     ? ui::icon::move
-           : kind_ == MotionKind::rotate ? ui::icon::rotate
-                                         : ui::icon::scale;
-}
-
-std::string TransformTool::help() const
-{
-    return kind_ == MotionKind::move     ? "Drag an arrow, a plane or the middle."
-           : kind_ == MotionKind::rotate ? "Drag a ring round the selected objects."
-                                         : "Drag a box, a plane or the middle.";
-}
-
-std::vector<ui::Chord> TransformTool::keys() const
-{
-    return {{kind_ == MotionKind::move ? 'G' : kind_ == MotionKind::rotate ? 'R' : 'S'}};
-}
 
 std::optional<MotionFrame> TransformTool::handles_at(const Session& session) const
 {

@@ -14,21 +14,19 @@ namespace trivar {
 // beside the handles selects. What lies on a stroke moves over the surface, with its stroke.
 class TransformTool : public Tool {
 public:
-    TransformTool(MotionKind kind, std::shared_ptr<TransformChoices> choices)
-        : kind_(kind),
+    TransformTool(ToolFacts facts, MotionKind kind, std::shared_ptr<TransformChoices> choices)
+        : Tool(std::move(facts)),
+          kind_(kind),
           choices_(std::move(choices))
     {
     }
-    std::string name() const override;
-    const char* icon() const override;
-    std::string help() const override;
-    std::string page() const override { return "move-rotate-scale"; }
-    std::vector<ui::Chord> keys() const override;
     std::optional<MotionKind> motion() const override { return kind_; }
+    ToolState state() const override
+    {
+        return {.busy = gesture_ || beginning_, .waits = beginning_};
+    }
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || beginning_; }
-    bool waits() const override { return beginning_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
     void cancel(Session& session) override;

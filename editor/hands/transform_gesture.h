@@ -65,6 +65,7 @@ public:
     // number of values that can be typed
     int numbers() const { return static_cast<int>(named_axes().size()); }
 
+    MotionKind kind() const { return kind_; }
     Motion motion() const;
     std::vector<Id> ids() const;
     std::vector<Transform> transforms() const;

@@ -3,6 +3,7 @@
 #include "core/commands/words/field_words.h"
 #include "editor/hands/hand_motion.h"
 #include "editor/hands/transform.h"
+#include "editor/hands/viewport_input.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 

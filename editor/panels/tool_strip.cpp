@@ -14,8 +14,8 @@ void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layou
         const Tool& tool = *editor.tools[i];
         const ui::Rect place = layout.tool_place(theme, i);
         ImGui::SetCursorScreenPos({place.lo.x, place.lo.y});
-        if (ui::icon_button(theme, tool.name(), tool.icon(), place.size(),
-                            tip_of(editor, action(editor, tool.name()), tool.help()),
+        if (ui::icon_button(theme, tool.name(), tool.facts().icon, place.size(),
+                            tip_of(editor, action(editor, tool.name()), tool.facts().help),
                             {.on = i == editor.tool}))
             editor.choose_tool(i);
     }
@@ -29,7 +29,7 @@ void draw_options_bar(Editor& editor, const ui::Theme& theme, const Layout& layo
     begin_panel("options bar", r, c.header);
     Tool& tool = editor.active_tool();
     float x = r.lo.x + theme.px(12);
-    ui::paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.accent_text, tool.icon());
+    ui::paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.accent_text, tool.facts().icon);
     x += theme.px(24);
     ui::paint_text(theme.font.strong, {{x, r.lo.y}, r.hi}, c.text, tool.name());
     x += ui::text_width(theme.font.strong, tool.name()) + theme.px(16);

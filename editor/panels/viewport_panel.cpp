@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
 #include "core/commands/objects/import.h"
+#include "core/commands/tiles/tile_files.h"
+#include "editor/hands/model_tool.h"
 #include "editor/panels/panels.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/viewport/lines_at_rest.h"
@@ -75,9 +77,10 @@ bool picture_shows_volumes(const Session& session)
 const EvaluatedObject* with_shown_volume(const Editor& editor)
 {
     const Session& session = editor.session;
+    const ToolState tool = editor.active_tool().state();
     const auto found = session.evaluated().objects.find(session.selected);
     if (found == session.evaluated().objects.end() || !found->second->placement ||
-        !editor.active_tool().shows_volume() ||
+        (tool.busy && !tool.shows_volume_at_work) ||
         std::ranges::binary_search(session.hidden_here, found->first))
         return nullptr;
     return found->second.get();
@@ -86,8 +89,7 @@ const EvaluatedObject* with_shown_volume(const Editor& editor)
 // Returns the helper lines of the selection and of the tool at work.
 Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
-    const Tool& tool = editor.active_tool();
-    Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
+    Helpers helpers = editor.active_tool().helpers(editor.session, theme);
     if (!picture_shows_volumes(editor.session)) {
         add_lattices(helpers.lines, editor.session, theme);
         add_tetrahedra(helpers.lines, editor, theme);
@@ -317,26 +319,27 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
-    if (const auto file = tool.take_wanted_model()) {
+    ModelTool* models = tool.models();
+    if (const auto file = models ? models->take_wanted() : std::nullopt) {
         const OwnModel* own = own_model_named_as(editor.files, *file);
         editor.files.read_model(
             *file,
-            [&tool, &session](const ImportModel& import) {
-                tool.take_read(session, {import.file, import.name});
+            [models, &session](const ImportModel& import) {
+                models->take_read(session, {import.file, import.name});
             },
             own ? own->name : "");
     }
-    if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
-    if (session.committing() || tool.waits()) ui::hands().hold_back(input.hovered);
-    if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
+    const ToolState state = tool.state();
+    if ((input.down && state.busy) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
+    if (session.committing() || state.waits) ui::hands().hold_back(input.hovered);
+    if (input.hovered && state.crosshair) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
-    const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||
+    const bool moving = state.busy || editor.inspecting || !session.up_to_date() ||
                         (editor.playback.playing() && moves_in_time(session.shown()));
     VolumeFacts& facts = editor.viewport.volume_facts();
-    const int state =
-        ((static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0)) * 4 + facts.known()) *
-            0x10000 +
-        tool.mode();
+    const int shown =
+        ((static_cast<int>(editor.tool) * 2 + (state.busy ? 1 : 0)) * 4 + facts.known()) * 0x10000 +
+        state.mode;
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);
@@ -354,7 +357,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                    frame.time_s);
     constexpr double look_again_s = 0.3;
     if (!refined.up_to_date()) frame.again_in(look_again_s);
-    const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
+    const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, shown,
                                                   [&] { return helpers_of(editor, over); });
     if (const std::string notice = editor.viewport.new_notice(); !notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Deformed by the processor", notice);

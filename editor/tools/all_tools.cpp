@@ -12,27 +12,64 @@
 #include "editor/tools/tetrahedra/tetrahedra.h"
 #include "editor/tools/tiles/mask.h"
 #include "editor/tools/tiles/tiles.h"
+#include "ui/icons.h"
 
 namespace trivar {
 
+namespace {
+
+// Makes a tool of what is said of it, and of what it shares with others.
+template <class Made, class... With>
+std::unique_ptr<Tool> tool(const char* name, const char* icon, const char* page,
+                           const std::vector<ui::Chord>& keys, const char* help,
+                           const With&... with)
+{
+    return std::make_unique<Made>(ToolFacts{name, icon, help, page, keys}, with...);
+}
+
+} // namespace
+
 std::vector<std::unique_ptr<Tool>> all_tools()
 {
-    std::vector<std::unique_ptr<Tool>> tools;
+    namespace icon = ui::icon;
     const auto handles = std::make_shared<HandleChoice>(HandleChoice::all);
-    tools.push_back(std::make_unique<SelectTool>(handles));
     const auto choices = std::make_shared<TransformChoices>();
-    for (const MotionKind kind : {MotionKind::move, MotionKind::rotate, MotionKind::scale})
-        tools.push_back(std::make_unique<TransformTool>(kind, choices));
-    tools.push_back(std::make_unique<PlaceTool>(handles));
-    tools.push_back(std::make_unique<PressTool>());
-    tools.push_back(std::make_unique<TilesTool>());
-    tools.push_back(std::make_unique<MaskTool>());
-    tools.push_back(std::make_unique<InciseTool>());
-    tools.push_back(std::make_unique<SplitTool>());
-    tools.push_back(std::make_unique<SilhouettesTool>());
-    tools.push_back(std::make_unique<LatticePointsTool>());
-    tools.push_back(std::make_unique<TetrahedraTool>());
-    return tools;
+    const char* const motions = "move-rotate-scale";
+    std::vector<std::unique_ptr<Tool>> t;
+    t.push_back(tool<SelectTool>("Select", icon::select, "select", {{'Q'}, {'1'}},
+                                 "Click an object to select it.", handles));
+    t.push_back(tool<TransformTool>("Move", icon::move, motions, {{'G'}},
+                                    "Drag an arrow, a plane or the middle.", MotionKind::move,
+                                    choices));
+    t.push_back(tool<TransformTool>("Rotate", icon::rotate, motions, {{'R'}},
+                                    "Drag a ring round the selected objects.", MotionKind::rotate,
+                                    choices));
+    t.push_back(tool<TransformTool>("Scale", icon::scale, motions, {{'S'}},
+                                    "Drag a box, a plane or the middle.", MotionKind::scale,
+                                    choices));
+    t.push_back(tool<PlaceTool>("Place", icon::place, "place", {{'D'}, {'2'}},
+                                "Draw a stroke across the scene; the model lies along it.",
+                                handles));
+    t.push_back(tool<PressTool>("Press", icon::press, "press", {{'P'}, {'3'}},
+                                "Push or pull a placed model with a soft ball."));
+    t.push_back(tool<TilesTool>("Tiles", icon::tiles, "tiles", {{'T'}},
+                                "Paint copies of the selected object onto a surface."));
+    t.push_back(tool<MaskTool>("Mask", icon::mask, "tiles", {{'M'}},
+                               "Let tiles fade along a line, round a point or round a curve."));
+    t.push_back(tool<InciseTool>("Incise", icon::incise, "incise", {{'C'}},
+                                 "Cut a skin open along a stroke, with flesh and depth inside."));
+    t.push_back(
+        tool<SplitTool>("Split", icon::split, "split", {{'K'}},
+                        "Let an object part round obstacles, or cut it by a plane or a stroke."));
+    t.push_back(tool<SilhouettesTool>(
+        "Silhouettes", icon::silhouettes, "volumes", {{'L'}},
+        "Draw the silhouettes of levels of volume data, and move the levels."));
+    t.push_back(tool<LatticePointsTool>(
+        "Lattice", icon::volume, "lattice", {{'V'}, {'4'}},
+        "Move control points of a lattice, or of the volume of a placed model."));
+    t.push_back(tool<TetrahedraTool>("Tetrahedra", icon::tetrahedra, "tetrahedra", {{'Y'}},
+                                     "Pull, crease, cut and refine what stands in tetrahedra."));
+    return t;
 }
 
 } // namespace trivar

@@ -137,7 +137,8 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     session.view.camera = followed(session.view.follows, session.document(), session.view.camera,
                                    size_px, session.view.picture_px);
 
-    const bool moves_camera = emulates_middle() && !tool.busy();
+    const ToolState at_work = tool.state();
+    const bool moves_camera = emulates_middle() && !at_work.busy;
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
         left_down_ = input.pressed = true;
         constexpr double curve_reach_px = 6; // beside which a thin line is still meant
@@ -176,7 +177,7 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     if (input.pressed) input.moves.push_back({input.mouse, hand_s_, 1});
     input.wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
     navigate(session, input, drag);
-    if (!tool.takes_wheel()) scroll(session, frame, input);
+    if (!at_work.takes_wheel) scroll(session, frame, input);
     return input;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/hands/helpers.h"
 #include "editor/hands/tool.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/preferences/mouse_manners.h"
 #include "editor/viewport/viewport_style.h"
 #include "gpu/shader_folder.h"
@@ -24,12 +26,6 @@ class VolumeFacts;
 struct PictureInputs;
 struct ViewportDrawn;
 class WayComparison;
-
-// Helpers are drawn over the scene to work on it.
-struct Helpers {
-    std::vector<gpu::Line> lines;
-    std::vector<gpu::Translucent> veils;
-};
 
 // A Viewport is the picture in the middle: it moves the camera, draws the scene when something
 // changed, and tells what lies under the mouse. Needs the window's OpenGL context.
@@ -59,9 +55,9 @@ public:
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const; // the picture that is shown
     WayComparison& ways();
-    RefinedView& refined();                        // the effects of the session as they are drawn
+    RefinedView& refined(); // the effects of the session as they are drawn
     const LinesAtRest& lines_at_rest() const;
-    VolumeFacts& volume_facts();                   // of the volume that is shown
+    VolumeFacts& volume_facts(); // of the volume that is shown
     const ui::TimingHistory& drafts() const;
     double draft_scale() const;            // of the next draft's size
     const Timings& full_timings() const;   // of the last full picture

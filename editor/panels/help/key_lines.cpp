@@ -10,7 +10,7 @@ namespace {
 std::vector<KeyLine> lines_of_tool(const Editor& editor)
 {
     const Tool& tool = *editor.tools[editor.tool];
-    std::vector<KeyLine> lines{{tool.name(), ""}, {tool.help(), " "}};
+    std::vector<KeyLine> lines{{tool.name(), ""}, {tool.facts().help, " "}};
     for (const Hint& hint : tool.hints(editor.session)) {
         std::string how;
         for (const std::string& input : inputs_now(editor, hint)) {

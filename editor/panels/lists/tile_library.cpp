@@ -82,8 +82,9 @@ void choose_tile(Editor& editor, const LibraryTile& tile, bool also)
         return;
     }
     editor.memory.of<TileLibrary>().gone.erase(tile.file);
-    editor.active_tool().choose_model(editor.session, tile.file, also);
-    if (tile.own) editor.active_tool().fit_model(tile.own->fit);
+    ModelTool& models = *editor.tool_models();
+    models.choose_model(editor.session, tile.file, also);
+    if (tile.own) models.fit_model(tile.own->fit);
 }
 
 // Names the models with which the brush paints, in its order: tiles of the library by their names,
@@ -110,8 +111,7 @@ bool takes_another(const Session& session)
 
 bool drop_tiles(Editor& editor, const std::vector<std::string>& paths)
 {
-    const bool paints = editor.active_tool().chosen_models(editor.session).has_value() &&
-                        !editor.session.document().objects.empty();
+    const bool paints = editor.tool_models() && !editor.session.document().objects.empty();
     if (!paints || !std::ranges::all_of(paths, is_model)) return false;
     std::vector<std::string> files;
     for (const std::string& path : paths)
@@ -125,9 +125,8 @@ bool drop_tiles(Editor& editor, const std::vector<std::string>& paths)
 std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme,
                                           const FootCards& foot)
 {
-    const std::optional<std::vector<std::string>> chosen =
-        editor.active_tool().chosen_models(editor.session);
-    if (!chosen) return {};
+    if (!editor.tool_models()) return {};
+    const std::vector<std::string> chosen = editor.tool_models()->chosen_models(editor.session);
     auto& library = editor.memory.of<TileLibrary>();
     look_for_files(library, editor.preferences.library_tiles);
     const std::vector<LibraryTile> tiles = library_tiles(editor);
@@ -153,7 +152,7 @@ std::optional<ui::Rect> draw_tile_library(Editor& editor, const ui::Theme& theme
     const ui::Rect head = {card.lo + glm::vec2(theme.px(pad), 0),
                            {card.hi.x - theme.px(36), card.lo.y + theme.px(heading_px)}};
     ui::paint_text(theme.font.strong, head, c.text, "Tiles");
-    const std::vector<std::string> with = painted_with(editor, *chosen);
+    const std::vector<std::string> with = painted_with(editor, chosen);
     const float taken = ui::text_width(theme.font.strong, "Tiles") + theme.px(14);
     const ui::Rect beside = {head.lo + glm::vec2(taken, 0), head.hi};
     const char* more = takes_another(editor.session) ? "; Shift and a click add another" : "";

@@ -2,6 +2,7 @@
 #include "editor/tools/incise/cut_stroke.h"
 
 #include "editor/hands/tool.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/tools/incise/incision_handles.h"
 
 #include <algorithm>

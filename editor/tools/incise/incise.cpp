@@ -4,10 +4,10 @@
 #include "core/base/rounded.h"
 #include "editor/hands/select.h"
 #include "editor/hands/usual_layers.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/topics.h"
 #include "editor/tools/incise/incision_handles.h"
 #include "editor/tools/incise/incision_picture.h"
-#include "ui/icons.h"
 #include "ui/sentence.h"
 
 #include <algorithm>
@@ -36,9 +36,12 @@ bool can_be_cut(const Session& session, Id id)
 
 } // namespace
 
-const char* InciseTool::icon() const
+ToolState InciseTool::state() const
 {
-    return ui::icon::incise;
+    return {.busy = gesture_ || in_air_ || handles_.busy() || finishing_,
+            .crosshair = gesture_ || (over_ && !handles_.hovers() && !handles_.busy()),
+            .takes_wheel = gesture_.has_value(),
+            .mode = looks_};
 }
 
 const NamedIncision* InciseTool::chosen(const Session& session)
@@ -358,14 +361,14 @@ std::optional<std::vector<std::string>> InciseTool::numbers(const Session& sessi
     return out;
 }
 
-bool InciseTool::choose_parts(Session& session, PartChoice choice)
+bool InciseTool::choose(Session& session, PartChoice choice)
 {
     if (choice != PartChoice::none || !chosen(session)) return false;
     session.incision = {};
     return true;
 }
 
-bool InciseTool::remove_parts(Session& session)
+bool InciseTool::remove(Session& session)
 {
     if (!chosen(session)) return false;
     session.run(RemoveIncision{session.selected, session.incision.number});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/hands/parts_tool.h"
 #include "editor/hands/tool.h"
 #include "editor/tools/incise/crossing_handles.h"
 #include "editor/tools/incise/cut_stroke.h"
@@ -10,34 +11,22 @@ namespace trivar {
 // Cuts the skin of what is under the mouse open along a stroke, which opens while it is drawn. The
 // incision that is chosen has handles; a drag of one is one step. A click on an incision chooses
 // it.
-class InciseTool : public Tool {
+class InciseTool : public Tool, public PartsTool {
 public:
-    std::string name() const override { return "Incise"; }
-    const char* icon() const override;
-    std::string help() const override
-    {
-        return "Cut a skin open along a stroke, with flesh and depth inside.";
-    }
-    std::string page() const override { return "incise"; }
-    std::vector<ui::Chord> keys() const override { return {{'C'}}; }
-    bool crosshair() const override
-    {
-        return gesture_ || (over_ && !handles_.hovers() && !handles_.busy());
-    }
+    using Tool::Tool;
+    ToolState state() const override;
+    PartsTool* parts() override { return this; }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || in_air_ || handles_.busy() || finishing_; }
     void take_keys(Session& session) override;
     bool awaits(const ui::Chord& chord) const override;
-    bool takes_wheel() const override { return gesture_.has_value(); }
-    int mode() const override { return looks_; }
     bool resize(Session& session, double factor) override;
     std::optional<std::vector<std::string>> numbers(const Session& session) const override;
-    bool choose_parts(Session& session, PartChoice choice) override;
-    bool remove_parts(Session& session) override;
+    bool choose(Session& session, PartChoice choice) override;
+    bool remove(Session& session) override;
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
-    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
     std::vector<Hint> hints(const Session& session) const override;
     // The handles of the chosen incision, as they are seen, and those where it crosses others; of

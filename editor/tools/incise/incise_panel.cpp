@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tool of incisions shows: lines, handles, numbers at the mouse, its settings and hints.
 #include "core/base/rounded.h"
+#include "editor/hands/helpers.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/tools/incise/incise.h"
 #include "editor/tools/incise/incision_picture.h"
 #include "ui/icons.h"
@@ -33,11 +35,11 @@ void paint_haloed(const ui::Theme& theme, const std::vector<glm::vec2>& path, ui
 
 } // namespace
 
-std::vector<gpu::Line> InciseTool::lines(const Session& session, const ui::Theme& theme) const
+Helpers InciseTool::helpers(const Session& session, const ui::Theme& theme) const
 {
-    std::vector<gpu::Line> out;
+    Helpers out;
     const auto add = [&](std::vector<gpu::Line> lines) {
-        std::ranges::move(lines, std::back_inserter(out));
+        std::ranges::move(lines, std::back_inserter(out.lines));
     };
     const SeenCut* one = gesture_ ? nullptr : seen_chosen(session);
     if (one) add(cage_of(*one, theme));

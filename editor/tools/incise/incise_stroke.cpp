@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where strokes of the tool of incisions begin, and which keys it takes.
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/topics.h"
 #include "editor/tools/incise/incise.h"
 

@@ -3,8 +3,8 @@
 
 #include "editor/hands/last_shaping.h"
 #include "editor/hands/lattice_round.h"
+#include "editor/hands/point_choice.h"
 #include "editor/hands/selected_placement.h"
-#include "editor/hands/shown_points.h"
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
@@ -12,18 +12,14 @@
 
 namespace trivar {
 
-void LatticePointsTool::add_proportional_options(std::vector<ui::Option>& options,
-                                                 const ui::Theme& theme, const Lattice& volume)
+void LatticePointsTool::add_falloff_options(std::vector<ui::Option>& options,
+                                            const ui::Theme& theme, const Lattice& volume)
 {
-    options.push_back({"Proportional", 20,
-                       [&](float) { ui::check_box(theme, "proportional", proportional_.on, ""); },
-                       "Nearby points follow the selected ones, less with distance."});
-    if (!proportional_.on) return;
     options.push_back({"Falloff", 96,
                        [&](float field) {
-                           int chosen = static_cast<int>(proportional_.kind);
+                           int chosen = static_cast<int>(falloff_);
                            ui::choice(theme, "falloff", chosen, falloff_names, field);
-                           proportional_.kind = static_cast<Falloff>(chosen);
+                           falloff_ = static_cast<Falloff>(chosen);
                        },
                        "How the motion fades from the selected points to the radius."});
     options.push_back({"Radius", 88,
@@ -32,7 +28,7 @@ void LatticePointsTool::add_proportional_options(std::vector<ui::Option>& option
                            if (ui::number_field(theme, "radius", metres,
                                                 {.lo = 1e-6, .hi = 1e6, .unit = "m"},
                                                 field) != ui::Edit::none)
-                               proportional_.radius_m = metres;
+                               radius_m_ = metres;
                        },
                        "How far the motion reaches."});
 }
@@ -51,7 +47,8 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                            "Puts a lattice round the selected objects that bends them."});
         return ui::option_bar(theme, options, width);
     }
-    if (laid) add_proportional_options(options, theme, laid->placement->volume);
+    if (laid) add_proportional_option(options, theme);
+    if (laid && proportional_) add_falloff_options(options, theme, laid->placement->volume);
     const bool box = laid && is_lattice(session.document(), laid->id);
     options.push_back(
         {"Mirror", 84,
@@ -85,39 +82,30 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                [&](float field) {
                                    if (ui::button(theme, allow_folds_action, ui::ButtonKind::plain,
                                                   {field, theme.size.row}))
-                                       allow_folds(session, object_, held_parts(session));
+                                       allow_folds(session, object_, held(session));
                                },
                                "Everything that the selected points bend may fold from then on."});
     }
     ui::option_bar(theme, options, width);
 }
 
-std::vector<Hint> LatticePointsTool::hints(const Session& session) const
+const char* LatticePointsTool::axes_words(const Session& session) const
 {
     const EvaluatedObject* laid = selected_volume(session);
-    if (gesture_) {
-        const bool box = laid && is_lattice(session.document(), laid->id);
-        std::vector<Hint> hints = gesture_.hints(box ? "Along an axis" : "Along, across, up");
-        if (proportional_.on) hints.insert(hints.begin() + 2, {{"wheel"}, "Radius"});
-        hints.insert(hints.begin() + 3, {{"O"}, "Neighbours"});
-        return hints;
-    }
-    if (!laid)
+    const bool box = laid && is_lattice(session.document(), laid->id);
+    return box ? "Along an axis" : "Along, across, up";
+}
+
+std::vector<Hint> LatticePointsTool::hints(const Session& session) const
+{
+    if (!selected_volume(session))
         return {{{}, "Select a placed object or a lattice, or put a lattice round the selection"},
                 {{"left"}, "Select"},
                 {{"Esc"}, "Select"}};
-    std::vector<Hint> hints{
-        {{"left"}, chosen_.empty() ? "Select a point" : "Drag a point or handle"},
-        {{"Double click"}, "Row"},
-        {{"Shift", "Double click"}, "Plane"},
-        {{"Ctrl", "left"}, "Add or remove"},
-        {{"left"}, "Drag a box"},
-        {{"@Proportional editing"}, "Neighbours too"},
-        {{"Esc"}, "Select"}};
-    if (!chosen_.empty())
-        hints.insert(hints.begin() + 1, {{"@Move", "@Rotate", "@Scale"}, "With the mouse"});
-    if (!all_are_shown(laid->placement->volume))
-        hints.insert(hints.begin(), {{}, "Too many points: showing those near the pointer"});
+    std::vector<Hint> hints = PointsTool::hints(session);
+    if (!gesture_)
+        hints.insert(hints.end() - 4,
+                     {{{"Double click"}, "Row"}, {{"Shift", "Double click"}, "Plane"}});
     return hints;
 }
 

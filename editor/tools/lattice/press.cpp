@@ -5,12 +5,13 @@
 #include "core/ffd/resolution.h"
 #include "core/steps/laying/attaching.h"
 #include "editor/hands/falloff_option.h"
+#include "editor/hands/helpers.h"
 #include "editor/hands/last_shaping.h"
 #include "editor/hands/select.h"
 #include "editor/hands/selected_placement.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/topics.h"
-#include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 
@@ -105,9 +106,11 @@ void paint_held_ball(const ui::Theme& theme, const ViewportInput& input, const C
 
 } // namespace
 
-const char* PressTool::icon() const
+ToolState PressTool::state() const
 {
-    return ui::icon::press;
+    const bool busy = gesture_.going();
+    return {
+        .busy = busy, .crosshair = at_ || busy, .takes_wheel = busy, .shows_volume_at_work = true};
 }
 
 double PressTool::radius(const Placement& placement) const
@@ -262,7 +265,7 @@ void PressTool::tell(Session& session)
             same ? parts_of(told_, laid->placement->volume) : std::vector<VolumePart>{});
 }
 
-std::vector<VolumePart> PressTool::held_parts(const Session& session) const
+std::vector<VolumePart> PressTool::held(const Session& session) const
 {
     const EvaluatedObject* laid = selected_volume(session);
     if (!laid || laid->id != last_of_) return {};
@@ -290,15 +293,9 @@ bool PressTool::offer_points(Session& session, Id id, const Lattice& volume) con
     return true;
 }
 
-void PressTool::cancel(Session& session)
-{
-    gesture_.cancel(session);
-}
-
-bool PressTool::resize(Session& session, double factor)
+bool PressTool::resize(Session&, double factor)
 {
     if (!placement_) return false;
-    (void)session;
     radius_ = rounded(radius(*placement_) * factor, 3);
     return true;
 }
@@ -308,11 +305,11 @@ void PressTool::take_keys(Session&)
     if (gesture_ && gesture_->by == By::drag) typed_.take_letters();
 }
 
-std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui::Theme& theme) const
+Helpers PressTool::helpers(const Session& session, const ui::Theme& theme) const
 {
     const EvaluatedObject* laid = selected_volume(session);
     if (!laid || !gesture_) return {};
-    return balls_of(gesture_->press, laid->placement->volume, theme.color);
+    return {.veils = balls_of(gesture_->press, laid->placement->volume, theme.color)};
 }
 
 void PressTool::overlay(const Session& session, const ui::Theme& theme,
@@ -399,7 +396,6 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
     check("Guard", "guard", guard_, 20, "Stops the press before the volume would fold.");
     check("Into the scene", "into scene", into_scene_, 20,
           "The model may be pulled into the surface it lies on.");
-    (void)session;
     ui::option_bar(theme, options, width);
 }
 

@@ -4,6 +4,7 @@
 #include "core/commands/objects/shape.h"
 #include "core/placement/placement.h"
 #include "editor/hands/gesture.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/hands/tool.h"
 #include "editor/hands/typed_amounts.h"
 #include "editor/picture/volume_surface.h"
@@ -13,24 +14,17 @@ namespace trivar {
 // A ball that is pressed into the volume of the selected placed object, or draws it out. Put down
 // and dragged it presses as deep as it is dragged; as a brush it presses wherever it is drawn. What
 // is seen is the proposal; a stroke is one step.
-class PressTool : public Tool {
+class PressTool : public Tool, public PartsTool {
 public:
-    std::string name() const override { return "Press"; }
-    const char* icon() const override;
-    std::string help() const override { return "Push or pull a placed model with a soft ball."; }
-    std::string page() const override { return "press"; }
-    std::vector<ui::Chord> keys() const override { return {{'P'}, {'3'}}; }
-    bool crosshair() const override { return at_.has_value() || busy(); }
+    using Tool::Tool;
+    ToolState state() const override;
+    PartsTool* parts() override { return this; }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.going(); }
-    bool shows_volume() const override { return true; }
-    bool takes_wheel() const override { return busy(); }
     bool resize(Session& session, double factor) override;
     void take_keys(Session& session) override;
-    void cancel(Session& session) override;
-    std::vector<VolumePart> held_parts(const Session& session) const override;
-    std::vector<gpu::Translucent> veils(const Session& session,
-                                        const ui::Theme& theme) const override;
+    void cancel(Session& session) override { gesture_.cancel(session); }
+    std::vector<VolumePart> held(const Session& session) const override;
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;

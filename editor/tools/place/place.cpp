@@ -7,8 +7,10 @@
 #include "core/placement/redraw.h"
 #include "core/steps/laying/attaching.h"
 #include "core/steps/laying/ground_plane.h"
+#include "editor/hands/helpers.h"
 #include "editor/hands/selected_placement.h"
 #include "editor/hands/strip_paint.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
 #include "editor/session/topics.h"
@@ -145,9 +147,12 @@ Id model_to_place(const Session& session, Id chosen)
     return newest_laid != 0 ? newest_laid : newest;
 }
 
-const char* PlaceTool::icon() const
+ToolState PlaceTool::state() const
 {
-    return ui::icon::place;
+    return {.busy = drawing_ || handles_.busy(),
+            .crosshair = !handles_.hovers() && !handles_.busy(),
+            .takes_wheel = drawing_,
+            .shows_volume_at_work = !drawing_};
 }
 
 void PlaceTool::take_up(Session& session, Id object)
@@ -325,29 +330,23 @@ void PlaceTool::cancel(Session& session)
     session.cancel();
 }
 
-std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme& theme) const
-{
-    const Placement* placement = drawing_ ? placement_of(session, laid(session)) : nullptr;
-    if (!placement) return {};
-    std::vector<gpu::Line> lines;
-    for (const std::vector<glm::dvec3>& curve : placement->strip) {
-        gpu::Line line;
-        line.points.assign(curve.begin(), curve.end());
-        line.color = ui::linear_light(theme.color.stroke);
-        line.width_px = theme.line(lines.empty() ? 3.0f : 1.4f);
-        lines.push_back(std::move(line));
-    }
-    return lines;
-}
-
-std::vector<gpu::Translucent> PlaceTool::veils(const Session& session, const ui::Theme& theme) const
+Helpers PlaceTool::helpers(const Session& session, const ui::Theme& theme) const
 {
     const EvaluatedObject* held = handled(session);
     const Placement* placement = drawing_ ? placement_of(session, laid(session))
                                  : held   ? held->stroke_placement().get()
                                           : nullptr;
     if (!placement) return {};
-    return {strip_veil(*placement, theme)};
+    Helpers out{{}, {strip_veil(*placement, theme)}};
+    if (!drawing_) return out;
+    for (const std::vector<glm::dvec3>& curve : placement->strip) {
+        gpu::Line line;
+        line.points.assign(curve.begin(), curve.end());
+        line.color = ui::linear_light(theme.color.stroke);
+        line.width_px = theme.line(out.lines.empty() ? 3.0f : 1.4f);
+        out.lines.push_back(std::move(line));
+    }
+    return out;
 }
 
 void PlaceTool::overlay(const Session& session, const ui::Theme& theme,

@@ -10,6 +10,8 @@
 
 namespace trivar {
 
+struct EvaluatedObject;
+
 // What a new stroke does with a model that lies on one already.
 enum class NewStroke { moves, copies };
 
@@ -19,26 +21,18 @@ enum class NewStroke { moves, copies };
 // the model, or lays a copy of it, as the options bar says; Alt does the other of the two.
 class PlaceTool : public Tool {
 public:
-    explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
-    std::string name() const override { return "Place"; }
-    const char* icon() const override;
-    std::string help() const override
+    PlaceTool(ToolFacts facts, std::shared_ptr<HandleChoice> choice)
+        : Tool(std::move(facts)),
+          choice_(std::move(choice))
     {
-        return "Draw a stroke across the scene; the model lies along it.";
     }
-    std::string page() const override { return "place"; }
-    std::vector<ui::Chord> keys() const override { return {{'D'}, {'2'}}; }
-    bool crosshair() const override { return !handles_.hovers() && !handles_.busy(); }
-    void take_up(Session& session, Id object) override;
+    ToolState state() const override;
+    // Lays that object next, whatever was chosen before.
+    void take_up(Session& session, Id object);
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return drawing_ || handles_.busy(); }
-    bool takes_wheel() const override { return drawing_; }
     void take_keys(Session& session) override;
     void cancel(Session& session) override;
-    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
-    std::vector<gpu::Translucent> veils(const Session& session,
-                                        const ui::Theme& theme) const override;
-    bool shows_volume() const override { return !drawing_; }
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;

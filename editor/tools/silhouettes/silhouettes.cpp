@@ -3,9 +3,9 @@
 
 #include "editor/hands/level_under.h"
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/volume_levels.h"
-#include "ui/icons.h"
 #include "ui/input.h"
 #include "ui/level_field.h"
 
@@ -38,9 +38,9 @@ std::span<const double> plateaus_at(Session& session, Id id)
 
 } // namespace
 
-const char* SilhouettesTool::icon() const
+ToolState SilhouettesTool::state() const
 {
-    return ui::icon::silhouettes;
+    return {.busy = gesture_.going(), .takes_wheel = turns_level()};
 }
 
 void SilhouettesTool::begin(Session& session)
@@ -49,7 +49,7 @@ void SilhouettesTool::begin(Session& session)
     if (id != 0 && session.selected != id) session.selected = id;
 }
 
-bool SilhouettesTool::takes_wheel() const
+bool SilhouettesTool::turns_level() const
 {
     return levels_ > 0 && ImGui::GetIO().KeyCtrl;
 }
@@ -145,7 +145,7 @@ void SilhouettesTool::turn_wheel(Session& session, const ViewportInput& input)
 {
     const auto now = [&] { return wanted(session); };
     if (gesture_ && !ImGui::GetIO().KeyCtrl) gesture_.finish(session, now);
-    if (takes_wheel() && input.hovered && input.wheel != 0) {
+    if (turns_level() && input.hovered && input.wheel != 0) {
         const Id id = volume_at_work(session.document(), session.selected);
         const VoxelShape* shape = volume_of(session.document(), id);
         const VolumeSummary* summary = summary_at(session, id);

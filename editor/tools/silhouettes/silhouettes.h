@@ -15,18 +15,10 @@ namespace trivar {
 // of the lines hardly changes, as on the histogram, unless Ctrl is held.
 class SilhouettesTool : public Tool {
 public:
-    std::string name() const override { return "Silhouettes"; }
-    const char* icon() const override;
-    std::string help() const override
-    {
-        return "Draw the silhouettes of levels of volume data, and move the levels.";
-    }
-    std::string page() const override { return "volumes"; }
-    std::vector<ui::Chord> keys() const override { return {{'L'}}; }
+    using Tool::Tool;
+    ToolState state() const override;
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.going(); }
-    bool takes_wheel() const override; // while Ctrl is held
     bool awaits(const ui::Chord& chord) const override;
     void take_keys(Session& session) override;
     void cancel(Session& session) override;
@@ -36,7 +28,8 @@ public:
     std::vector<Hint> hints(const Session& session) const override;
 
 private:
-    struct Change { // of the chosen level
+    bool turns_level() const; // the wheel, while Ctrl is held
+    struct Change {           // of the chosen level
         Id object = 0;
         int level = 0;
         double from_value = 0, value = 0, shift = 0; // shift: pixels of a drag, or notches

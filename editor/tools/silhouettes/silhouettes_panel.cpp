@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/level_under.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/volume_levels.h"
 #include "editor/tools/silhouettes/silhouettes.h"
 #include "ui/option_bar.h"

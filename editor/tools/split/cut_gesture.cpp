@@ -2,7 +2,10 @@
 #include "editor/tools/split/cut_gesture.h"
 
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "editor/session/topics.h"
+#include "ui/paint.h"
 
 #include <algorithm>
 

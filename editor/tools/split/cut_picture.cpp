@@ -7,8 +7,8 @@
 namespace trivar {
 namespace {
 
-constexpr int ways = 96, depths = 8; // of the grid on a sheet
-constexpr double margin = 0.06;      // of what the object fills
+constexpr int ways = 96, depths = 8;  // of the grid on a sheet
+constexpr double sheet_margin = 0.06; // of what the object fills
 
 // The points of a grid over a sheet, in the world, rows along the stroke.
 std::vector<glm::dvec3> grid_on(const Cutting& cutting, std::size_t number,
@@ -23,7 +23,7 @@ std::vector<glm::dvec3> grid_on(const Cutting& cutting, std::size_t number,
         lo = glm::min(lo, glm::dvec2(uvw.y, uvw.z));
         hi = glm::max(hi, glm::dvec2(uvw.y, uvw.z));
     }
-    const glm::dvec2 more = margin * (hi - lo);
+    const glm::dvec2 more = sheet_margin * (hi - lo);
     std::vector<glm::dvec3> out;
     for (int j = 0; j <= depths; ++j)
         for (int i = 0; i <= ways; ++i)

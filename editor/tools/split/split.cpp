@@ -4,13 +4,15 @@
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
 #include "core/document/parameters.h"
+#include "editor/hands/helpers.h"
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_names.h"
+#include "editor/session/session.h"
 #include "editor/session/topics.h"
 #include "editor/tools/split/cut_picture.h"
 #include "editor/tools/split/split_handles.h"
 #include "editor/tools/split/split_picture.h"
-#include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 
@@ -106,9 +108,12 @@ std::optional<Split> split_at(const Session& session, const std::vector<Id>& obj
     return out;
 }
 
-const char* SplitTool::icon() const
+ToolState SplitTool::state() const
 {
-    return ui::icon::split;
+    const bool handled = handles_.hovers() || handles_.busy();
+    return {.busy = cut_.going() || handles_.busy(),
+            .crosshair = at_ != SplitAt::obstacle && !handled,
+            .mode = static_cast<int>(at_)};
 }
 
 std::vector<Id> SplitTool::chosen(const Session& session)
@@ -206,35 +211,23 @@ void SplitTool::overlay(const Session& session, const ui::Theme& theme,
     if (!cut_.going()) handles_.paint(theme, input, handles(session, input.scale));
 }
 
-std::vector<gpu::Line> SplitTool::lines(const Session& session, const ui::Theme& theme) const
+Helpers SplitTool::helpers(const Session& session, const ui::Theme& theme) const
 {
-    std::vector<gpu::Line> out;
-    for (const Id id : chosen(session))
+    Helpers out;
+    const auto add = [&](std::vector<gpu::Line> lines, std::vector<gpu::Translucent> veils) {
+        std::ranges::move(lines, std::back_inserter(out.lines));
+        std::ranges::move(veils, std::back_inserter(out.veils));
+    };
+    const std::vector<Id> ids = chosen(session);
+    for (const Id id : ids)
         if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
-            for (gpu::Line& line : lines_of(*each->split_field, theme))
-                out.push_back(std::move(line));
-    if (at_ == SplitAt::obstacle) return out;
-    for (const Id id : chosen(session))
-        if (const EvaluatedObject* each = shown_object(session, id))
-            if (const std::optional<Cutting>& cutting = object(session.document(), id).cutting)
-                for (gpu::Line& line : borders_of(*each, *cutting, theme))
-                    out.push_back(std::move(line));
-    return out;
-}
-
-std::vector<gpu::Translucent> SplitTool::veils(const Session& session, const ui::Theme& theme) const
-{
-    std::vector<gpu::Translucent> out;
-    for (const Id id : chosen(session))
-        if (const EvaluatedObject* each = shown_object(session, id); each && each->split_field)
-            for (gpu::Translucent& veil : walls_of(*each->split_field, theme))
-                out.push_back(std::move(veil));
-    if (at_ == SplitAt::obstacle) return out;
-    for (const Id id : chosen(session))
-        if (const EvaluatedObject* each = shown_object(session, id))
-            if (const std::optional<Cutting>& cutting = object(session.document(), id).cutting)
-                for (gpu::Translucent& veil : sheets_of(*each, *cutting, theme))
-                    out.push_back(std::move(veil));
+            add(lines_of(*each->split_field, theme), walls_of(*each->split_field, theme));
+    for (const Id id : ids) {
+        const EvaluatedObject* each = shown_object(session, id);
+        const std::optional<Cutting>& cutting = object(session.document(), id).cutting;
+        if (at_ != SplitAt::obstacle && each && cutting)
+            add(borders_of(*each, *cutting, theme), sheets_of(*each, *cutting, theme));
+    }
     return out;
 }
 

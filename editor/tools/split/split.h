@@ -3,6 +3,8 @@
 
 #include "core/commands/cutting/split.h"
 #include "editor/hands/handles.h"
+#include "editor/hands/viewport_input.h"
+#include "editor/session/session.h"
 #include "editor/tools/split/cut_gesture.h"
 #include "ui/option_bar.h"
 
@@ -23,28 +25,14 @@ enum class SplitAt { obstacle, plane, stroke };
 // object has handles.
 class SplitTool : public Tool {
 public:
-    std::string name() const override { return "Split"; }
-    const char* icon() const override;
-    std::string help() const override
-    {
-        return "Let an object part round obstacles, or cut it by a plane or a stroke.";
-    }
-    std::string page() const override { return "split"; }
-    std::vector<ui::Chord> keys() const override { return {{'K'}}; }
+    using Tool::Tool;
+    ToolState state() const override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return cut_.going() || handles_.busy(); }
-    int mode() const override { return static_cast<int>(at_); }
-    bool crosshair() const override
-    {
-        return at_ != SplitAt::obstacle && !handles_.hovers() && !handles_.busy();
-    }
     void take_keys(Session&) override { handles_.take_keys(); }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
-    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
-    std::vector<gpu::Translucent> veils(const Session& session,
-                                        const ui::Theme& theme) const override;
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
     std::vector<Hint> hints(const Session& session) const override;
     void set_at(Session& session, SplitAt at); // as in the options bar

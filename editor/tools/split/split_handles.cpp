@@ -7,6 +7,8 @@
 #include "core/commands/cutting/split.h"
 #include "core/split/split_field.h"
 #include "editor/hands/hand_motion.h"
+#include "editor/hands/motion.h"
+#include "editor/session/session.h"
 #include "editor/tools/split/shown_cut.h"
 
 #include <algorithm>

@@ -8,11 +8,12 @@
 #include "core/tetrahedra/pulling.h"
 #include "core/tetrahedra/tetrahedra_layers.h"
 #include "editor/hands/hand_motion.h"
+#include "editor/hands/helpers.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/picture/volume_picture.h"
-#include "ui/icons.h"
 #include "ui/keys.h"
 
 #include <algorithm>
@@ -39,9 +40,23 @@ double carried_by(TetrahedraPull pull, const TetrahedraShape& shape, const Simpl
 
 } // namespace
 
-const char* TetrahedraTool::icon() const
+const Tool* TetrahedraTool::inner() const
 {
-    return ui::icon::tetrahedra;
+    if (by_ == By::points) return &points_;
+    return by_ == By::knots ? &clouds_ : nullptr;
+}
+
+PartsTool* TetrahedraTool::parts()
+{
+    return inner() ? inner()->parts() : nullptr;
+}
+
+ToolState TetrahedraTool::state() const
+{
+    ToolState out{.busy = gesture_.going(), .takes_wheel = gesture_.going()};
+    if (inner()) out = inner()->state();
+    out.mode = static_cast<int>(by_) + 5 * ((clouds_.picks() + points_.layer()) % 10000);
+    return out;
 }
 
 void TetrahedraTool::begin(Session& session)
@@ -52,14 +67,8 @@ void TetrahedraTool::begin(Session& session)
 
 double TetrahedraTool::radius(const Session& session) const
 {
-    if (radius_ > 0) return radius_;
-    const TetrahedraShape* shape = session.selected.size() == 1
-                                       ? tetrahedra_shape(session.document(), session.selected)
-                                       : nullptr;
-    if (!shape) return 0.25;
-    const glm::dvec3 size = size_of(*shape);
-    const double share = by_ == By::pull || by_ == By::points ? 0.35 : 0.15; // of the middle size
-    return rounded(share * std::cbrt(size.x * size.y * size.z), 2);
+    return by_ == By::points ? points_.radius(session)
+                             : ball_.radius_in(session, by_ == By::pull ? 0.35 : 0.15);
 }
 
 std::optional<TetrahedraTool::Place> TetrahedraTool::place_under(const Session& session,
@@ -96,17 +105,13 @@ TetrahedraEdit TetrahedraTool::edit_at(const TetrahedraShape& shape, const Place
     return {.pull = TetrahedraPull{.layer = pulled_layer(shape, place.rest, r),
                                    .at = place.rest,
                                    .radius = r,
-                                   .decay = decay_,
-                                   .guard = guard_}};
+                                   .decay = ball_.decay,
+                                   .guard = ball_.guard}};
 }
 
 void TetrahedraTool::use(Session& session, const ViewportInput& input)
 {
-    if (by_ == By::points) {
-        if (input.wheel != 0 && takes_wheel()) resize(session, std::pow(radius_step, input.wheel));
-        return points_.use(session, input, manner(session));
-    }
-    if (by_ == By::knots) return clouds_.use(session, input);
+    if (Tool* tool = inner()) return tool->use(session, input);
     if (gesture_) {
         if (!shown_tetrahedra(session, gesture_->object)) return cancel(session);
         return go_on(session, input);
@@ -168,7 +173,7 @@ void TetrahedraTool::go_on(Session& session, const ViewportInput& input)
     gesture_.follow(input);
     std::optional<TetrahedraPull>& pull = gesture_->edit.pull;
     if (input.wheel != 0 && pull) {
-        pull->radius = radius_ = rounded(pull->radius * std::pow(radius_step, input.wheel), 3);
+        pull->radius = ball_.radius = rounded(pull->radius * std::pow(radius_step, input.wheel), 3);
         take_hold(session);
     }
     if (!pull)
@@ -190,81 +195,39 @@ void TetrahedraTool::cancel(Session& session)
 
 bool TetrahedraTool::resize(Session& session, double factor)
 {
-    radius_ = rounded(radius(session) * factor, 3);
+    ball_.radius = rounded(radius(session) * factor, 3);
     return true;
-}
-
-bool TetrahedraTool::grab(Session& session, MotionKind kind)
-{
-    if (by_ == By::points) return points_.grab(session, kind);
-    return by_ == By::knots && clouds_.grab(session, kind);
-}
-
-std::optional<std::vector<std::string>> TetrahedraTool::numbers(const Session& session) const
-{
-    if (by_ != By::points) return {};
-    return points_.numbers(session);
-}
-
-bool TetrahedraTool::choose_parts(Session& session, PartChoice choice)
-{
-    return by_ == By::points && points_.choose(session, choice);
-}
-
-std::optional<bool> TetrahedraTool::proportional() const
-{
-    return by_ == By::points ? std::optional(proportional_) : std::nullopt;
 }
 
 void TetrahedraTool::take_keys(Session& session)
 {
-    if (points_.drags() && ui::struck({'O'})) proportional_ = !proportional_;
-    for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
-        if (points_.drags() && proportional_ && ui::struck({key}, true))
-            resize(session, std::pow(radius_step, steps));
-    points_.take_keys(session);
-    clouds_.take_keys(session);
+    if (inner()) inner()->take_keys(session);
 }
 
-int TetrahedraTool::mode() const
-{
-    return static_cast<int>(by_) + 5 * ((clouds_.picks() + points_.layer()) % 10000);
-}
-
-TetrahedraPoints::Manner TetrahedraTool::manner(const Session& session) const
-{
-    return {proportional_, radius(session), decay_, guard_};
-}
-
-std::vector<gpu::Line> TetrahedraTool::lines(const Session& session, const ui::Theme& theme) const
+Helpers TetrahedraTool::helpers(const Session& session, const ui::Theme& theme) const
 {
     const EvaluatedObject* volume = selected_tetrahedra(session);
     if (!volume) return {};
-    std::vector<gpu::Line> out;
-    if (by_ == By::knots || by_ == By::points)
-        out =
-            domain_lines(*volume, by_ == By::knots ? 0 : static_cast<std::size_t>(points_.layer()),
-                         theme.color, theme.line(1));
-    if (by_ == By::knots) std::ranges::move(clouds_.lines(session, theme), std::back_inserter(out));
+    Helpers out;
+    const auto add = [&](std::vector<gpu::Line> lines) {
+        std::ranges::move(lines, std::back_inserter(out.lines));
+    };
+    if (inner()) {
+        const int layer = by_ == By::knots ? 0 : points_.layer();
+        add(domain_lines(*volume, static_cast<std::size_t>(layer), theme.color, theme.line(1)));
+        Helpers own = inner()->helpers(session, theme);
+        add(std::move(own.lines));
+        out.veils = std::move(own.veils);
+    }
     const TetrahedraPull* pull = points_.pull();
-    if (gesture_ && gesture_->edit.pull) pull = &*gesture_->edit.pull;
-    if (pull)
-        std::ranges::move(support_lines(*volume, *pull, theme.color, theme.line(1)),
-                          std::back_inserter(out));
+    if (gesture_ && gesture_->edit.pull) {
+        pull = &*gesture_->edit.pull;
+        const glm::dvec3 now = evaluate(*volume->tetrahedra->volume, pull->at).position;
+        out.veils = {ball_veil(glm::dvec3(volume->tetrahedra_to_world * glm::dvec4(now, 1)),
+                               pull->radius * length_of(*volume), theme.color)};
+    }
+    if (pull) add(support_lines(*volume, *pull, theme.color, theme.line(1)));
     return out;
-}
-
-std::vector<gpu::Translucent> TetrahedraTool::veils(const Session& session,
-                                                    const ui::Theme& theme) const
-{
-    if (by_ == By::knots) return clouds_.veils(theme);
-    if (!gesture_ || !gesture_->edit.pull) return {};
-    const EvaluatedObject* volume = shown_tetrahedra(session, gesture_->object);
-    if (!volume) return {};
-    const TetrahedraPull& pull = *gesture_->edit.pull;
-    const glm::dvec3 now = evaluate(*volume->tetrahedra->volume, pull.at).position;
-    return {ball_veil(glm::dvec3(volume->tetrahedra_to_world * glm::dvec4(now, 1)),
-                      pull.radius * length_of(*volume), theme.color)};
 }
 
 } // namespace trivar

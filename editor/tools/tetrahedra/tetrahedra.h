@@ -17,33 +17,18 @@ namespace trivar {
 // knots of the domain are moved.
 class TetrahedraTool : public Tool {
 public:
-    std::string name() const override { return "Tetrahedra"; }
-    const char* icon() const override;
-    std::string help() const override
-    {
-        return "Pull, crease, cut and refine what stands in tetrahedra.";
-    }
-    std::string page() const override { return "tetrahedra"; }
-    std::vector<ui::Chord> keys() const override { return {{'Y'}}; }
+    using Tool::Tool;
     enum class By { pull, points, crease, refine, knots };
     void choose(By by) { by_ = by; }
 
+    ToolState state() const override;
+    PartsTool* parts() override;
     void begin(Session& session) override;
-    bool grab(Session& session, MotionKind kind) override;
-    std::optional<std::vector<std::string>> numbers(const Session& session) const override;
-    bool choose_parts(Session& session, PartChoice choice) override;
-    std::optional<bool> proportional() const override;
-    void set_proportional(bool on) override { proportional_ = on; }
     void take_keys(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_ || points_.busy() || clouds_.busy(); }
-    bool takes_wheel() const override { return gesture_ || (points_.drags() && proportional_); }
     bool resize(Session& session, double factor) override;
     void cancel(Session& session) override;
-    int mode() const override;
-    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
-    std::vector<gpu::Translucent> veils(const Session& session,
-                                        const ui::Theme& theme) const override;
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
@@ -60,6 +45,9 @@ private:
         glm::dmat3 to_volume{1};
         double carried = 1; // how far a pull by 1 moves what was grabbed
     };
+    // The tool for control points or for knots, where one of them is at work; else null.
+    const Tool* inner() const;
+    Tool* inner() { return const_cast<Tool*>(std::as_const(*this).inner()); }
     std::optional<Place> place_under(const Session& session, const ViewportInput& input) const;
     double radius(const Session& session) const; // metres in the volume
     void start(Session& session, const ViewportInput& input);
@@ -70,7 +58,6 @@ private:
     TetrahedraEdit edit_at(const TetrahedraShape& shape, const Place& place,
                            const Session& session) const;
 
-    TetrahedraPoints::Manner manner(const Session& session) const;
     void add_layer_option(std::vector<ui::Option>& options, const ui::Theme& theme,
                           const TetrahedraShape& shape);
     void add_ball_options(std::vector<ui::Option>& options, const ui::Theme& theme,
@@ -78,15 +65,12 @@ private:
     void around_options(Session& session, const ui::Theme& theme, float width);
 
     By by_ = By::pull;
-    TetrahedraPoints points_;
+    PullBall ball_;
+    TetrahedraPoints points_{ball_};
     TetrahedraClouds clouds_;
-    bool proportional_ = false;
     Around around_ = Around::box;
     double shown_radius_ = 0; // in the field
-    Decay decay_ = Decay::smooth;
-    bool guard_ = true;
-    double radius_ = 0; // 0: a share of the volume
-    int depth_ = 3;     // of creases; the degree and more: a cut; 0: smooth again
+    int depth_ = 3;           // of creases; the degree and more: a cut; 0: smooth again
     std::optional<Place> at_;
     GestureWith<Editing> gesture_;
 };

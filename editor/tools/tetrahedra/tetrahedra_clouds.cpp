@@ -6,6 +6,7 @@
 #include "core/tetrahedra/cloud_room.h"
 #include "editor/hands/select.h"
 #include "editor/hands/shown_tetrahedra.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/topics.h"
 
 #include <algorithm>
@@ -27,9 +28,9 @@ void TetrahedraClouds::follow(const Session& session)
 {
     const EvaluatedObject* volume = selected_tetrahedra(session);
     if (!volume) {
-        const int picks = picks_ + (vertex_ ? 1 : 0);
-        *this = TetrahedraClouds();
-        picks_ = picks;
+        if (vertex_) pick_none();
+        object_ = 0;
+        basis_ = nullptr;
         return;
     }
     to_world_ = volume->tetrahedra_to_world;
@@ -138,7 +139,6 @@ void TetrahedraClouds::begin(const ViewportInput& input, const Camera& camera,
                              const GizmoHandle& handle, MotionKind kind)
 {
     before_ = basis_;
-    kind_ = kind;
     stopped_ = false;
     cloud_ = {};
     const glm::dvec3 from = world(kind == MotionKind::move ? domain().knot(*vertex_, knot_) : at_);
@@ -149,7 +149,7 @@ Command TetrahedraClouds::wanted()
 {
     const Motion motion = gesture_->motion();
     const SimplexDomain<3>& was = before_->domain();
-    if (kind_ == MotionKind::scale) {
+    if (motion.kind == MotionKind::scale) {
         const double factor = std::max(0.0, motion.factors.x);
         double share = 1;
         for (int j = 1; j <= was.degree; ++j)

@@ -4,6 +4,8 @@
 #include "core/simplex/simplex_basis.h"
 #include "core/simplex/simplex_domain.h"
 #include "editor/hands/motion_gesture.h"
+#include "editor/hands/parts_tool.h"
+#include "gpu/picture.h"
 
 #include <optional>
 
@@ -11,18 +13,19 @@ namespace trivar {
 
 // TetrahedraClouds are the knots of the selected volume's domain, for the tool that works on it: a
 // click on a vertex shows its cloud, a drag on a knot moves it, as far as no clouds cross.
-class TetrahedraClouds {
+class TetrahedraClouds : public Tool, public PartsTool {
 public:
-    void use(Session& session, const ViewportInput& input);
-    bool busy() const { return gesture_.going(); }
-    void cancel(Session& session);
-    bool grab(Session& session, MotionKind kind); // the knot is moved, or its cloud scaled
-    void take_keys(Session& session);
-
-    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const;
-    std::vector<gpu::Translucent> veils(const ui::Theme& theme) const;
-    void overlay(const Session& session, const ui::Theme& theme, const ViewportInput& input) const;
-    std::vector<Hint> hints() const;
+    TetrahedraClouds() : Tool({}) {}
+    ToolState state() const override { return {.busy = gesture_.going()}; }
+    PartsTool* parts() override { return this; }
+    bool grab(Session& session, MotionKind kind) override; // the knot is moved, or its cloud scaled
+    void use(Session& session, const ViewportInput& input) override;
+    void take_keys(Session& session) override;
+    void cancel(Session& session) override;
+    Helpers helpers(const Session& session, const ui::Theme& theme) const override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    std::vector<Hint> hints(const Session& session) const override;
     int picks() const { return picks_; } // how often another vertex or knot was picked
     // cloud_room() at the picked vertex; nothing: none is picked.
     std::optional<double> room() const { return vertex_ ? std::optional(room_) : std::nullopt; }
@@ -34,6 +37,8 @@ private:
     void begin(const ViewportInput& input, const Camera& camera, const GizmoHandle& handle,
                MotionKind kind);
     Command wanted();
+    std::vector<gpu::Line> lines(const ui::Theme& theme) const;
+    gpu::Translucent region_veil(const ui::Theme& theme) const;
     glm::dvec3 world(const glm::dvec3& p) const;
     const SimplexDomain<3>& domain() const { return basis_->domain(); }
 
@@ -51,7 +56,6 @@ private:
     std::optional<int> hovered_;
     int hovered_knot_ = 0;
     MotionGesture gesture_;
-    MotionKind kind_ = MotionKind::move;
     Ref<SimplexBasis<3>> before_; // as the gesture began
     bool stopped_ = false;        // it would have crossed
     TetrahedraCloud cloud_;       // wanted last

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
 #include "core/tetrahedra/cloud_room.h"
+#include "editor/hands/helpers.h"
+#include "editor/hands/points_tool.h"
 #include "editor/hands/shown_tetrahedra.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/picture/tetrahedra_picture.h"
 #include "editor/tools/tetrahedra/tetrahedra_clouds.h"
 #include "ui/widgets.h"
@@ -28,13 +31,18 @@ void paint_room(const ui::Theme& theme, glm::vec2 at, double room)
 
 } // namespace
 
-std::vector<gpu::Line> TetrahedraClouds::lines(const Session& session, const ui::Theme& theme) const
+Helpers TetrahedraClouds::helpers(const Session& session, const ui::Theme& theme) const
 {
     const EvaluatedObject* volume = selected_tetrahedra(session);
     if (!volume || volume->id != object_ || !vertex_) return {};
+    if (knot_ == 0) return {.lines = lines(theme)};
+    return {lines(theme), {region_veil(theme)}};
+}
+
+std::vector<gpu::Line> TetrahedraClouds::lines(const ui::Theme& theme) const
+{
     std::vector<gpu::Line> out = cell_lines(domain(), cells_, to_world_,
                                             ui::faded(theme.color.sphere, 0.6f), theme.line(1.4f));
-    if (knot_ == 0) return out;
     for (const std::vector<glm::dvec3>& face : region_) {
         gpu::Line rim{{}, ui::linear_light(ui::faded(theme.color.stroke, 0.5f)), theme.line(1)};
         for (std::size_t i = 0; i <= face.size(); ++i)
@@ -44,9 +52,8 @@ std::vector<gpu::Line> TetrahedraClouds::lines(const Session& session, const ui:
     return out;
 }
 
-std::vector<gpu::Translucent> TetrahedraClouds::veils(const ui::Theme& theme) const
+gpu::Translucent TetrahedraClouds::region_veil(const ui::Theme& theme) const
 {
-    if (!vertex_ || knot_ == 0) return {};
     gpu::Translucent out;
     out.colors = {ui::linear_light(ui::faded(theme.color.stroke_fill, 0.6f))};
     for (const std::vector<glm::dvec3>& face : region_) {
@@ -55,7 +62,7 @@ std::vector<gpu::Translucent> TetrahedraClouds::veils(const ui::Theme& theme) co
         for (std::uint32_t i = 2; i < face.size(); ++i)
             out.triangles.insert(out.triangles.end(), {first, first + i - 1, first + i});
     }
-    return {std::move(out)};
+    return out;
 }
 
 void TetrahedraClouds::overlay(const Session& session, const ui::Theme& theme,
@@ -103,7 +110,7 @@ void TetrahedraClouds::overlay(const Session& session, const ui::Theme& theme,
     }
     if (!gesture_ || !session.proposing()) return;
     const glm::vec2 at = mouse + glm::vec2(theme.px(18), -theme.px(38));
-    std::string words = kind_ == MotionKind::move
+    std::string words = gesture_->kind() == MotionKind::move
                             ? fmt::format("{} m", number_text(glm::length(cloud_.by)))
                             : fmt::format("× {}", number_text(cloud_.factor));
     words += stopped_ ? ", stopped: clouds would cross"
@@ -113,7 +120,7 @@ void TetrahedraClouds::overlay(const Session& session, const ui::Theme& theme,
     paint_room(theme, {chip.lo.x + theme.px(4), chip.hi.y + theme.px(5)}, room_);
 }
 
-std::vector<Hint> TetrahedraClouds::hints() const
+std::vector<Hint> TetrahedraClouds::hints(const Session&) const
 {
     if (gesture_) return gesture_.hints("Along an axis");
     if (!vertex_) return {{{"left"}, "Show the knots of a vertex"}, {{"Esc"}, "Select"}};

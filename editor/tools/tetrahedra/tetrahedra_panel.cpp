@@ -2,6 +2,7 @@
 #include "core/base/number_text.h"
 #include "editor/hands/falloff_option.h"
 #include "editor/hands/shown_tetrahedra.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/tools/tetrahedra/tetrahedra.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
@@ -91,13 +92,13 @@ void TetrahedraTool::add_ball_options(std::vector<ui::Option>& options, const ui
                            if (ui::number_field(theme, "radius", shown_radius_,
                                                 {.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"},
                                                 field) != ui::Edit::none)
-                               radius_ = shown_radius_;
+                               ball_.radius = shown_radius_;
                        },
                        "Of the ball or the brush, metres in the volume. The wheel changes it while "
                        "you pull."});
     if (by_ != By::pull && by_ != By::points) return;
-    options.push_back(
-        falloff_option(theme, decay_, "How the pull falls off from the ball's middle to its rim."));
+    options.push_back(falloff_option(theme, ball_.decay,
+                                     "How the pull falls off from the ball's middle to its rim."));
 }
 
 void TetrahedraTool::options(Session& session, const ui::Theme& theme, float width)
@@ -117,14 +118,13 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
          "smaller tetrahedra along a stroke. Knots moves those of a vertex."});
     if (by_ == By::points) {
         add_layer_option(options, theme, *shape);
-        options.push_back({"Proportional", 20,
-                           [&](float) { ui::check_box(theme, "proportional", proportional_, ""); },
-                           "Nearby points follow the selected ones, less with distance."});
+        points_.add_proportional_option(options, theme);
     }
-    if (by_ != By::knots && (by_ != By::points || proportional_))
+    if (by_ != By::knots && (by_ != By::points || *points_.proportional()))
         add_ball_options(options, theme, session);
     if (by_ == By::pull || by_ == By::points)
-        options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
+        options.push_back({"Guard", 20,
+                           [&](float) { ui::check_box(theme, "guard", ball_.guard, ""); },
                            "Stops the pull before the volume would fold."});
     if (by_ == By::points)
         options.push_back({"Selected", 96,
@@ -154,8 +154,7 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
 void TetrahedraTool::overlay(const Session& session, const ui::Theme& theme,
                              const ViewportInput& input) const
 {
-    if (by_ == By::points) return points_.overlay(session, theme, input, manner(session));
-    if (by_ == By::knots) return clouds_.overlay(session, theme, input);
+    if (inner()) return inner()->overlay(session, theme, input);
     if (!at_ && !gesture_) return;
     const Camera& camera = session.view.camera;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
@@ -192,8 +191,7 @@ std::vector<Hint> TetrahedraTool::hints(const Session& session) const
 {
     if (gesture_)
         return {{{"left"}, "Let go when done"}, {{"wheel"}, "Radius"}, {{"Esc"}, "Cancel"}};
-    if (selected_shape(session) && by_ == By::points) return points_.hints();
-    if (selected_shape(session) && by_ == By::knots) return clouds_.hints();
+    if (selected_shape(session) && inner()) return inner()->hints(session);
     if (!selected_shape(session))
         return {{{"left"}, "Select tetrahedra, or what stands in them"}, {{"Esc"}, "Select"}};
     const char* const verb = by_ == By::pull     ? "Drag to pull"

@@ -3,9 +3,9 @@
 
 #include "core/base/rounded.h"
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"
-#include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 
@@ -44,11 +44,6 @@ std::vector<Id> curve_objects(const Session& session)
         if (each->stroke || lines) out.push_back(id);
     }
     return out;
-}
-
-const char* MaskTool::icon() const
-{
-    return ui::icon::mask;
 }
 
 Id MaskTool::layer(const Session& session)

@@ -20,17 +20,12 @@ double usual_reach(const Session& session, Id layer);
 // gradient that drives the same.
 class MaskTool : public Tool {
 public:
-    std::string name() const override { return "Mask"; }
-    const char* icon() const override;
-    std::string help() const override
+    using Tool::Tool;
+    ToolState state() const override
     {
-        return "Let tiles fade along a line, round a point or round a curve.";
+        return {.busy = gesture_.has_value(), .crosshair = hit_ || gesture_};
     }
-    std::string page() const override { return "tiles"; }
-    std::vector<ui::Chord> keys() const override { return {{'M'}}; }
-    bool crosshair() const override { return hit_.has_value() || busy(); }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return gesture_.has_value(); }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;

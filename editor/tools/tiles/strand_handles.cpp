@@ -2,6 +2,7 @@
 #include "editor/tools/tiles/strand_handles.h"
 
 #include "core/tiles/on_surface.h"
+#include "editor/hands/viewport_input.h"
 
 #include <algorithm>
 #include <imgui.h>

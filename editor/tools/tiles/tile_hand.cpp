@@ -2,9 +2,11 @@
 #include "editor/tools/tiles/tile_hand.h"
 
 #include "core/base/number_text.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/commands/words/field_words.h"
 #include "core/limit/tangent.h"
 #include "core/patches/tile_ray.h"
+#include "editor/hands/viewport_input.h"
 #include "ui/paint.h"
 #include "ui/widgets.h"
 

@@ -4,9 +4,9 @@
 #include "core/base/rounded.h"
 #include "core/commands/tiles/mix_tiles.h"
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"
-#include "ui/icons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +64,10 @@ bool TilesTool::lays() const
     return covers_ || lays_tiles(settings_.brush);
 }
 
-const char* TilesTool::icon() const
+ToolState TilesTool::state() const
 {
-    return ui::icon::tiles;
+    const bool busy = gesture_ || hand_.motion() || strands_.hand().busy();
+    return {.busy = busy, .crosshair = hit_ || busy, .takes_wheel = gesture_.has_value()};
 }
 
 Id TilesTool::tile(const Session& session) const
@@ -109,7 +110,7 @@ void TilesTool::mix(Session& session, Id layer, const TileFile& other)
     session.selected = layer;
 }
 
-std::optional<std::vector<std::string>> TilesTool::chosen_models(const Session& session) const
+std::vector<std::string> TilesTool::chosen_models(const Session& session) const
 {
     if (begins_layer(session)) return files_;
     std::vector<std::string> files;
@@ -149,7 +150,7 @@ void TilesTool::fit_model(const TileFit& fit)
         choose_brush(TileBrush::scatter);
 }
 
-std::optional<std::string> TilesTool::take_wanted_model()
+std::optional<std::string> TilesTool::take_wanted()
 {
     if (wanted_.empty() || reading_) return {};
     const std::string next = wanted_.front();

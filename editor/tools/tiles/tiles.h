@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/commands/tiles/tiles.h"
+#include "editor/hands/model_tool.h"
 #include "editor/hands/painted_surface.h"
+#include "editor/hands/parts_tool.h"
 #include "editor/hands/tool.h"
 #include "editor/tools/tiles/strand_handles.h"
 #include "editor/tools/tiles/tile_hand.h"
@@ -14,19 +16,14 @@ namespace trivar {
 // A brush that paints copies of the selected object onto whatever is under it, and combs, resizes,
 // raises, colours, morphs or erases those that are there; and a hand for single ones. What is seen
 // is the proposal; a stroke is one step.
-class TilesTool : public Tool {
+class TilesTool : public Tool, public PartsTool, public ModelTool {
 public:
-    std::string name() const override { return "Tiles"; }
-    const char* icon() const override;
-    std::string help() const override
-    {
-        return "Paint copies of the selected object onto a surface.";
-    }
-    std::string page() const override { return "tiles"; }
-    std::vector<ui::Chord> keys() const override { return {{'T'}}; }
-    bool crosshair() const override { return hit_.has_value() || busy(); }
+    using Tool::Tool;
+    ToolState state() const override;
+    PartsTool* parts() override { return this; }
+    ModelTool* models() override { return this; }
     void take_read(Session& session, const TileFile& model) override;
-    std::optional<std::vector<std::string>> chosen_models(const Session& session) const override;
+    std::vector<std::string> chosen_models(const Session& session) const override;
     // From now on a click covers what is under it, as with the brush Cover.
     void choose_cover(const TileCover& cover)
     {
@@ -42,17 +39,12 @@ public:
     }
     void choose_model(Session& session, const std::string& file, bool also) override;
     void fit_model(const TileFit& fit) override;
-    std::optional<std::string> take_wanted_model() override;
+    std::optional<std::string> take_wanted() override;
     bool grab(Session& session, MotionKind kind) override;
-    bool choose_parts(Session& session, PartChoice choice) override;
-    bool remove_parts(Session& session) override;
+    bool choose(Session& session, PartChoice choice) override;
+    bool remove(Session& session) override;
     void take_keys(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override
-    {
-        return gesture_.has_value() || hand_.motion().has_value() || strands_.hand().busy();
-    }
-    bool takes_wheel() const override { return gesture_.has_value(); }
     bool resize(Session& session, double factor) override;
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hands/select.h"
+#include "editor/hands/viewport_input.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/topics.h"
 #include "editor/tools/tiles/tiles.h"
@@ -27,7 +28,7 @@ bool TilesTool::grab(Session& session, MotionKind kind)
     return true;
 }
 
-bool TilesTool::choose_parts(Session& session, PartChoice choice)
+bool TilesTool::choose(Session& session, PartChoice choice)
 {
     if (!uses_hand(session)) return false;
     if (choice == PartChoice::all)
@@ -39,7 +40,7 @@ bool TilesTool::choose_parts(Session& session, PartChoice choice)
     return true;
 }
 
-bool TilesTool::remove_parts(Session& session)
+bool TilesTool::remove(Session& session)
 {
     if (!uses_hand(session) || hand_.held().empty() || session.committing()) return false;
     const Id layer = tile(session);

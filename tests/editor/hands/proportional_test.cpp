@@ -54,12 +54,16 @@ TEST(ProportionalEditing, ReachesNothingBeyondItsRadius)
     EXPECT_GT(control_point(volume, 1, 0, 0).x, -0.25);
 }
 
-TEST(PointChoice, KnowsRowsPlanesTheOthersAndTheNextOnes)
+TEST(PointChoice, KnowsRowsPlanesTheNextOnesAndTheirNumbers)
 {
     const glm::ivec3 n(4, 5, 6), p(1, 2, 3);
     EXPECT_EQ(row_of(p, 2, n).size(), 6u);
     EXPECT_EQ(plane_of(p, 2, n).size(), 20u);
-    EXPECT_EQ(others(plane_of(p, 2, n), n).size(), 100u);
+    const Points all = all_points(n);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(number_of(all[i], n), static_cast<int>(i));
+        EXPECT_EQ(point_of(static_cast<int>(i), n), all[i]);
+    }
     EXPECT_EQ(with_next({p}, n).size(), 7u);
     EXPECT_EQ(with_next({{0, 0, 0}}, n).size(), 4u);
 }

@@ -33,7 +33,8 @@ TEST(Manual, HasThePageThatEachToolNames)
 {
     const auto pages = manual_in(pages_folder);
     for (const auto& tool : all_tools())
-        EXPECT_TRUE(page_of(pages, tool->page())) << tool->name() << ": " << tool->page();
+        EXPECT_TRUE(page_of(pages, tool->facts().page))
+            << tool->name() << ": " << tool->facts().page;
 }
 
 TEST(Manual, LeadsNowhereThatIsNotThereAndNamesNoActionThatIsNot)

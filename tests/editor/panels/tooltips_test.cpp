@@ -41,7 +41,7 @@ TEST(Tooltips, NameEveryToolWithItsKeyAndWhatItDoes)
             hand.said_at({strip.center().x, strip.lo.y + 24 + 40 * static_cast<float>(i)});
         EXPECT_EQ(tip.name, tool.name());
         EXPECT_EQ(tip.key, key_text(action(hand.editor, tool.name())));
-        EXPECT_EQ(tip.sentence, tool.help());
+        EXPECT_EQ(tip.sentence, tool.facts().help);
     }
 }
 

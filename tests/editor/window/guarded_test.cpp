@@ -21,11 +21,7 @@ using ::testing::HasSubstr, ::testing::StartsWith;
 struct FailingTool : Tool {
     std::function<void()> fail = [] { throw Mistake("it broke"); };
     bool cancelled = false;
-    std::string name() const override { return "Place"; } // of which there is an action
-    const char* icon() const override { return ""; }
-    std::string help() const override { return "It fails."; }
-    std::string page() const override { return ""; }
-    std::vector<ui::Chord> keys() const override { return {}; }
+    FailingTool() : Tool({.name = "Place", .help = "It fails."}) {} // there is an action Place
     void use(Session&, const ViewportInput&) override {}
     void cancel(Session&) override { cancelled = true; }
     std::vector<Hint> hints(const Session&) const override { return {}; }

@@ -313,7 +313,8 @@ GestureWords all_words()
 {
     GestureWords out;
     const Editor editor([] {}, all_actions());
-    for (const auto& tool : editor.tools) out.tools.push_back(ui::text_of(tool->keys().front()));
+    for (const auto& tool : editor.tools)
+        out.tools.push_back(ui::text_of(tool->facts().keys.front()));
     for (const Action& each : editor.actions)
         for (const ui::Chord& chord : each.keys) out.chords.push_back(ui::text_of(chord));
     for (const PaletteEntry& each : palette_commands(editor)) out.entries.push_back(each.name);

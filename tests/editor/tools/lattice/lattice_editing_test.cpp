@@ -4,6 +4,7 @@
 #include "core/commands/volumes/lattice.h"
 #include "core/commands/volumes/warp.h"
 #include "core/placement/placement.h"
+#include "editor/hands/parts_tool.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {
@@ -233,7 +234,7 @@ TEST(LatticeEditing, TakesTheNeighboursAlongWhereItIsProportional)
 {
     BoxRig rig;
     rig.key({'O'});
-    EXPECT_TRUE(*rig.editor.active_tool().proportional());
+    EXPECT_TRUE(*rig.editor.tool_parts()->proportional());
     const glm::dvec3 far = rig.point({3, 3, 0}), near = rig.point({0, 0, 2});
     rig.drag(corner, {0, -20});
     ASSERT_EQ(rig.shaped(), 1u);

@@ -53,7 +53,8 @@ TEST(SplitTool, ShowsWhatAnObstacleWouldDoAndDoesItByAClick)
     EXPECT_TRUE(rig.parted());
     EXPECT_EQ(rig.steps(), before); // it is only shown
     EXPECT_FALSE(object(rig.editor.session.committed(), split_ball).splitting);
-    EXPECT_FALSE(rig.editor.active_tool().lines(rig.editor.session, rig.screen.theme()).empty());
+    EXPECT_FALSE(
+        rig.editor.active_tool().helpers(rig.editor.session, rig.screen.theme()).lines.empty());
     rig.move(rig.layout().view.lo + glm::vec2(5, 5));
     rig.wait();
     EXPECT_FALSE(rig.parted());

@@ -192,7 +192,7 @@ TEST(TetrahedraPoints, GoByKeysAsOthersDo)
     EXPECT_EQ(rig.shape().edits[0].pull->by, glm::dvec3(0.1, 0, 0));
     EXPECT_EQ(rig.shape().edits[0].pull->also.size() + 1, rig.places().size());
     for (const glm::dvec3& d : rig.volume().displacements) EXPECT_EQ(d, glm::dvec3(0.1, 0, 0));
-    const auto names = rig.tool().numbers(rig.editor.session);
+    const auto names = rig.tool().parts()->numbers(rig.editor.session);
     ASSERT_TRUE(names);
     EXPECT_EQ(names->front(), "shape.edits.0.pull.by.x");
 }

@@ -122,7 +122,7 @@ TEST(StrandTool, TakesDroppedModelsAsTiles)
     const std::size_t before = rig.steps();
     EXPECT_TRUE(drop_tiles(rig.editor, {file}));
     EXPECT_EQ(rig.steps(), before); // it is read by the next stroke
-    EXPECT_EQ(rig.editor.active_tool().chosen_models(rig.editor.session),
+    EXPECT_EQ(rig.editor.tool_models()->chosen_models(rig.editor.session),
               std::vector<std::string>{file});
     // The library is there when the program is opened again.
     EXPECT_EQ(preferences_from(text_of(rig.editor.preferences)).library_tiles,
@@ -146,7 +146,7 @@ TEST(StrandTool, SaysWhereATileOfTheLibraryWasThatIsGone)
     const auto& notice = rig.editor.session.notices.all().back();
     EXPECT_EQ(notice.title, "tile_rope.glb is missing");
     EXPECT_THAT(notice.body, ::testing::HasSubstr(file));
-    EXPECT_NE(rig.editor.active_tool().chosen_models(rig.editor.session),
+    EXPECT_NE(rig.editor.tool_models()->chosen_models(rig.editor.session),
               std::vector<std::string>{file});
     ASSERT_EQ(notice.actions.size(), 1u);
     notice.actions[0].act();

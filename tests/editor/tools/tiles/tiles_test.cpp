@@ -218,7 +218,7 @@ TEST(TileLibrary, PaintsWithAModelThatWasNotInTheScene)
     TileLibraryRig rig;
     ASSERT_EQ(rig.editor.session.committed().objects.size(), 1u);
     rig.choose_first();
-    EXPECT_EQ(rig.editor.active_tool().chosen_models(rig.editor.session),
+    EXPECT_EQ(rig.editor.tool_models()->chosen_models(rig.editor.session),
               std::vector<std::string>{rig.folder.file("tile_thorn.glb")});
     const std::size_t before = rig.steps();
     rig.paint();
@@ -286,7 +286,7 @@ TEST(TileLibrary, PaintsAMixOfSeveral)
     std::filesystem::copy_file(thorn, other);
     std::filesystem::copy_file(thorn, third);
     Session& session = rig.editor.session;
-    Tool& tool = rig.editor.active_tool();
+    ModelTool& tool = *rig.editor.tool_models();
     tool.choose_model(session, thorn, false);
     tool.choose_model(session, third, true);
     tool.choose_model(session, other, true);
@@ -299,7 +299,7 @@ TEST(TileLibrary, PaintsAMixOfSeveral)
     ASSERT_TRUE(rig.tiles(layer));
     ASSERT_EQ(rig.tiles(layer)->others.size(), 1u);
     EXPECT_TRUE(object(session.document(), rig.tiles(layer)->others[0].object).hidden);
-    EXPECT_EQ(tool.chosen_models(session)->size(), 2u);
+    EXPECT_EQ(tool.chosen_models(session).size(), 2u);
     // The layer takes one more.
     tool.choose_model(session, third, true);
     for (int i = 0; i < 10; ++i) rig.wait();
@@ -311,7 +311,7 @@ TEST(TileLibrary, PaintsAMixOfSeveral)
 TEST(TileLibrary, ASelectedObjectTakesThePlaceOfWhatWasChosen)
 {
     TileLibraryRig rig;
-    rig.editor.active_tool().choose_model(rig.editor.session, "elsewhere/thorn.glb", false);
+    rig.editor.tool_models()->choose_model(rig.editor.session, "elsewhere/thorn.glb", false);
     AddBox stud;
     stud.shape = {.size = {0.2, 0.2, 0.1}, .segments = {1, 1, 1}};
     ASSERT_TRUE(rig.editor.session.run(stud));
@@ -325,8 +325,8 @@ TEST(TileLibrary, AFileThatCannotBeReadLeavesEverythingAsItWas)
 {
     TileLibraryRig rig;
     const std::size_t before = rig.steps();
-    rig.editor.active_tool().choose_model(rig.editor.session, rig.folder.file("vanished.glb"),
-                                          false);
+    rig.editor.tool_models()->choose_model(rig.editor.session, rig.folder.file("vanished.glb"),
+                                           false);
     rig.paint();
     EXPECT_EQ(rig.steps(), before);
     EXPECT_FALSE(rig.editor.active_tool().busy());
