@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/theme.h"
+#include "ui/widgets.h"
 
 #include <functional>
 #include <string>
@@ -21,5 +21,38 @@ struct Option {
 // Draws the options beside each other from ImGui's cursor on; those that do not fit move into a
 // menu behind a button at the end.
 void option_bar(const Theme& theme, const std::vector<Option>& options, float room_px);
+
+// Options for a value of an enumeration, by the names of all its values: as a list, or beside each
+// other. The theme and the value outlive them.
+template <class Enum>
+Option choice_option(const Theme& theme, const char* words, float width, const char* id,
+                     Enum& value, const std::vector<std::string>& names, const char* help)
+{
+    return {words, width,
+            [&theme, id, &value, names](float field) {
+                int chosen = static_cast<int>(value);
+                choice(theme, id, chosen, names, field);
+                value = static_cast<Enum>(chosen);
+            },
+            help};
+}
+template <class Enum>
+Option segments_option(const Theme& theme, const char* words, float width, const char* id,
+                       Enum& value, const std::vector<std::string>& names, const char* help)
+{
+    return {words, width,
+            [&theme, id, &value, names](float field) {
+                int chosen = static_cast<int>(value);
+                segments(theme, id, chosen, names, field);
+                value = static_cast<Enum>(chosen);
+            },
+            help};
+}
+// The option for a switch.
+inline Option check_option(const Theme& theme, const char* words, const char* id, bool& value,
+                           const char* help)
+{
+    return {words, 20, [&theme, id, &value](float) { check_box(theme, id, value, ""); }, help};
+}
 
 } // namespace trivar::ui

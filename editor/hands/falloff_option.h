@@ -3,11 +3,14 @@
 
 #include "core/placement/shaping.h"
 #include "ui/option_bar.h"
-#include "ui/theme.h"
 
 namespace trivar {
 
 // The choice of a falloff in a tool's bar. The theme and the falloff outlive it.
-ui::Option falloff_option(const ui::Theme& theme, Decay& falloff, const char* help);
+inline ui::Option falloff_option(const ui::Theme& theme, Decay& falloff, const char* help)
+{
+    return ui::choice_option(theme, "Falloff", 104, "decay", falloff,
+                             {"Gaussian", "Hat", "Box", "Smooth"}, help);
+}
 
 } // namespace trivar

@@ -71,9 +71,9 @@ void PointsTool::paint_words(const ui::Theme& theme, const ViewportInput& input,
 
 void PointsTool::add_proportional_option(std::vector<ui::Option>& options, const ui::Theme& theme)
 {
-    options.push_back({"Proportional", 20,
-                       [&](float) { ui::check_box(theme, "proportional", proportional_, ""); },
-                       "Nearby points follow the selected ones, less with distance."});
+    options.push_back(
+        ui::check_option(theme, "Proportional", "proportional", proportional_,
+                         "Nearby points follow the selected ones, less with distance."));
 }
 
 std::vector<Hint> PointsTool::hints(const Session& session) const

@@ -106,22 +106,14 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
     };
     length("Width", width_world_, "How wide the next incision gapes when it is quite open.");
     length("Depth", depth_world_, "How deep the next incision goes, as far as there is body.");
-    options.push_back({"Floor", 160,
-                       [&](float field) {
-                           int floor = static_cast<int>(settings_.cut.floor);
-                           ui::segments(theme, "floor", floor, {"Sharp", "Flat", "Through"}, field);
-                           settings_.cut.floor = static_cast<Incision::Floor>(floor);
-                       },
-                       "Sharp: its walls meet at the bottom. Flat: a floor joins them. Through: it "
-                       "goes through the body."});
-    options.push_back({"Stroke", 120,
-                       [&](float field) {
-                           int way = static_cast<int>(way_);
-                           ui::segments(theme, "stroke", way, {"Free", "Line", "UV"}, field);
-                           way_ = static_cast<Way>(way);
-                       },
-                       "As the hand goes, straight as it is seen, or along a line of the model's "
-                       "texture coordinates."});
+    options.push_back(ui::segments_option(
+        theme, "Floor", 160, "floor", settings_.cut.floor, {"Sharp", "Flat", "Through"},
+        "Sharp: its walls meet at the bottom. Flat: a floor joins them. Through: it "
+        "goes through the body."));
+    options.push_back(ui::segments_option(
+        theme, "Stroke", 120, "stroke", way_, {"Free", "Line", "UV"},
+        "As the hand goes, straight as it is seen, or along a line of the model's "
+        "texture coordinates."));
     options.push_back({"Open", 100,
                        [&](float) { ui::check_box(theme, "open", opens_, "as it cuts"); },
                        "It opens while it is drawn; else it is shut, to be opened later."});

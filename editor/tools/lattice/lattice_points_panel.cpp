@@ -15,13 +15,9 @@ namespace trivar {
 void LatticePointsTool::add_falloff_options(std::vector<ui::Option>& options,
                                             const ui::Theme& theme, const Lattice& volume)
 {
-    options.push_back({"Falloff", 96,
-                       [&](float field) {
-                           int chosen = static_cast<int>(falloff_);
-                           ui::choice(theme, "falloff", chosen, falloff_names, field);
-                           falloff_ = static_cast<Falloff>(chosen);
-                       },
-                       "How the motion fades from the selected points to the radius."});
+    options.push_back(
+        ui::choice_option(theme, "Falloff", 96, "falloff", falloff_, falloff_names,
+                          "How the motion fades from the selected points to the radius."));
     options.push_back({"Radius", 88,
                        [&](float field) {
                            double metres = radius(volume);
@@ -64,8 +60,8 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
              }
          },
          "Mirrors the motion to the other side of the middle along these axes."});
-    options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
-                       "Stops an edit before the volume would fold."});
+    options.push_back(ui::check_option(theme, "Guard", "guard", guard_,
+                                       "Stops an edit before the volume would fold."));
     if (laid) {
         const glm::ivec3 n = point_count(laid->placement->volume);
         const std::string words = fmt::format("{} of {} × {} × {}", chosen_.size(), n.x, n.y, n.z);

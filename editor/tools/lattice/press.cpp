@@ -369,14 +369,10 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                        },
                        "Radius of the ball; 0 follows the width of the volume. The wheel changes "
                        "it while you press."});
-    options.push_back({"Mode", 120,
-                       [&](float field) {
-                           int by = static_cast<int>(by_);
-                           ui::segments(theme, "by", by, {"Drag", "Brush"}, field);
-                           by_ = static_cast<By>(by);
-                       },
-                       "Drag: the ball presses as deep as you drag; the other way it pulls. Brush: "
-                       "it presses wherever you draw; with Ctrl it pulls."});
+    options.push_back(ui::segments_option(
+        theme, "Mode", 120, "by", by_, {"Drag", "Brush"},
+        "Drag: the ball presses as deep as you drag; the other way it pulls. Brush: "
+        "it presses wherever you draw; with Ctrl it pulls."));
     double shown_strength = laid ? strength(*laid->placement) : strength_;
     if (by_ == By::brush)
         options.push_back({"Strength", 88,
@@ -386,16 +382,12 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                                    strength_ = shown_strength;
                            },
                            "How deep the ball presses as it is drawn over its own radius."});
-    const auto check = [&](const char* words, const char* id, bool& value, float wide,
-                           const char* help) {
-        options.push_back({words, wide,
-                           [&theme, id, &value](float) { ui::check_box(theme, id, value, ""); },
-                           help});
-    };
-    check("Mirror", "mirror", mirror_, 20, "Mirrors the press to the other side of the middle.");
-    check("Guard", "guard", guard_, 20, "Stops the press before the volume would fold.");
-    check("Into the scene", "into scene", into_scene_, 20,
-          "The model may be pulled into the surface it lies on.");
+    options.push_back(ui::check_option(theme, "Mirror", "mirror", mirror_,
+                                       "Mirrors the press to the other side of the middle."));
+    options.push_back(ui::check_option(theme, "Guard", "guard", guard_,
+                                       "Stops the press before the volume would fold."));
+    options.push_back(ui::check_option(theme, "Into the scene", "into scene", into_scene_,
+                                       "The model may be pulled into the surface it lies on."));
     ui::option_bar(theme, options, width);
 }
 

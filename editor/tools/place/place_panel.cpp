@@ -68,14 +68,9 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                        "The model that a stroke lays."});
     options_of_round(session, theme, options, model);
     if (model == 0 || !object(session.document(), model).stroke) return;
-    options.push_back(
-        {"New stroke", 152,
-         [this, &theme](float field) {
-             int stroke = static_cast<int>(new_stroke_);
-             ui::segments(theme, "new stroke", stroke, {"Moves it", "Lays a copy"}, field);
-             new_stroke_ = static_cast<NewStroke>(stroke);
-         },
-         "What a stroke does with a placed model. Hold Alt while you draw for the other choice."});
+    options.push_back(ui::segments_option(
+        theme, "New stroke", 152, "new stroke", new_stroke_, {"Moves it", "Lays a copy"},
+        "What a stroke does with a placed model. Hold Alt while you draw for the other choice."));
 }
 
 void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
@@ -91,14 +86,10 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
         {"Height", 88,
          [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
          "Size away from the surface. Auto: in proportion to the model."});
-    options.push_back({"Brush", 192,
-                       [&](float field) {
-                           int brush = static_cast<int>(brush_);
-                           ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
-                           brush_ = static_cast<Brush>(brush);
-                       },
-                       "What makes the stroke wider and narrower: nothing, the hand's speed, or "
-                       "the wheel."});
+    options.push_back(ui::segments_option(
+        theme, "Brush", 192, "brush", brush_, {"Even", "Speed", "Wheel"},
+        "What makes the stroke wider and narrower: nothing, the hand's speed, or "
+        "the wheel."));
     options.push_back({"Gaps", 144,
                        [&](float field) {
                            int gaps = parameters_.springs ? 0 : 1;

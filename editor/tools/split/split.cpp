@@ -252,14 +252,9 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
         add_obstacle_options(options, session, theme);
     else
         add_cut_options(options, session, theme);
-    options.push_back(
-        {"Inside", 84,
-         [&](float field) {
-             int inside = static_cast<int>(settings_.inside);
-             ui::choice(theme, "inside", inside, {"None", "Wood", "Flesh", "Metal"}, field);
-             settings_.inside = static_cast<Filling>(inside);
-         },
-         "What fills it, seen where it opens."});
+    options.push_back(ui::choice_option(theme, "Inside", 84, "inside", settings_.inside,
+                                        {"None", "Wood", "Flesh", "Metal"},
+                                        "What fills it, seen where it opens."));
     ui::option_bar(theme, options, width);
 }
 
@@ -281,36 +276,22 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const Ses
                                             {.lo = 0, .unit = "m", .zero = "as needed"}, field);
                        },
                        "Over what distance the opening fades away."});
-    options.push_back(
-        {"Falloff", 100,
-         [&](float field) {
-             int kernel = static_cast<int>(use_.kernel);
-             ui::choice(theme, "fades", kernel, {"Soft", "Smooth", "Sharp", "Linear"}, field);
-             use_.kernel = static_cast<SplitKernel>(kernel);
-         },
-         "How the opening fades with the distance from the obstacle; linear needs the least "
-         "room."});
-    options.push_back(
-        {"Closing", 100,
-         [&](float field) {
-             int closing = static_cast<int>(settings_.closing);
-             ui::choice(theme, "closing", closing, {"Open", "Capped", "Stitched"}, field);
-             settings_.closing = static_cast<SplitClosing>(closing);
-         },
-         "Cap both halves, so that they stay solid, or stitch the skin together beside the "
-         "obstacle."});
+    options.push_back(ui::choice_option(
+        theme, "Falloff", 100, "fades", use_.kernel, {"Soft", "Smooth", "Sharp", "Linear"},
+        "How the opening fades with the distance from the obstacle; linear needs the least "
+        "room."));
+    options.push_back(ui::choice_option(
+        theme, "Closing", 100, "closing", settings_.closing, {"Open", "Capped", "Stitched"},
+        "Cap both halves, so that they stay solid, or stitch the skin together beside the "
+        "obstacle."));
 }
 
 void SplitTool::add_cut_options(std::vector<ui::Option>& options, const Session& session,
                                 const ui::Theme& theme)
 {
-    options.push_back({"Keep", 112,
-                       [&](float field) {
-                           int keep = static_cast<int>(one_.keep);
-                           ui::choice(theme, "keep", keep, {"Both parts", "Above", "Below"}, field);
-                           one_.keep = static_cast<CutKeep>(keep);
-                       },
-                       "Which part to keep; \"Above\" is the part above the line as drawn."});
+    options.push_back(
+        ui::choice_option(theme, "Keep", 112, "keep", one_.keep, {"Both parts", "Above", "Below"},
+                          "Which part to keep; \"Above\" is the part above the line as drawn."));
     options.push_back(
         {"Gap", 84,
          [&](float field) {

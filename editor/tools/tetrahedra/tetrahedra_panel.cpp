@@ -44,17 +44,12 @@ void TetrahedraTool::around_options(Session& session, const ui::Theme& theme, fl
             {"Select a volume of tetrahedra, or objects to put one round", 1, [](float) {}});
         return ui::option_bar(theme, options, width);
     }
-    options.push_back(
-        {"Around", 104,
-         [&](float field) {
-             int around = static_cast<int>(around_);
-             ui::choice(theme, "around", around, {"Box", "Fitted", "Hull", "Cage"}, field);
-             around_ = static_cast<Around>(around);
-         },
-         "Tetrahedra bend objects as a lattice does, and can be fine in one place alone, have "
-         "creases and open along cuts. A box; about 2,000 that follow the shape, or fill its "
-         "convex "
-         "hull; or those that fill the active object, a closed mesh, exactly."});
+    options.push_back(ui::choice_option(
+        theme, "Around", 104, "around", around_, {"Box", "Fitted", "Hull", "Cage"},
+        "Tetrahedra bend objects as a lattice does, and can be fine in one place alone, have "
+        "creases and open along cuts. A box; about 2,000 that follow the shape, or fill its "
+        "convex "
+        "hull; or those that fill the active object, a closed mesh, exactly."));
     options.push_back({"", 190,
                        [&](float field) {
                            if (ui::button(theme, tetrahedra_action, ui::ButtonKind::plain,
@@ -123,9 +118,8 @@ void TetrahedraTool::options(Session& session, const ui::Theme& theme, float wid
     if (by_ != By::knots && (by_ != By::points || *points_.proportional()))
         add_ball_options(options, theme, session);
     if (by_ == By::pull || by_ == By::points)
-        options.push_back({"Guard", 20,
-                           [&](float) { ui::check_box(theme, "guard", ball_.guard, ""); },
-                           "Stops the pull before the volume would fold."});
+        options.push_back(ui::check_option(theme, "Guard", "guard", ball_.guard,
+                                           "Stops the pull before the volume would fold."));
     if (by_ == By::points)
         options.push_back({"Selected", 96,
                            [&](float field) { paint_words(theme, field, points_.words()); },

@@ -181,14 +181,9 @@ void MaskTool::overlay(const Session& session, const ui::Theme& theme,
 void MaskTool::options(Session&, const ui::Theme& theme, float width)
 {
     std::vector<ui::Option> options;
-    options.push_back(
-        {"Drives", 96,
-         [&](float field) {
-             int drives = static_cast<int>(settings_.drives);
-             ui::choice(theme, "drives", drives, {"Density", "Scale", "Height", "Morph"}, field);
-             settings_.drives = static_cast<MaskDrives>(drives);
-         },
-         "What of the tiles fades. Another gradient for the same replaces the first one."});
+    options.push_back(ui::choice_option(
+        theme, "Drives", 96, "drives", settings_.drives, {"Density", "Scale", "Height", "Morph"},
+        "What of the tiles fades. Another gradient for the same replaces the first one."));
     options.push_back(
         {"Gradient", 112,
          [&](float field) {
@@ -212,14 +207,9 @@ void MaskTool::options(Session&, const ui::Theme& theme, float width)
            line ? "The factor where the drag begins." : "The factor away from it.");
     factor(line ? "To" : "Near", settings_.high,
            line ? "The factor where the drag ends." : "The factor at it.");
-    options.push_back({"Easing", 96,
-                       [&](float field) {
-                           int easing = static_cast<int>(settings_.easing);
-                           ui::choice(theme, "easing", easing,
-                                      {"Even", "Smooth", "Slow start", "Slow end"}, field);
-                           settings_.easing = static_cast<MaskEasing>(easing);
-                       },
-                       "How it goes from one to the other."});
+    options.push_back(ui::choice_option(theme, "Easing", 96, "easing", settings_.easing,
+                                        {"Even", "Smooth", "Slow start", "Slow end"},
+                                        "How it goes from one to the other."));
     ui::option_bar(theme, options, width);
 }
 

@@ -108,17 +108,11 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
 
 void TilesTool::heading_options(std::vector<ui::Option>& options, const ui::Theme& theme)
 {
-    options.push_back({"Heading", 124,
-                       [&](float field) {
-                           int heading = static_cast<int>(settings_.heading);
-                           ui::choice(theme, "heading", heading,
-                                      {"Along stroke", "Upward", "Random", "Least curvature",
-                                       "Most curvature", "To a point"},
-                                      field);
-                           settings_.heading = static_cast<TileHeading>(heading);
-                       },
-                       "Where the X axis of the tile points: along the stroke, up, anywhere, where "
-                       "the surface bends least or most, or to a point."});
+    options.push_back(ui::choice_option(
+        theme, "Heading", 124, "heading", settings_.heading,
+        {"Along stroke", "Upward", "Random", "Least curvature", "Most curvature", "To a point"},
+        "Where the X axis of the tile points: along the stroke, up, anywhere, where "
+        "the surface bends least or most, or to a point."));
     if (settings_.heading == TileHeading::to_point)
         options.push_back(
             {"Point", 72,
@@ -135,15 +129,10 @@ void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme
 {
     const TileBrush brush = settings_.brush;
     if (brush == TileBrush::fill)
-        options.push_back(
-            {"Area", 88,
-             [&](float field) {
-                 int area = static_cast<int>(settings_.area);
-                 ui::choice(theme, "area", area, {"Island", "Material", "Faces", "All"}, field);
-                 settings_.area = static_cast<TileArea>(area);
-             },
-             "What a click fills: all that is connected, all of that material, the "
-             "face alone, or the whole object."});
+        options.push_back(ui::choice_option(
+            theme, "Area", 88, "area", settings_.area, {"Island", "Material", "Faces", "All"},
+            "What a click fills: all that is connected, all of that material, the "
+            "face alone, or the whole object."));
     if (brush == TileBrush::color)
         options.push_back({"Colour", 96,
                            [&](float field) {
@@ -153,23 +142,14 @@ void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme
                            },
                            "The colours of the materials are multiplied by it; Ctrl takes it away "
                            "again."});
-    options.push_back({"Mirror", 64,
-                       [&](float field) {
-                           int mirror = static_cast<int>(settings_.mirror);
-                           ui::choice(theme, "mirror", mirror, {"Off", "X", "Y", "Z"}, field);
-                           settings_.mirror = static_cast<TileMirror>(mirror);
-                       },
-                       "The stroke works on the other side, too: across this axis of what is "
-                       "painted on."});
+    options.push_back(
+        ui::choice_option(theme, "Mirror", 64, "mirror", settings_.mirror, {"Off", "X", "Y", "Z"},
+                          "The stroke works on the other side, too: across this axis of what is "
+                          "painted on."));
     if (brush != TileBrush::fill && brush != TileBrush::grab)
-        options.push_back(
-            {"Weaker by", 72,
-             [&](float field) {
-                 int follows = static_cast<int>(follows_);
-                 ui::choice(theme, "pressure", follows, {"Nothing", "Speed"}, field);
-                 follows_ = static_cast<Follows>(follows);
-             },
-             "What makes tiles smaller or the brush weaker: a fast stroke, or nothing."});
+        options.push_back(ui::choice_option(
+            theme, "Weaker by", 72, "pressure", follows_, {"Nothing", "Speed"},
+            "What makes tiles smaller or the brush weaker: a fast stroke, or nothing."));
 }
 
 void TilesTool::cover_options(std::vector<ui::Option>& options, const ui::Theme& theme)
