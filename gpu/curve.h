@@ -9,7 +9,7 @@
 namespace trivar::gpu {
 
 // HiddenParts says how those parts of a curve are drawn that something solid hides.
-enum class HiddenParts { dashed, faint, left_out };
+enum class HiddenParts { dashed, faint, left_out, as_seen };
 
 // A CurveStyle says how a polyline is drawn.
 struct CurveStyle {
@@ -19,6 +19,11 @@ struct CurveStyle {
     // Shares of the length over which the width grows from 0 at the beginning and at the end.
     glm::vec2 taper{0};
     HiddenParts hidden = HiddenParts::dashed;
+    // above 0: dashes with flat ends all along the curve, and the gaps after them; each so long
+    float dash_px = 0;
+    // World units that the surface of the same id may lie before the curve without hiding it, where
+    // one knows already that it does not.
+    float own_reach_world = 0;
     bool operator==(const CurveStyle&) const = default;
 };
 

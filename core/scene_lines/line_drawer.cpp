@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kept_meshes = 32;
 constexpr float toward_eye = 3e-3f; // of the size
+constexpr double level_reach = 2;   // voxels between a line and the triangles of its level
 
 // Moves seen lines toward the eye, so that the surface that they lie on hides no half of them.
 void lift(std::vector<Stroke>& strokes, const ViewPoint& from, float distance)
@@ -230,7 +231,8 @@ void LineDrawer::draw_levels(ObjectLines& out, std::size_t number, Work& work)
     }
     LevelDrawing drawing = trivar::draw_levels(field.field(), field.hulls(), levels, view, options);
     for (DrawingLayer& layer : drawing.layers)
-        out.layers.push_back({std::move(layer), to_world, view.to_image});
+        out.layers.push_back(
+            {std::move(layer), to_world, view.to_image, level_reach * mean_scale(to_world)});
     out.gaps = drawing.gaps;
 }
 

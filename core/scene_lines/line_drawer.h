@@ -7,6 +7,7 @@
 #include "core/scene_lines/line_scene.h"
 #include "core/scene_lines/seen_tiles.h"
 
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -19,6 +20,9 @@ struct ObjectLines {
         DrawingLayer drawing;   // called by the level or by the kind
         glm::dmat4 to_world{1}; // of the places that its lines have in space
         glm::dmat4 to_image{1}; // of the same, to pixels and depth: how they were inked
+        // How far the triangles of its own object may lie before lines that are seen, metres. Those
+        // of meshes are asked about all of them by rays.
+        double own_reach = std::numeric_limits<double>::infinity();
     };
     int object = 0; // its id
     std::string name;

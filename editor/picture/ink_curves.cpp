@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/ink_curves.h"
 
+#include "core/drawing/line_pieces.h"
+
 #include <algorithm>
 #include <glm/gtc/color_space.hpp>
 
@@ -12,6 +14,7 @@ gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed, const glm::d
     Polyline points;
     float width = 0;
     for (const InkedLine::Point& p : line.points) width = std::max(width, p.width);
+    if (line.dashed) width = width_of(line); // as in files
     for (const InkedLine::Point& p : line.points) {
         glm::vec3 at = p.p;
         if (line.strays) {
@@ -21,15 +24,16 @@ gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed, const glm::d
         }
         points.points.push_back(at);
         points.colors.emplace_back(glm::convertSRGBToLinear(p.color), line.opacity);
-        points.widths.push_back(width > 0 ? p.width / width : 1);
+        points.widths.push_back(width > 0 && !line.dashed ? p.width / width : 1);
     }
-    return {.line = make_ref(std::move(points)),
-            .to_world = placed.to_world,
-            .style = {.width_px = width * placed.wider,
-                      .hidden = !line.hidden  ? gpu::HiddenParts::left_out
-                                : line.dashed ? gpu::HiddenParts::dashed
-                                              : gpu::HiddenParts::faint},
-            .id = placed.id};
+    return {
+        .line = make_ref(std::move(points)),
+        .to_world = placed.to_world,
+        .style = {.width_px = width * placed.wider,
+                  .hidden = line.hidden ? gpu::HiddenParts::as_seen : gpu::HiddenParts::left_out,
+                  .dash_px = static_cast<float>(dash_of(line)) * placed.wider,
+                  .own_reach_world = line.hidden ? 0 : placed.own_reach},
+        .id = placed.id};
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/lines/ink.h"
 #include "gpu/curve.h"
 
+#include <limits>
 #include <vector>
 
 namespace trivar {
@@ -14,6 +15,9 @@ struct PlacedInk {
     const glm::dmat4& to_image; // of the same, to pixels and depth: how they were inked
     int id = 0;                 // of the object
     float wider = 1; // width of a line in pixels per pixel of a picture of the usual height
+    // How far the object's surface may lie before a line that is seen. Rays have found what hides a
+    // line, and a surface of triangles is not quite where lines of smooth ones are. World units.
+    float own_reach = std::numeric_limits<float>::infinity();
 };
 
 // The renderer's curves for inked lines, at the end of `out`: through their points in space, or

@@ -15,7 +15,8 @@ std::vector<gpu::Curve> curves_of(const SceneLines& lines, float wider)
     for (const Ref<ObjectLines>& object : lines.objects)
         for (const ObjectLines::Layer& layer : object->layers)
             add_curves(out, layer.drawing.lines,
-                       {layer.to_world, layer.to_image, object->object, wider});
+                       {layer.to_world, layer.to_image, object->object, wider,
+                        static_cast<float>(layer.own_reach)});
     return out;
 }
 

@@ -19,15 +19,20 @@ public:
     void draw_within(Tools& tools, const Targets& targets) const;
     // Draws lines into the bound mask, with one value everywhere.
     void draw_mask(Tools& tools, float value) const;
+    // Draws into the bound mask's second channel how much lines cover of each pixel.
+    void draw_cover(Tools& tools, const Targets& targets) const;
 
 private:
-    enum class Parts { hidden, seen, all };
+    enum class Parts { seen, hidden, before_own }; // line.vert
     void draw(const Program& program, Parts parts) const;
+    // Draws the parts that lie behind the surface of their own object, which does not hide them.
+    void draw_before_own(Tools& tools, const Targets& targets, const char* define) const;
     Buffer segments_;
     VertexArray vertices_;
     int count_ = 0;
+    bool any_before_own_ = false;
 };
 
-ProgramName line_program(const char* define); // of line.frag; empty: none
+ProgramName line_program(std::vector<std::string> defines); // of line.frag
 
 } // namespace trivar::gpu

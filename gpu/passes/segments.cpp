@@ -50,10 +50,11 @@ glm::vec2 on_screen(const Frame& frame, const glm::vec3& p)
     return glm::vec2(c) / std::max(c.w, 1e-4f) * glm::vec2(frame.size_px) * 0.5f;
 }
 
-// Arc lengths stay small: 7,000 pixels are a whole number of dashes.
-float wrapped(float arc_px)
+// Arc lengths stay small: what is left out is a whole number of dashes, also of those of hidden
+// parts.
+float wrapped(float arc_px, float dash_px)
 {
-    return std::fmod(arc_px, 7000.0f);
+    return std::fmod(arc_px, dash_px > 0 ? 2000 * dash_px : 7000.0f);
 }
 
 } // namespace
@@ -85,6 +86,8 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
                            in_world ? style.width_world * size : 0, style.taper};
     segment.id = id == 0 ? 0 : static_cast<std::uint32_t>(id) | curve_id_bit;
     segment.hidden = static_cast<std::uint32_t>(style.hidden);
+    segment.dash_px = style.dash_px * scale_;
+    segment.own_reach = style.own_reach_world;
     for (const Path& path : paths_of(line, to_scene)) {
         if (path.empty()) continue;
         const std::size_t last = path.size() - 1;
@@ -104,7 +107,7 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
             const float step_px = std::isfinite(length) ? std::min(length, 1e5f) : 0;
             segment.along = {arc_px, arc_px + step_px, path[i].share, path[next].share};
             all_.push_back(segment);
-            arc_px = wrapped(arc_px + step_px);
+            arc_px = wrapped(arc_px + step_px, segment.dash_px);
         }
     }
 }

@@ -15,6 +15,7 @@ struct Segment {
     glm::vec4 along;                // at both ends: arc length in pixels, share of the length
     glm::vec4 width_taper;          // width in pixels, or in world units; CurveStyle::taper
     glm::vec2 width_shares;         // Polyline::widths at both ends
+    float dash_px, own_reach;       // CurveStyle::own_reach_world
     std::uint32_t id, hidden;       // HiddenParts
 };
 

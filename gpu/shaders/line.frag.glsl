@@ -1,5 +1,6 @@
 // Coverage from the distance to the segment: round caps, soft edges, dashes where asked for.
-// HELPERS are mixed as encoded colours; IDS and MASK are what is covered by half at least.
+// HELPERS are mixed as encoded colours; IDS and MASK are what is covered by half at least, COVER is
+// how much is. BEFORE_OWN is only where the surface of the same object lies before the line.
 #include "frame.glsl"
 #include "encode.glsl"
 #include "distance.glsl"
@@ -13,11 +14,25 @@ flat in vec4 at_along;
 flat in vec2 taper;
 flat in vec3 dash_opacity;
 flat in uint line_id;
+#ifdef BEFORE_OWN
+flat in float own_reach;
+layout(binding = 3) uniform usampler2D ids_depths;
+const uint CURVE = 1u << 31; // gpu/curve.h
+
+bool is_before_own()
+{
+    uvec2 there = texelFetch(ids_depths, ivec2(gl_FragCoord.xy), 0).rg;
+    return (there.x | CURVE) == line_id && there.x != line_id
+        && distance_here() - uintBitsToFloat(there.y) <= own_reach;
+}
+#endif
 #if defined(IDS)
 layout(location = 0) out uvec2 out_id_depth;
 #elif defined(MASK)
 layout(location = 0) out float out_mask;
 uniform float value;
+#elif defined(COVER)
+layout(location = 0) out vec2 out_cover;
 #else
 layout(location = 0) out vec4 out_color;
 #endif
@@ -33,6 +48,9 @@ void main()
 {
     const float THINNEST = 0.25; // half a width in pixels; what is thinner is fainter
     const float BOTH = 0.01;     // beside a bisector, in pixels, so that rounding leaves no gap
+#ifdef BEFORE_OWN
+    if (!is_before_own()) discard;
+#endif
     float len = length_halves.x;
     // Not interpolated, for some clippers do that badly between ends of very different distances.
     vec2 p = gl_FragCoord.xy - start_along.xy, at_px = mat2(start_along.z, -start_along.w, start_along.wz) * p;
@@ -50,9 +68,9 @@ void main()
     float a = saturate(half_width + 0.5 - length(vec2(past, at_px.y))) * fainter;
     if (dash_opacity.x > 0.0) {
         float arc = at_along.x + (at_along.y - at_along.x) * (len > 1e-4 ? at_px.x / len : 0.0);
-        float u = mod(arc, dash_opacity.x);
-        float e = max(abs(u - dash_opacity.y * 0.5) - dash_opacity.y * 0.5, 0.0);
-        a *= saturate(1.0 - (length(vec2(e, at_px.y)) - half_width));
+        float dash = dash_opacity.x, u = mod(arc, 2.0 * dash), e = abs(u - dash * 0.5) - dash * 0.5;
+        float rounded = 1.0 - (length(vec2(max(e, 0.0), at_px.y)) - half_width);
+        a *= saturate(dash_opacity.y > 0.5 ? 0.5 - min(e, 2.0 * dash - u) : rounded);
     }
 #if defined(IDS) || defined(MASK)
     if (a < 0.5) discard;
@@ -61,6 +79,8 @@ void main()
     out_id_depth = uvec2(line_id, floatBitsToUint(distance_here()));
 #elif defined(MASK)
     out_mask = value;
+#elif defined(COVER)
+    out_cover = vec2(0.0, a);
 #else
     vec4 color = mix(at_color_from, at_color_to, t);
     if (a <= 0.003) discard;

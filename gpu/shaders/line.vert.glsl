@@ -10,8 +10,8 @@ layout(location = 5) in vec4 color_to;
 layout(location = 6) in vec4 along;
 layout(location = 7) in vec4 width_taper;
 layout(location = 8) in uvec2 id_hidden;
-layout(location = 9) in vec2 width_shares; // of the width, at both ends
-uniform int hidden_parts;   // 1: of what something hides
+layout(location = 9) in vec4 shares_dash_reach; // of the width, at both ends; Segment
+uniform int parts;          // 0: seen, 1: of what something hides, 2: behind their own surface
 flat out vec4 start_along;    // where it begins and its unit direction on the screen; pixels
 flat out vec3 length_halves;  // of the segment; half widths at both ends; pixels
 flat out vec2 distances;      // of both ends, as perspective has them
@@ -20,7 +20,8 @@ flat out vec4 at_color_from;
 flat out vec4 at_color_to;
 flat out vec4 at_along;
 flat out vec2 taper;
-flat out vec3 dash_opacity; // period and stroke in pixels, 0: none; opacity
+flat out vec3 dash_opacity; // length in pixels, 0: none; 1: with flat ends; opacity
+flat out float own_reach;
 flat out uint line_id;
 invariant gl_Position;
 
@@ -49,10 +50,12 @@ void main()
 {
     const float PULL = 4e-5; // a line on a surface wins against it
     const float DASHED_WIDTH = 0.66, DASHED = 0.55, FAINT = 0.25;
-    const uint IS_DASHED = 0u, IS_LEFT_OUT = 2u;
+    const uint IS_DASHED = 0u, IS_FAINT = 1u, IS_LEFT_OUT = 2u;
     vec4 first = frame.view_clip * vec4(from, 1.0), second = frame.view_clip * vec4(to, 1.0);
-    bool hidden = hidden_parts == 1, dashed = hidden && id_hidden.y == IS_DASHED;
-    if (max(first.w, second.w) < nearest() || (hidden && id_hidden.y == IS_LEFT_OUT)) {
+    bool hidden = parts == 1, dashed = hidden && id_hidden.y == IS_DASHED;
+    own_reach = shares_dash_reach.w;
+    if (max(first.w, second.w) < nearest() || (hidden && id_hidden.y == IS_LEFT_OUT)
+        || (parts == 2 && own_reach <= 0.0)) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
@@ -63,7 +66,7 @@ void main()
     vec2 t = len > 1e-4 ? d / len : vec2(1.0, 0.0), n = vec2(-t.y, t.x);
 
     vec2 width = width_taper.x + width_taper.y * vec2(px_per_unit(a), px_per_unit(b));
-    width *= mix(width_shares.xx, width_shares.yy, part);
+    width *= mix(shares_dash_reach.xx, shares_dash_reach.yy, part);
     width *= dashed ? DASHED_WIDTH : 1.0;
     float r = min(max(width.x, width.y) * 0.5, 4.0 * frame.size_px.y) + 1.0; // as wide as the picture will do
     float end = float(gl_VertexID & 1), side = float(gl_VertexID >> 1) * 2.0 - 1.0, out_end = end * 2.0 - 1.0;
@@ -91,6 +94,7 @@ void main()
     at_color_to = mix(color_from, color_to, part.y);
     at_along = vec4(mix(along.xx, along.yy, part), mix(along.zz, along.ww, part));
     taper = width_taper.zw;
-    dash_opacity = dashed ? vec3(7.0, 3.5, DASHED) : vec3(0.0, 0.0, hidden ? FAINT : 1.0);
+    bool faint = hidden && id_hidden.y == IS_FAINT;
+    dash_opacity = dashed ? vec3(3.5, 0.0, DASHED) : vec3(shares_dash_reach.z, 1.0, faint ? FAINT : 1.0);
     line_id = id_hidden.x;
 }
