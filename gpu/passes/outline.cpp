@@ -29,7 +29,8 @@ LayerBounds bounds_of(const Frame& frame, const Scene& scene, bool with_curves, 
 } // namespace
 
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const LinePass& curves, const Outline& outline, bool draft)
+                  const LinePass& curves, const LinePass& all_curves, const Outline& outline,
+                  bool draft)
 {
     const float reach_px = outline.width_px + outline.halo_px;
     const LayerBounds part =
@@ -45,7 +46,8 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
     for (const bool visible : {false, true}) {
         set_state({.depth = visible ? DepthTest::less_equal : DepthTest::off});
         only_part();
-        glEnable(GL_POLYGON_OFFSET_FILL); // or the instance would hide itself
+        glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE); // the second channel is of lines
+        glEnable(GL_POLYGON_OFFSET_FILL);                   // or the instance would hide itself
         glPolygonOffset(-1, -2);
         MeshPass pass;
         pass.fragment = "mask";
@@ -59,6 +61,7 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
         if (curves.any()) curves.draw_mask(tools, visible ? 1.0f : 0.5f);
         glDisable(GL_POLYGON_OFFSET_FILL);
     }
+    if (all_curves.any()) all_curves.draw_cover(tools, targets);
     targets.to_encoded.bind();
     set_state({.blend = true});
     only_part();

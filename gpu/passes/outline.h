@@ -5,8 +5,10 @@
 
 namespace trivar::gpu {
 
-// Draws the outline of outlined items and curves; in a draft it costs a third and is rougher.
+// Draws the outline of outlined items and curves, under all curves that are seen; in a draft it
+// costs a third and is rougher.
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const LinePass& curves, const Outline& outline, bool draft);
+                  const LinePass& curves, const LinePass& all_curves, const Outline& outline,
+                  bool draft);
 
 } // namespace trivar::gpu

@@ -121,8 +121,8 @@ constexpr std::array over_all{
              return !w.scene.outlined.empty() || b.outlined_curves.any();
          },
          [](Brushes& b, const Work& w, const Frame& frame) {
-             draw_outline(b.tools, *w.targets, frame, w.scene, b.outlined_curves, w.picture.outline,
-                          w.picture.draft);
+             draw_outline(b.tools, *w.targets, frame, w.scene, b.outlined_curves, b.curves,
+                          w.picture.outline, w.picture.draft);
          }},
 };
 

@@ -23,7 +23,7 @@ Targets::Targets(glm::ivec2 size, bool is_deep)
       color_bytes(deep ? Texture2D(GL_RGBA16, size, true) : color.view(GL_RGBA8)),
       kept(deep ? GL_RGBA16 : GL_RGBA8, size, true),
       sum(GL_RGBA16F, size),
-      mask(GL_R8, size, true),
+      mask(GL_RG8, size, true),
       to_surfaces({&surfaces, &ids_depths}, &depth),
       to_ids({&ids_depths}, &depth),
       to_occlusion_noisy({&occlusion_noisy}, nullptr),

@@ -24,7 +24,7 @@ struct Targets {
     Texture2D color_bytes; // the same texels as plain bytes; deep: a texture of its own, encoded
     Texture2D kept;        // the last whole picture while the next is drawn
     Texture2D sum;         // average of the samples so far, linear
-    Texture2D mask;        // of highlighted instances
+    Texture2D mask;        // of highlighted instances, and of what curves cover
 
     Framebuffer to_surfaces, to_ids, to_occlusion_noisy, to_occlusion, to_color, to_bytes, to_sum,
         to_mask;

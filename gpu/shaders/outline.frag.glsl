@@ -4,7 +4,7 @@
 #include "encode.glsl"
 in vec2 uv;
 layout(location = 0) out vec4 out_color;
-layout(binding = 0) uniform sampler2D mask; // 0.5: hidden, 1: visible
+layout(binding = 0) uniform sampler2D mask; // r 0.5: hidden, 1: visible; g: covered by lines
 uniform vec4 color, halo;
 uniform float width_px, halo_px;
 uniform int taps; // on each ring
@@ -42,7 +42,8 @@ float openness()
 
 void main()
 {
-    if (texelFetch(mask, ivec2(gl_FragCoord.xy), 0).r > 0.25) discard;
+    vec2 here = texelFetch(mask, ivec2(gl_FragCoord.xy), 0).rg;
+    if (here.r > 0.25) discard;
     vec2 outer = ring(width_px + halo_px, taps);
 #ifdef DRAFT
     // Beside a straight edge at distance d the share of the ring in the mask is acos(d / radius) / pi.
@@ -51,7 +52,7 @@ void main()
 #else
     float line = max(ring(width_px, taps).x, ring(width_px * 0.55, 8).x);
 #endif
-    float open = outer.x > 0.0 ? openness() : 0.0;
+    float open = outer.x > 0.0 ? (1.0 - here.g) * openness() : 0.0; // lines lie over it
     line *= color.a * open;
     float dark = outer.x * halo.a * open * (1.0 - line);
     if (line + dark < 0.01) discard;
