@@ -29,6 +29,8 @@ struct Instance {
     PartKey part = {};
     bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
+    // sRGB. It is of this colour alone, as paper: it takes no light and throws no shadow.
+    std::optional<glm::vec3> flat_color = {};
     Ref<Mesh> rest = {}; // the mesh before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one per vertex: see value_colors
     // The places at which one call draws the mesh many times. Null: it is drawn once, at to_world.

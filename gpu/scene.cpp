@@ -105,6 +105,8 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
     item.mirrored = there.mirrors;
     item.id = instance.id;
     item.opacity = glm::clamp(instance.opacity, 0.0f, 1.0f);
+    item.flat_color = instance.flat_color;
+    item.casts = !item.flat_color;
     item.lo = box.lo - origin_world;
     item.hi = box.hi - origin_world;
     item.extent = glm::length(item.hi - item.lo);
@@ -183,7 +185,7 @@ void add_tiles(Scene& scene, const Instance& instance, const Picture& picture, c
             scene.outlined.push_back(item_with(tiles.footprint, tiles.footprints));
     }
     for (const DrawnTiles::Level& level : tiles.levels)
-        if (level.casting.upright > 0) {
+        if (level.casting.upright > 0 && !instance.flat_color) {
             scene.items.push_back(item_with(level.mesh, level.casting));
             scene.items.back().seen = false;
         }

@@ -22,9 +22,10 @@ struct SceneItem {
     bool mirrored; // the matrices turn faces round
     int id;
     float opacity;
-    glm::vec3 lo, hi;             // box in scene space
-    float extent;                 // size of the item, or of one of its copies
-    const MirroredCopies* copies; // null: it is drawn once, by the matrices
+    std::optional<glm::vec3> flat_color; // sRGB; see Instance
+    glm::vec3 lo, hi;                    // box in scene space
+    float extent;                        // size of the item, or of one of its copies
+    const MirroredCopies* copies;        // null: it is drawn once, by the matrices
     // the copies that are drawn: either all or none of them turn faces round
     int first_copy, copy_count;
     const Buffer* values;                  // one per vertex, or null

@@ -95,7 +95,7 @@ gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, c
             instances.push_back(std::move(instance));
         }
         if (const std::optional<LineDrawing> drawing = line_drawing(document, id))
-            values.lines.draw_on(instances, *drawing);
+            draw_on(instances, *drawing);
         std::ranges::move(instances, std::back_inserter(picture.instances));
     }
     picture.curves = values.lines(evaluated, document, camera, wider);

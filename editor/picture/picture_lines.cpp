@@ -4,7 +4,6 @@
 #include "editor/picture/ink_curves.h"
 
 #include <algorithm>
-#include <glm/gtc/color_space.hpp>
 
 namespace trivar {
 namespace {
@@ -42,20 +41,13 @@ const std::vector<gpu::Curve>& PictureLines::operator()(const Evaluation& evalua
     });
 }
 
-void PictureLines::draw_on(std::vector<gpu::Instance>& instances, const LineDrawing& drawing)
+void draw_on(std::vector<gpu::Instance>& instances, const LineDrawing& drawing)
 {
     if (!drawing.surface) return instances.clear();
     if (!drawing.paper) return;
     for (gpu::Instance& instance : instances) {
-        const std::size_t count =
-            instance.materials ? std::max<std::size_t>(1, instance.materials->size()) : 1;
-        instance.materials = papers_({count, drawing.paper_color}, [&] {
-            Material paper;
-            paper.base_color = {0, 0, 0, 1};
-            paper.roughness = 1;
-            paper.emissive = glm::convertSRGBToLinear(drawing.paper_color);
-            return make_ref(std::vector<Material>(count, paper));
-        });
+        instance.materials = nullptr;
+        instance.flat_color = drawing.paper_color;
     }
 }
 

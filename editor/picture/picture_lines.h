@@ -20,16 +20,16 @@ public:
                                               const Camera& camera, float wider);
     // Lines that are drawn for that scene from now on; null: none are given any more.
     void give(LineScene scene, Ref<SceneLines> lines);
-    // Changes instances of an object so that it is paper, or removes them where only its lines are
-    // drawn.
-    void draw_on(std::vector<gpu::Instance>& instances, const LineDrawing& drawing);
 
 private:
     LineDrawer drawer_;
     LineScene given_of_;
     Ref<SceneLines> given_;
     Recent<std::pair<LineScene, Ref<SceneLines>>, std::vector<gpu::Curve>> known_{16};
-    Recent<std::pair<std::size_t, glm::vec3>, Ref<std::vector<Material>>> papers_{16}; // by count
 };
+
+// Changes instances of an object so that it is paper, or removes them where only its lines are
+// drawn.
+void draw_on(std::vector<gpu::Instance>& instances, const LineDrawing& drawing);
 
 } // namespace trivar

@@ -171,6 +171,7 @@ void add_sample(Tools& tools, const Targets& targets, int index)
 
 void draw_average(Tools& tools, const Targets& targets)
 {
+    targets.surfaces.bind(2);
     copy_color(tools, targets.to_color, targets.sum, targets.deep ? keeps : dithers);
 }
 

@@ -131,17 +131,19 @@ int Tools::bind_textures(const Material& material)
     return second_uv;
 }
 
-void Tools::set_material(const Program& program, const Material& material)
+void Tools::set_material(const Program& program, const Material& material,
+                         const std::optional<glm::vec3>& flat_color)
 {
     const bool mask = material.alpha == Material::Alpha::mask;
     const bool opaque = material.alpha == Material::Alpha::opaque;
     glm::vec4 base = material.base_color;
     if (opaque) base.a = 1;
     program.set("base_color", base);
-    program.set("emissive_color", glm::vec4(material.emissive, material.normal_scale));
+    program.set("emissive_color",
+                glm::vec4(flat_color.value_or(material.emissive), material.normal_scale));
     program.set("roughness_metallic",
-                glm::vec4(material.roughness, material.metallic, material.double_sided ? 1 : 0,
-                          mask ? material.alpha_cutoff : -1));
+                glm::vec4(flat_color ? -1 : material.roughness, material.metallic,
+                          material.double_sided ? 1 : 0, mask ? material.alpha_cutoff : -1));
     program.set("second_uv", bind_textures(material));
 }
 
@@ -173,7 +175,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     program.set("to_scene", item.to_scene);
     program.set("normal_to_scene", item.normal_to_scene);
     program.set("scene_to_clip", pass.scene_to_clip);
-    if (reads) set_material(program, material);
+    if (reads) set_material(program, material, item.flat_color);
     if (pass.prepare) pass.prepare(program, item);
     if (item.values && values) item.mesh->vertices.attribute(7, *item.values, 1, sizeof(float));
     if (fills) {

@@ -71,7 +71,8 @@ private:
     Buffer frame_;
     std::vector<Sampler> samplers_;              // by 2 repeat_u + repeat_v
     int bind_textures(const Material& material); // returns a bit for each that reads the second uv
-    void set_material(const Program& program, const Material& material);
+    void set_material(const Program& program, const Material& material,
+                      const std::optional<glm::vec3>& flat_color);
 };
 
 // Adds the definitions that place the item's copies in the vertex stage; binds their patches, if

@@ -61,7 +61,8 @@ float noise_at(vec2 p_px, float seed)
 vec3 dithered(vec3 linear, vec2 p_px, float seed)
 {
     float n = noise_at(p_px, seed) + noise_at(p_px + 47.3, seed + 7.0) - 1.0;
-    return saturate(linear + 2.0 * sqrt(max(linear, 0.0)) * (n / 255.0));
+    vec3 noise = 2.0 * sqrt(max(linear, 0.0)) * (n / 255.0);
+    return saturate(linear + mix(noise, vec3(0.0), greaterThanEqual(linear, vec3(1.0)))); // white is white
 }
 
 // The points i of n of a sunflower disk (Vogel 1979), one after another: `toward` is the direction

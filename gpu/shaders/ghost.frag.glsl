@@ -7,6 +7,7 @@
 #ifndef LAYER_DEPTHS
 #include "studio.glsl"
 #include "tonemap.glsl"
+#include "encode.glsl"
 #include "shadow.glsl"
 #include "shade.glsl"
 #endif

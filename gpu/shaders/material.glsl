@@ -5,12 +5,13 @@ struct Surface {
     float metallic, roughness, occlusion, alpha;
     bool back; // the inside of a single-sided mesh
     bool shown; // the base colour is shown as it is, hardly shaded
+    bool flat_color; // `emissive` is its colour, as sRGB: it takes no light
 };
 
 #ifdef READS_MATERIAL
 uniform vec4 base_color;         // linear, a opacity
 uniform vec4 emissive_color;     // linear, a strength of the normal map
-uniform vec4 roughness_metallic; // roughness, metallic, 1: both sides alike, alpha cutoff (or -1)
+uniform vec4 roughness_metallic; // roughness (-1: a flat colour), metallic, 1: both sides alike, alpha cutoff (or -1)
 
 Surface plain_surface(vec3 normal, vec4 color)
 {
@@ -24,6 +25,7 @@ Surface plain_surface(vec3 normal, vec4 color)
     s.metallic = roughness_metallic.y;
     s.occlusion = 1.0;
     s.back = s.shown = false;
+    s.flat_color = s.roughness < 0.0;
     return s;
 }
 
@@ -34,6 +36,7 @@ uniform vec4 clay_color;
 // Returns the surface as clay, which shows form alone.
 Surface as_clay(Surface s)
 {
+    if (s.flat_color) return s;
     s.base = clay_color.rgb;
     s.roughness = 0.58;
     s.metallic = 0.0;

@@ -35,8 +35,10 @@ const uint BACK = 255u << 16; // in the last word
 // Packs the material without the normal.
 uvec3 packed_material(Surface s)
 {
-    return uvec3(packUnorm4x8(vec4(sqrt(s.base), s.roughness)), packed_light(s.emissive),
-                 packUnorm4x8(vec4(s.metallic, s.occlusion, s.back ? 1.0 : 0.0, s.shown ? 0.0 : 1.0)));
+    uint light = s.flat_color ? packUnorm4x8(vec4(s.emissive, 0.0)) : packed_light(s.emissive);
+    float kind = s.shown ? 0.0 : s.flat_color ? 0.5 : 1.0;
+    return uvec3(packUnorm4x8(vec4(sqrt(s.base), s.roughness)), light,
+                 packUnorm4x8(vec4(s.metallic, s.occlusion, s.back ? 1.0 : 0.0, kind)));
 }
 Surface unpacked_surface(uvec4 words)
 {
@@ -45,11 +47,12 @@ Surface unpacked_surface(uvec4 words)
     s.normal = unpacked_normal(words.x);
     s.base = base.rgb * base.rgb;
     s.roughness = base.a;
-    s.emissive = unpacked_light(words.z);
+    s.flat_color = abs(rest.w - 0.5) < 0.25;
+    s.emissive = s.flat_color ? unpackUnorm4x8(words.z).rgb : unpacked_light(words.z);
     s.metallic = rest.x;
     s.occlusion = rest.y;
     s.back = rest.z > 0.5;
-    s.shown = rest.w < 0.5;
+    s.shown = rest.w < 0.25;
     s.alpha = 1.0;
     return s;
 }

@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "studio.glsl"
 #include "tonemap.glsl"
+#include "encode.glsl"
 #include "material.glsl"
 #include "pack.glsl"
 #include "shade.glsl"

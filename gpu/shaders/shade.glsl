@@ -15,6 +15,7 @@ float floor_visibility(vec3 p, vec3 n)
 // ambient light that reaches it, `visible` that of the key.
 vec3 shaded(Surface s, vec3 p, float open, float visible)
 {
+    if (s.flat_color) return decoded(s.emissive);
     vec3 v = towards_eye(p), n = s.normal;
     float nv = dot(n, v);
     if (nv < 0.02) { // interpolated normals never turn away

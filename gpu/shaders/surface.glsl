@@ -82,6 +82,7 @@ Surface surface_here()
 #ifdef VALUES
     s.base = value_color(at_value);
     s.shown = true;
+    s.flat_color = false;
     s.back = false;
 #endif
     return s;
