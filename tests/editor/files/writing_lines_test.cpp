@@ -78,5 +78,37 @@ TEST(LineSheets, KeepWhatAHandDidToTheFileThatTheyReplace)
     EXPECT_NE(draw().find(own), text.npos);
 }
 
+TEST(LineSheets, KeepWhatAPersonAddedToTheFileThatTheyReplace)
+{
+    SheetRig rig;
+    rig.add_ball({50, 70});
+    const std::string svg = rig.folder.file("ball.svg");
+    const auto draw = [&] {
+        rig.editor.files.write_model_to(svg, false);
+        rig.wait();
+        return read_text_file(svg);
+    };
+    const std::string label = "<text x=\"9\" y='9'>Vena  cava</text><!-- mine -->\n";
+    std::string text = draw();
+    text.insert(text.find("<path"), label);
+    testing::write_file(svg, text);
+    EXPECT_EQ(draw(), text);
+    rig.editor.session.view.camera.size_px = {400, 300};
+    EXPECT_NE(draw().find(label), std::string::npos);
+}
+
+TEST(LineSheets, AreNotWrittenOverAFileThatCannotBeRead)
+{
+    SheetRig rig;
+    rig.add_ball({50});
+    const std::string svg = rig.folder.file("ball.svg"),
+                      broken = "<svg><desc id=\"trivar-lines\"/><g>";
+    testing::write_file(svg, broken);
+    rig.editor.files.write_model_to(svg, false);
+    rig.wait();
+    EXPECT_EQ(read_text_file(svg), broken);
+    EXPECT_THAT(rig.editor.session.notices.all().back().body, HasSubstr("delete it first"));
+}
+
 } // namespace
 } // namespace trivar
