@@ -3,6 +3,7 @@
 
 #include "core/base/key_numbers.h"
 #include "core/base/parallel.h"
+#include "core/lines/stroke_ends.h"
 #include "core/silhouette/edge_chains.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ constexpr float spacing_on_copy = 0.05f; // the same, where many bodies are one 
 constexpr float off_surface = 2e-4f;     // of the size, from where a point is looked at
 constexpr float beside_chord = 0.25f;    // of side times turn, twice the height of an arc over it
 constexpr float shortest_on_mesh = 12;   // pixels, of lines that are no outlines
+constexpr float meeting = 2;             // pixels between an end and the line at which it ends
 
 // An Outlook is a place from which a point of a line is looked at.
 struct Outlook {
@@ -197,6 +199,10 @@ public:
                 on_surface(surface, suggestive_lines(surface, view_.from, drawing_.more), false));
         for (const KindLines& each : mesh_.fixed)
             add(each.kind, on_surface(surface, each.lines, false));
+        std::vector<Stroke*> all;
+        for (KindStrokes& each : out_)
+            for (Stroke& stroke : each.strokes) all.push_back(&stroke);
+        hold_ends(all, meeting);
         return std::move(out_);
     }
 

@@ -42,32 +42,55 @@ std::vector<StrokeEnd> loose_ends(const std::vector<Stroke>& strokes)
     return out;
 }
 
-std::vector<EndPair> facing_pairs(const std::vector<StrokeEnd>& ends, float reach)
-{
-    const auto cell_of = [&](const glm::vec2& at) { return glm::ivec2(glm::floor(at / reach)); };
-    const auto key = [](const glm::ivec2& cell) {
-        return pair_key(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y));
-    };
-    KeyNumbers cells(ends.size());
-    std::vector<std::vector<std::size_t>> in_cell;
-    std::vector<EndPair> out;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        const glm::ivec2 cell = cell_of(ends[i].at);
+// EndCells finds numbers by places in the image that are within a reach.
+class EndCells {
+public:
+    EndCells(std::size_t about, float reach) : reach_(reach), numbers_(about) {}
+    void add(const glm::vec2& at, std::size_t number)
+    {
+        const auto [cell, is_new] = numbers_.number(key(at, {0, 0}));
+        if (is_new) cells_.emplace_back();
+        cells_[cell].push_back({at, number});
+    }
+    void near(const glm::vec2& at, auto&& use) const // of a number and its distance
+    {
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x) {
-                const std::uint32_t near = cells.find(key(cell + glm::ivec2(x, y)));
-                if (near == KeyNumbers::none) continue;
-                for (const std::size_t j : in_cell[near]) {
-                    const float distance = glm::distance(ends[i].at, ends[j].at),
-                                cosine = glm::dot(ends[i].outward, ends[j].outward);
-                    if (distance > reach || cosine > facing || ends[i].hidden != ends[j].hidden)
-                        continue;
-                    out.push_back({distance + 0.5f * reach * (1 + cosine), j, i});
-                }
+                const std::uint32_t cell = numbers_.find(key(at, {x, y}));
+                if (cell == KeyNumbers::none) continue;
+                for (const Entry& entry : cells_[cell])
+                    if (const float distance = glm::distance(at, entry.at); distance <= reach_)
+                        use(entry.number, distance);
             }
-        const auto [number, is_new] = cells.number(key(cell));
-        if (is_new) in_cell.emplace_back();
-        in_cell[number].push_back(i);
+    }
+
+private:
+    struct Entry {
+        glm::vec2 at;
+        std::size_t number;
+    };
+    std::uint64_t key(const glm::vec2& at, const glm::ivec2& beside) const
+    {
+        const glm::vec2 place = glm::clamp(at / reach_, -1e9f, 1e9f); // far where near the eye
+        const glm::ivec2 cell = glm::ivec2(glm::floor(place)) + beside;
+        return pair_key(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y));
+    }
+    float reach_;
+    KeyNumbers numbers_;
+    std::vector<std::vector<Entry>> cells_;
+};
+
+std::vector<EndPair> facing_pairs(const std::vector<StrokeEnd>& ends, float reach)
+{
+    EndCells cells(ends.size(), reach);
+    std::vector<EndPair> out;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        cells.near(ends[i].at, [&](std::size_t j, float distance) {
+            const float cosine = glm::dot(ends[i].outward, ends[j].outward);
+            if (cosine <= facing && ends[i].hidden == ends[j].hidden)
+                out.push_back({distance + 0.5f * reach * (1 + cosine), j, i});
+        });
+        cells.add(ends[i].at, i);
     }
     std::ranges::stable_sort(out, {}, &EndPair::cost);
     return out;
@@ -115,6 +138,23 @@ std::vector<Stroke> joined(std::vector<Stroke> strokes, float reach)
     for (std::size_t s = 0; s < strokes.size(); ++s)
         if (!done[s]) follow(2 * s);
     return out;
+}
+
+void hold_ends(std::span<Stroke* const> strokes, float reach)
+{
+    EndCells cells(2 * strokes.size(), reach);
+    for (std::size_t s = 0; s < strokes.size(); ++s) {
+        if (strokes[s]->points.empty() || strokes[s]->is_loop()) continue;
+        cells.add(strokes[s]->points.front().at, 2 * s);
+        cells.add(strokes[s]->points.back().at, 2 * s + 1);
+    }
+    for (std::size_t s = 0; s < strokes.size(); ++s)
+        for (const StrokePoint& p : strokes[s]->points)
+            cells.near(p.at, [&](std::size_t end, float) {
+                Stroke& other = *strokes[end / 2];
+                if (end / 2 == s || (strokes[s]->hidden && !other.hidden)) return;
+                (end % 2 ? other.tapers_last : other.tapers_first) = false;
+            });
 }
 
 } // namespace trivar

@@ -94,6 +94,15 @@ TEST(MeshLines, OfABoxAreItsNineEdgesInSight)
     EXPECT_NEAR(length_of(all, LineKind::silhouettes, false), seen * 2 / 3, 0.01 * seen);
 }
 
+TEST(MeshLines, OfABoxAreWholeAtItsCorners)
+{
+    for (const bool perspective : {false, true})
+        for (const KindStrokes& kind : drawn(box_mesh(glm::dvec3(1), glm::ivec3(1)), {},
+                                             camera_from({3, -4, 2.5}, perspective)))
+            for (const Stroke& stroke : kind.strokes)
+                EXPECT_FALSE(stroke.tapers_first || stroke.tapers_last);
+}
+
 TEST(MeshLines, OfASheetAreItsBorderFromBothSides)
 {
     const Mesh sheet = plane_mesh({1, 1}, {4, 4});

@@ -153,5 +153,24 @@ TEST(Strokes, ThatFaceEachOtherAreJoined)
     EXPECT_FALSE(loop[0].tapers_first || loop[0].tapers_last);
 }
 
+TEST(Strokes, DoNotTaperWhereTheyMeetOthers)
+{
+    Stroke wall = line({{0, 0}, {0, 201}, {0, 202.5f}, {0, 400}}),
+           corner = line({{1, 0.5}, {50, 0}}), onto = line({{100, 203}, {1.5f, 203}}),
+           free = line({{10, 100}, {60, 100}}), behind = line({{60, 101}, {90, 101}});
+    behind.hidden = true;
+    const std::vector<Stroke*> all{&wall, &corner, &onto, &free, &behind};
+    hold_ends(all, 2);
+    EXPECT_FALSE(wall.tapers_first);
+    EXPECT_TRUE(wall.tapers_last);
+    EXPECT_FALSE(corner.tapers_first);
+    EXPECT_TRUE(corner.tapers_last);
+    EXPECT_TRUE(onto.tapers_first);
+    EXPECT_FALSE(onto.tapers_last);
+    EXPECT_TRUE(free.tapers_first && free.tapers_last) << "what is hidden holds nothing seen";
+    EXPECT_FALSE(behind.tapers_first);
+    EXPECT_TRUE(behind.tapers_last);
+}
+
 } // namespace
 } // namespace trivar::testing
