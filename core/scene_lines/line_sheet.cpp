@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene_lines/line_sheet.h"
 
+#include "core/base/rejected.h"
+#include "core/files/file_bytes.h"
+
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -39,8 +43,21 @@ LineSheet line_sheet(const Evaluation& evaluated, const Document& document, cons
     out.sheet.layers = drawing_layers(lines);
     out.sheet.size = camera.size_px;
     if (document.render->look == "black") out.sheet.paper = glm::vec3(0);
+    out.edits = apply(edits, out.sheet);
     out.notices = std::move(lines.notices);
     return out;
+}
+
+HandEdits edits_to_keep(const std::string& path)
+{
+    if (extension_of(path) != ".svg" || !std::filesystem::exists(path)) return {};
+    try {
+        return hand_edits_of(read_bytes(path, most_edited_bytes)).value_or(HandEdits{});
+    } catch (const Rejected& rejected) {
+        const std::string why = rejected.what(); // names the file where it cannot be read at all
+        throw Rejected(fmt::format("{}{}; delete it first, or give another name",
+                                   why.starts_with(path) ? "" : path + ": ", why));
+    }
 }
 
 } // namespace trivar

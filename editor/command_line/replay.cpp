@@ -35,6 +35,7 @@ struct ReplayResult {
     Timings timings;
     bool same = true; // all that --check looked at
     SourceFiles sources;
+    HandEdits edits = {}; // in the .svg that the drawing replaces
 };
 
 // Results have the same bits on all processors with AVX2, whatever wider units they have.
@@ -213,9 +214,11 @@ void draw(const ReplayOptions& options, ReplayResult& replayed, const Streams& s
     Drawing drawing(options.drawing, streams);
     const Camera camera = drawing.camera(replayed.evaluated, shown);
     if (is_line_sheet(options.image)) {
-        const auto [sheet, notices] = timed(replayed.timings, "lines", [&] {
-            return line_sheet(replayed.evaluated, shown, camera);
+        const auto [sheet, edited, notices] = timed(replayed.timings, "lines", [&] {
+            return line_sheet(replayed.evaluated, shown, camera, replayed.edits);
         });
+        if (edited.done + edited.lost + edited.added > 0)
+            streams.talk << "trivar: " << options.image << ": " << words_of(edited) << "\n";
         for (const std::string& notice : notices) streams.talk << "trivar: " << notice << "\n";
         if (sheet.layers.empty())
             streams.talk << "trivar: " << options.image << ": no line is seen\n";
@@ -311,10 +314,12 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
     for (const std::string& path : options.exports) check_model_name(path);
     check_written(options.exports);
     check_written({options.image, options.timings});
+    HandEdits edits = edits_to_keep(options.image);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     try {
         ReplayResult replayed = replay(options, streams, interrupts);
+        replayed.edits = std::move(edits);
         if (!options.scene.keep_going && !lacks(replayed.evaluated, replayed.document).empty()) {
             say_not_whole(options.scene, streams);
             return options.check ? Status::check_failed : Status::rejected;

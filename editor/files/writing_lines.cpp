@@ -9,24 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace trivar {
-namespace {
-
-// Reads the edits in an .svg that is about to be written anew; none if not drawn here. Throws
-// Rejected for one that cannot be read, rather than lose what a person did to it.
-HandEdits edits_of_earlier(const std::string& path)
-{
-    if (drawing_format(path) != DrawingFormat::svg || !std::filesystem::exists(path)) return {};
-    try {
-        return hand_edits_of(read_bytes(path, most_edited_bytes)).value_or(HandEdits{});
-    } catch (const Rejected& rejected) {
-        throw Rejected(fmt::format("{}; delete it first, or give another name", rejected.what()));
-    }
-}
-
-} // namespace
 
 void Files::write_lines_to(const std::string& path)
 {
@@ -35,11 +18,8 @@ void Files::write_lines_to(const std::string& path)
          [this, path, document = session_->document(), evaluated = session_->evaluated(),
           camera = camera_for_pictures(*session_)](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "finding lines");
-             const HandEdits edits = edits_of_earlier(path);
-             const auto [drawn, notices] =
-                 line_sheet(evaluated, document, camera, edits, part_of(progress, 0.1, 0.9));
-             DrawingSheet sheet = drawn;
-             const AppliedEdits edited = apply(edits, sheet);
+             const auto [sheet, edited, notices] = line_sheet(
+                 evaluated, document, camera, edits_to_keep(path), part_of(progress, 0.1, 0.9));
              if (sheet.layers.empty())
                  throw Rejected("no line is seen; give an object lines, or add volume data");
              write_bytes(path, drawing_bytes(sheet, drawing_format(path)));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/objects/line_drawing.h"
 #include "core/commands/objects/shape.h"
 #include "core/commands/volumes/tetrahedra.h"
 #include "editor/command_line/command_line.h"
@@ -283,6 +284,31 @@ TEST(Replay, DrawsAPictureWithoutADisplay)
                 HasSubstr("a.fbx: models are written"));
     EXPECT_EQ(run({"replay", path, "--image", folder.file("b.png"), "--camera", "moon"}).status,
               Status::rejected);
+}
+
+TEST(Replay, KeepsWhatAHandDidToTheDrawingThatItReplaces)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar"), svg = folder.file("a.svg");
+    write_file(path, scene_text() + command_line(SetLineDrawing{{2}, {}}));
+    const auto draw = [&] { return run({"replay", path, "--image", svg, "--size", "160x90"}); };
+    ASSERT_EQ(draw().status, Status::done);
+    std::string text = read_text_file(svg);
+    const std::size_t line = text.find("<path id=");
+    ASSERT_NE(line, text.npos);
+    text.erase(line, text.find('\n', line) + 1 - line);
+    text.insert(line, "<text x=\"9\" y='9'>lid</text><!-- mine -->\n");
+    write_file(svg, text);
+    const Ran again = draw();
+    EXPECT_THAT(again.talk, HasSubstr("a.svg: 1 edit by hand was done again, 1 element of the "
+                                      "hand's own kept"));
+    EXPECT_EQ(read_text_file(svg), text);
+    const std::string broken = text.substr(0, text.size() / 2);
+    write_file(svg, broken);
+    const Ran refused = draw();
+    EXPECT_EQ(refused.status, Status::rejected);
+    EXPECT_THAT(refused.talk, HasSubstr("delete it first"));
+    EXPECT_EQ(read_text_file(svg), broken);
 }
 
 TEST(Info, DescribesVolumeData)
