@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kept_meshes = 32;
 constexpr float toward_eye = 3e-3f; // of the size
-constexpr double level_reach = 2;   // voxels between a line and the triangles of its level
+constexpr double quick_reach = 2;   // voxels between a line and the triangles of its level
 
 // Moves seen lines toward the eye, so that the surface that they lie on hides no half of them.
 void lift(std::vector<Stroke>& strokes, const ViewPoint& from, float distance)
@@ -219,8 +219,10 @@ void LineDrawer::draw_levels(ObjectLines& out, std::size_t number, Work& work)
     }
     const double size = mean_scale(to_world) * glm::length(glm::dvec3(field.field().size() - 1));
     std::size_t next = 0;
+    bool quick_beside_others = false; // which alone the depth of a picture hides from them
     for (const ShownVolume::Level& level : volume.levels) {
         if (!level.lines) continue;
+        quick_beside_others |= !work.is_full() && shows_others(volume, level.surface);
         DrawnLevel& drawn = levels[next];
         drawn.name = names[next++];
         if (!work.is_full()) drawn.certified_depth = -1;
@@ -230,9 +232,10 @@ void LineDrawer::draw_levels(ObjectLines& out, std::size_t number, Work& work)
             };
     }
     LevelDrawing drawing = trivar::draw_levels(field.field(), field.hulls(), levels, view, options);
-    for (DrawingLayer& layer : drawing.layers)
-        out.layers.push_back(
-            {std::move(layer), to_world, view.to_image, level_reach * mean_scale(to_world)});
+    for (DrawingLayer& layer : drawing.layers) {
+        out.layers.push_back({std::move(layer), to_world, view.to_image});
+        if (quick_beside_others) out.layers.back().own_reach = quick_reach * mean_scale(to_world);
+    }
     out.gaps = drawing.gaps;
 }
 

@@ -20,8 +20,8 @@ struct ObjectLines {
         DrawingLayer drawing;   // called by the level or by the kind
         glm::dmat4 to_world{1}; // of the places that its lines have in space
         glm::dmat4 to_image{1}; // of the same, to pixels and depth: how they were inked
-        // How far the triangles of its own object may lie before lines that are seen, metres. Those
-        // of meshes are asked about all of them by rays.
+        // How far triangles of its own object may lie before lines that are seen, metres: any way
+        // where rays have found what hides them, but not in quick lines of one level of several.
         double own_reach = std::numeric_limits<double>::infinity();
     };
     int object = 0; // its id

@@ -30,10 +30,21 @@ bool LineScene::is_simple() const
         if (object.drawing)
             simple &= !object.drawing->intersections &&
                       std::ranges::none_of(parts, &Part::drawn_from_tiles);
-        if (object.volume_to_world) // a level with a surface hides others of the same data
-            simple &= !object.effects->shape->volume->certifies() && parts.size() < 2;
+        if (!object.volume_to_world) continue;
+        const ShownVolume& volume = *object.effects->shape->volume;
+        simple &= !volume.certifies() &&
+                  std::ranges::none_of(volume.levels, [&](const ShownVolume::Level& level) {
+                      return level.lines && shows_others(volume, level.surface);
+                  });
     }
     return !lines || (simple && (surfaces == 0 || objects.size() == 1));
+}
+
+bool shows_others(const ShownVolume& volume, int surface)
+{
+    return std::ranges::any_of(volume.levels, [&](const ShownVolume::Level& level) {
+        return level.surface >= 0 && level.surface != surface;
+    });
 }
 
 LineScene line_scene(const Evaluation& evaluated, const Document& document, const Camera& camera,

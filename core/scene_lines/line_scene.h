@@ -27,6 +27,9 @@ struct LineScene {
     // object's line, no lines of tiles, and no intersections. See LineEffort.
     bool is_simple() const;
 };
+// Whether volume data show the surface of another level than the one with that surface, -1: none.
+bool shows_others(const ShownVolume& volume, int surface);
+
 // The scene without those objects, ascending, that are hidden in the view alone.
 LineScene line_scene(const Evaluation& evaluated, const Document& document, const Camera& camera,
                      std::span<const Id> hidden_here = {});

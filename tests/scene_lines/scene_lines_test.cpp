@@ -13,6 +13,7 @@
 #include "tests/support/scenes/commands.h"
 #include "tests/voxels/volume_writers.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace trivar::testing {
@@ -69,11 +70,13 @@ protected:
         shape.levels = {{.value = 20, .surface = surface, .ink = {.hidden = HiddenLines::dashed}}};
         add(AddVoxels{.shape = shape});
     }
-    SceneLines lines(const LineOptions& options = {})
+    LineScene scene()
     {
         Evaluator evaluate(std::make_shared<const AssetStore>(folder_.path()));
-        return LineDrawer()(line_scene(evaluate(document_), document_, from_the_front()), options);
+        return line_scene(evaluate(document_), document_, from_the_front());
     }
+    bool simple() { return scene().is_simple(); }
+    SceneLines lines(const LineOptions& options = {}) { return LineDrawer()(scene(), options); }
     static Lengths lengths_of(const SceneLines& all, Id id, const std::string& kind = {})
     {
         Lengths out;
@@ -168,6 +171,12 @@ TEST_F(LinesOfScenes, AreNotHiddenByItsOwnLevelButByOthersThatAreShown)
     shape.levels.push_back({.value = 80, .surface = false, .ink = {.hidden = HiddenLines::dashed}});
     add(SetVoxels{1, shape});
     EXPECT_EQ(lengths(1, "Level 80").seen, 0);
+    const auto reach = [&](LineEffort effort) {
+        return lines({.effort = effort}).objects.at(0)->layers.at(0).own_reach;
+    };
+    EXPECT_FALSE(simple());
+    EXPECT_TRUE(std::isinf(reach(LineEffort::full)));
+    EXPECT_FALSE(std::isinf(reach(LineEffort::quick))) << "the picture's depth hides them";
     shape.levels[0].surface = false;
     add(SetVoxels{1, shape});
     EXPECT_EQ(lengths(1, "Level 80").hidden, 0);
@@ -305,10 +314,6 @@ TEST_F(LinesOfScenes, EndWhereTheyAreCancelled)
 
 TEST_F(LinesOfScenes, AreSimpleWhereAWindowCanDrawThemAtOnce)
 {
-    Evaluator evaluate(std::make_shared<const AssetStore>(folder_.path()));
-    const auto simple = [&] {
-        return line_scene(evaluate(document_), document_, from_the_front()).is_simple();
-    };
     add_box("A", {1, 1, 1}, {0, 0, 0});
     EXPECT_TRUE(simple()) << "no lines";
     draw_in_lines(1);
