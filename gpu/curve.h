@@ -24,6 +24,9 @@ struct CurveStyle {
     // World units that the surface of the same id may lie before the curve without hiding it, where
     // one knows already that it does not.
     float own_reach_world = 0;
+    // It is drawn as files of drawings have it: what it covers of a pixel looks as if encoded
+    // colours were mixed, in place of linear light, where dark lines on white look thinner.
+    bool as_ink = false;
     bool operator==(const CurveStyle&) const = default;
 };
 

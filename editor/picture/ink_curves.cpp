@@ -32,7 +32,8 @@ gpu::Curve curve_of(const InkedLine& line, const PlacedInk& placed, const glm::d
         .style = {.width_px = width * placed.wider,
                   .hidden = line.hidden ? gpu::HiddenParts::as_seen : gpu::HiddenParts::left_out,
                   .dash_px = static_cast<float>(dash_of(line)) * placed.wider,
-                  .own_reach_world = line.hidden ? 0 : placed.own_reach},
+                  .own_reach_world = line.hidden ? 0 : placed.own_reach,
+                  .as_ink = true},
         .id = placed.id};
 }
 

@@ -58,14 +58,20 @@ void LinePass::draw_within(Tools& tools, const Targets& targets) const
     targets.to_color.bind();
     set_state({.depth = DepthTest::greater, .blend = true});
     draw(tools.use(line_program({})), Parts::hidden);
-    // The depth of all comes before their colours: of two that cross the nearer one shows.
-    targets.to_ids.bind();
-    set_state({.depth = DepthTest::less, .write_depth = true});
-    draw(tools.use(line_program({"IDS"})), Parts::seen);
+    // Their depth comes before their colours: of two that cross the nearer one shows. That of ink
+    // is only where it covers all of a pixel, so that no light rim parts lines that touch.
+    const auto draw_ids = [&](std::vector<std::string> defines) {
+        targets.to_ids.bind();
+        set_state({.depth = DepthTest::less, .write_depth = true});
+        draw(tools.use(line_program(std::move(defines))), Parts::seen);
+    };
+    draw_ids({"IDS", "WHOLE"});
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
     draw(tools.use(line_program({})), Parts::seen);
+    draw_ids({"IDS"});
     if (!any_before_own_) return;
+    targets.to_color.bind();
     set_state({.depth = DepthTest::greater, .blend = true});
     draw_before_own(tools, targets, "");
 }

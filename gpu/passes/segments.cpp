@@ -10,6 +10,8 @@
 namespace trivar::gpu {
 namespace {
 
+constexpr std::uint32_t as_ink_bit = 16; // line.vert
+
 struct PathPoint {
     glm::vec3 p; // scene
     glm::vec4 color;
@@ -85,7 +87,7 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
     segment.width_taper = {in_world ? 0 : style.width_px * scale_,
                            in_world ? style.width_world * size : 0, style.taper};
     segment.id = id == 0 ? 0 : static_cast<std::uint32_t>(id) | curve_id_bit;
-    segment.hidden = static_cast<std::uint32_t>(style.hidden);
+    segment.hidden = static_cast<std::uint32_t>(style.hidden) | (style.as_ink ? as_ink_bit : 0);
     segment.dash_px = style.dash_px * scale_;
     segment.own_reach = style.own_reach_world;
     for (const Path& path : paths_of(line, to_scene)) {

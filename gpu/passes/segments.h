@@ -16,7 +16,7 @@ struct Segment {
     glm::vec4 width_taper;          // width in pixels, or in world units; CurveStyle::taper
     glm::vec2 width_shares;         // Polyline::widths at both ends
     float dash_px, own_reach;       // CurveStyle::own_reach_world
-    std::uint32_t id, hidden;       // HiddenParts
+    std::uint32_t id, hidden;       // HiddenParts; with as_ink_bit where CurveStyle::as_ink is
 };
 
 // The largest number of segments in one picture; they take half a GB of the card's memory.

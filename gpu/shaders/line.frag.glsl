@@ -1,6 +1,7 @@
 // Coverage from the distance to the segment: round caps, soft edges, dashes where asked for.
-// HELPERS are mixed as encoded colours; IDS and MASK are what is covered by half at least, COVER is
-// how much is. BEFORE_OWN is only where the surface of the same object lies before the line.
+// HELPERS are mixed as encoded colours; IDS and MASK are what is covered by half at least, with WHOLE
+// ink by nearly all; COVER is how much is. BEFORE_OWN is only where the surface of the same object
+// lies before the line.
 #include "frame.glsl"
 #include "encode.glsl"
 #include "distance.glsl"
@@ -12,7 +13,7 @@ flat in vec4 at_color_from;
 flat in vec4 at_color_to;
 flat in vec4 at_along;
 flat in vec2 taper;
-flat in vec3 dash_opacity;
+flat in vec4 dash_opacity;
 flat in uint line_id;
 #ifdef BEFORE_OWN
 flat in float own_reach;
@@ -36,6 +37,16 @@ layout(location = 0) out vec2 out_cover;
 #else
 layout(location = 0) out vec4 out_color;
 #endif
+
+// Colours are mixed in linear light, where dark lines on white look thinner than they are and white
+// ones on black wider. Returns the opacity that looks like `a` mixed as encoded colours, as files
+// have it: exactly for black on white and white on black, in between for others.
+float seen_opacity(float a, vec3 linear)
+{
+    const float GAMMA = 2.2;
+    float light = encoded(vec3(dot(linear, vec3(0.2126, 0.7152, 0.0722)))).x;
+    return mix(1.0 - pow(1.0 - a, GAMMA), pow(a, GAMMA), light);
+}
 
 // The share of the full width at a place along the whole line.
 float grown(float share)
@@ -72,7 +83,9 @@ void main()
         float rounded = 1.0 - (length(vec2(max(e, 0.0), at_px.y)) - half_width);
         a *= saturate(dash_opacity.y > 0.5 ? 0.5 - min(e, 2.0 * dash - u) : rounded);
     }
-#if defined(IDS) || defined(MASK)
+#ifdef WHOLE
+    if (a < (dash_opacity.w > 0.5 ? 0.95 : 0.5)) discard; // ink has mostly one colour
+#elif defined(IDS) || defined(MASK)
     if (a < 0.5) discard;
 #endif
 #if defined(IDS)
@@ -84,9 +97,11 @@ void main()
 #else
     vec4 color = mix(at_color_from, at_color_to, t);
     if (a <= 0.003) discard;
+    float opacity = color.a * a * dash_opacity.z;
 #ifdef HELPERS
-    color.rgb = encoded(color.rgb);
+    out_color = vec4(encoded(color.rgb), opacity);
+#else
+    out_color = vec4(color.rgb, dash_opacity.w > 0.5 ? seen_opacity(opacity, color.rgb) : opacity);
 #endif
-    out_color = vec4(color.rgb, color.a * a * dash_opacity.z);
 #endif
 }

@@ -20,7 +20,7 @@ flat out vec4 at_color_from;
 flat out vec4 at_color_to;
 flat out vec4 at_along;
 flat out vec2 taper;
-flat out vec3 dash_opacity; // length in pixels, 0: none; 1: with flat ends; opacity
+flat out vec4 dash_opacity; // length in pixels, 0: none; 1: with flat ends; opacity; 1: as ink
 flat out float own_reach;
 flat out uint line_id;
 invariant gl_Position;
@@ -50,11 +50,12 @@ void main()
 {
     const float PULL = 4e-5; // a line on a surface wins against it
     const float DASHED_WIDTH = 0.66, DASHED = 0.55, FAINT = 0.25;
-    const uint IS_DASHED = 0u, IS_FAINT = 1u, IS_LEFT_OUT = 2u;
+    const uint IS_DASHED = 0u, IS_FAINT = 1u, IS_LEFT_OUT = 2u, AS_INK = 16u; // segments.cpp
     vec4 first = frame.view_clip * vec4(from, 1.0), second = frame.view_clip * vec4(to, 1.0);
-    bool hidden = parts == 1, dashed = hidden && id_hidden.y == IS_DASHED;
+    uint kind = id_hidden.y & ~AS_INK;
+    bool hidden = parts == 1, dashed = hidden && kind == IS_DASHED;
     own_reach = shares_dash_reach.w;
-    if (max(first.w, second.w) < nearest() || (hidden && id_hidden.y == IS_LEFT_OUT)
+    if (max(first.w, second.w) < nearest() || (hidden && kind == IS_LEFT_OUT)
         || (parts == 2 && own_reach <= 0.0)) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
@@ -94,7 +95,8 @@ void main()
     at_color_to = mix(color_from, color_to, part.y);
     at_along = vec4(mix(along.xx, along.yy, part), mix(along.zz, along.ww, part));
     taper = width_taper.zw;
-    bool faint = hidden && id_hidden.y == IS_FAINT;
-    dash_opacity = dashed ? vec3(3.5, 0.0, DASHED) : vec3(shares_dash_reach.z, 1.0, faint ? FAINT : 1.0);
+    bool faint = hidden && kind == IS_FAINT;
+    float ink = float(id_hidden.y / AS_INK);
+    dash_opacity = dashed ? vec4(3.5, 0.0, DASHED, ink) : vec4(shares_dash_reach.z, 1.0, faint ? FAINT : 1.0, ink);
     line_id = id_hidden.x;
 }

@@ -104,8 +104,8 @@ std::vector<ProgramName> every_program()
         for (const bool rough : {true, false}) out.push_back(cast_program(order, rough));
     for (const bool ids : {true, false}) out.push_back(cast_over_program(ids));
     for (const Defines& defines :
-         {Defines{}, Defines{"HELPERS"}, Defines{"IDS"}, Defines{"MASK"}, Defines{"COVER"},
-          Defines{"BEFORE_OWN"}, Defines{"BEFORE_OWN", "COVER"}})
+         {Defines{}, Defines{"HELPERS"}, Defines{"IDS"}, Defines{"IDS", "WHOLE"}, Defines{"MASK"},
+          Defines{"COVER"}, Defines{"BEFORE_OWN"}, Defines{"BEFORE_OWN", "COVER"}})
         out.push_back(line_program(defines));
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});

@@ -88,6 +88,40 @@ TEST_F(LineDrawings, HaveDashesOfOneLengthHoweverManyPiecesALineHas)
         EXPECT_EQ(rgb_at(images[0], {x, 60}).g > 150, rgb_at(image, {x, 60}).g > 150) << x;
 }
 
+TEST_F(LineDrawings, HaveNoRimWhereOneLiesOverTheOther)
+{
+    const CurveStyle wide{.width_px = 5.4f, .as_ink = true};
+    picture.curves = {curve({{-3, -1, 0}, {3, -1, 0}}, wide, 5),
+                      curve({{-3, 0, -0.15f}, {3, 0, -0.15f}}, wide, 6)};
+    draw();
+    for (int y = 58; y < 65; ++y) EXPECT_GT(rgb_at(image, {80, y}).g, 250) << y;
+    EXPECT_EQ(renderer.pick({80, 60}), 5);
+    EXPECT_EQ(renderer.pick({80, 64}), 6);
+    picture.curves = {
+        curve({{-3, 0, 0.025f}, {3, 0, 0.025f}}, {.width_px = 0.8f, .as_ink = true}, 5)};
+    draw();
+    EXPECT_EQ(renderer.pick({80, 59}), 5) << "also what covers no pixel wholly";
+}
+
+TEST_F(LineDrawings, LookAsThickAsTheyAreOnBlackAndOnWhite)
+{
+    // Returns how much of a line across pixels is seen in their bytes, in pixels.
+    const auto thickness = [&](float color, const glm::vec3& paper) {
+        picture.backdrop = Backdrop{paper, paper, paper, 0};
+        const glm::vec4 ink(color, color, color, 1);
+        const Polyline line{{{-3, 0, 0.02f}, {3, 0, 0.02f}}, {ink, ink}};
+        picture.curves = {
+            {.line = make_ref(line), .style = {.width_px = 1.3f, .as_ink = true}, .id = 5}};
+        draw();
+        float out = 0;
+        for (int y = 50; y < 70; ++y)
+            out += std::abs(static_cast<float>(rgb_at(image, {80, y}).g) / 255 - paper.g);
+        return out;
+    };
+    EXPECT_NEAR(thickness(0, glm::vec3(1)), 1.3, 0.2);
+    EXPECT_NEAR(thickness(1, glm::vec3(0)), 1.3, 0.2);
+}
+
 TEST_F(LineDrawings, AreNotHiddenByTheSurfaceOfTheirOwnObjectWhereTheyAreKnownToBeSeen)
 {
     add_ball(7, {0, 0, 0});
