@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/edits/on_objects.h"
+#include "core/commands/objects/on_objects.h"
 #include "core/commands/words/step_title.h"
 #include "core/document/fields/line_fields.h"
 
