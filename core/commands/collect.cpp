@@ -23,7 +23,7 @@ struct Bundle {
     fs::path from;
     std::vector<fs::path> files; // the one that is named first, unless the folder is named
     bool folder = false;         // it is the folder that is named
-    // What a folder for it alone is called.
+    // Returns the name for a folder of its own.
     std::string stem() const
     {
         return folder ? from.filename().string() : files.front().stem().string();

@@ -30,8 +30,8 @@ enum class Unit {
 enum class Counting {
     always,
     named, // not counted at its default; else its name and its value
-    // as `named`, but of a switch the name alone, of a list its entries without their number and of
-    // a value that may be missing only the value
+    // the same as `named`, but of a switch the name alone, of a list its entries without their
+    // number and of a value that may be missing only the value
     marked,
     bare // not counted at its default; else its value alone
 };
@@ -43,7 +43,7 @@ enum class FileKind { model, font, image, volume };
 // hold for every component of a vector.
 struct Rule {
     bool required = false; // must stand in JSON; else a missing field has its default
-    // of numbers; the defaults bound every coordinate and size of a scene
+    // bounds of numbers; the defaults bound every coordinate and size of a scene
     double lo = -1e9, hi = 1e9;
     std::string_view choices{}; // of texts, separated by |; empty: any
     Counting counted = Counting::always;

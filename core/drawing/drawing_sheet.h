@@ -14,8 +14,8 @@ struct DrawingSheet {
     glm::dvec2 size{1000};                         // pixels
     std::optional<glm::vec3> paper = glm::vec3(1); // sRGB; none: nothing behind the lines
     glm::dmat4 to_metres{1};                       // of the points that lines have in space
-    // What an .svg lists as drawn, see line_list(), where a hand's edits were done to the lines
-    // since; empty: the lines as they are.
+    // The list of lines that an .svg states as drawn, see line_list(), if a hand's edits were
+    // applied to the lines since; empty: the lines as they are.
     std::string list = {};
     // The .svg that the edits are of: an .svg is written into it; see updated_svg().
     std::string earlier = {};

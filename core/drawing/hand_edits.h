@@ -34,7 +34,7 @@ private:
     std::map<std::string, LineIds> known_; // by name
 };
 
-// What became of edits in a drawing.
+// AppliedEdits counts the edits that were applied to a drawing.
 struct AppliedEdits {
     std::size_t done = 0; // number of edits of lines that are in the drawing
     std::size_t lost = 0; // and of lines that are not

@@ -128,7 +128,7 @@ std::string layer_name(const DrawnLevel& level, const KindStrokes& kind)
     return fmt::format("{}: {}", level.name, words_of(kind.kind));
 }
 
-// How much of each line is there at the values nearby, too; none: all of each.
+// Returns for each line the share that persists at nearby levels. Empty: 1 for all.
 std::vector<float> lasting(std::span<const Stroke> lines, const ScalarField<float>& field,
                            const DrawnLevel& level, const DrawingView& view)
 {

@@ -86,8 +86,8 @@ std::vector<KindStrokes> further_strokes(const ScalarField<float>& field, const 
 // The style of further lines beside outlines of a style.
 LineStyle finer(LineStyle style, const MoreLines& wanted);
 
-// What a drawing gives: a layer per level, one more per kind of further lines, and how far it is
-// proven, before a share of the lines is taken.
+// A LevelDrawing is the result: a layer per level, one more per kind of further lines, and how far
+// it is proven, before a share of the lines is taken.
 struct LevelDrawing {
     std::vector<DrawingLayer> layers;
     ProofGaps gaps;

@@ -35,7 +35,7 @@ enum class LineKind : std::uint8_t {
     parabolic,
     isophotes
 };
-// As a user reads it.
+// Returns the name for the user.
 std::string_view words_of(LineKind kind);
 
 } // namespace trivar

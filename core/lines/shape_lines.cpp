@@ -10,8 +10,8 @@
 namespace trivar {
 namespace {
 
-// How distinct lines must be somewhere; along all of their length it is enough to be `weaker` of
-// that. Curvatures are per size of the surface, their changes per its square.
+// The strength that lines must have somewhere; along all of their length `weaker` of that is
+// enough. Curvatures are per size of the surface, their changes per its square.
 constexpr float strong_suggestive = 120, strong_ridge = 22, strong_valley = 16,
                 strong_parabolic = 8, strong_isophote = 1, weaker = 0.4f;
 constexpr float least_facing = 0.12f; // cosine to the sight, of suggestive contours
@@ -67,7 +67,7 @@ Silhouettes ridge_lines(const SurfaceShape& shape, const MoreLines& wanted, floa
         return (greatest_at(shape.positions[i] + step) - greatest_at(shape.positions[i] - step)) /
                (2 * shape.step);
     });
-    // What is bent the other way more than this one is the flank of another line.
+    // A place that bends more the other way is the flank of another line.
     const std::vector<float> strength = at_vertices(shape, [&](std::size_t i) {
         return bends[i].greatest > -bends[i].least ? shape.size * bends[i].greatest : 0;
     });

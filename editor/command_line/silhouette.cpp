@@ -366,7 +366,7 @@ HandEdits edits_in(const std::string& path)
     }
 }
 
-// Of a label map with named segments, and without levels: a level for each, smooth.
+// Gives a label map with named segments, and without levels, a smooth level for each segment.
 SilhouetteCommand with_segments(SilhouetteCommand command, const Streams& streams)
 {
     const std::vector<VolumeSegment> segments = segments_of(command.volume);

@@ -27,7 +27,8 @@ public:
     // Makes the last proposal a step; by itself that is Session::commit().
     using Commit = std::function<void()>;
 
-    // By a key it goes on until a click, else until the button is let go.
+    // Begins a gesture; one that a key began goes on until a click, others until the button is let
+    // go.
     void begin(const ViewportInput& input, bool by_key = false);
     bool going() const { return going_; }
     explicit operator bool() const { return going_; }

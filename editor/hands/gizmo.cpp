@@ -99,7 +99,7 @@ HandleShape ring_shape(const Sketcher& s, const MotionFrame& frame, int axis, co
 {
     const glm::dvec3 d = frame.axes[axis];
     HandleShape shape{.handle = {Grip::ring, axis}};
-    // From where the ring goes behind: half of it is seen, all of it from above.
+    // Start where the ring passes behind: only the front half is drawn, unless seen from above.
     const bool all = std::abs(glm::dot(d, eye)) > 0.985;
     const glm::dvec3 side = glm::cross(d, eye);
     const glm::dvec3 u =
@@ -183,7 +183,7 @@ GizmoHandle handle_at(const std::vector<HandleShape>& shapes, glm::vec2 p_px, do
 {
     auto nearest = static_cast<float>(7 * scale);
     GizmoHandle result;
-    // What is painted last lies above.
+    // The shape painted last lies on top.
     for (auto it = shapes.rbegin(); it != shapes.rend(); ++it) {
         if (it->opacity < 0.25f) continue;
         const float d = contains(it->area, p_px)

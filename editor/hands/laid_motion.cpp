@@ -32,8 +32,8 @@ EditPlacement with_stroke(const LaidStand& laid, const glm::dmat4& by, const Gro
     return edit;
 }
 
-// What is kept between scene and contact surface is measured toward the eye of the stroke: a lift
-// along the normal takes more of that where the eye looks aslant, and goes aside by so much.
+// The clearance between scene and contact surface is measured toward the eye of the stroke: a lift
+// along the normal takes more of it where the eye looks aslant, and shifts aside by so much.
 struct Lift {
     double clearance = 0;
     glm::dvec3 aside{0}; // in the plane of the ground

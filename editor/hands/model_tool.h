@@ -10,7 +10,7 @@ namespace trivar {
 class Session;
 struct TileFile;
 
-// How a model is laid best as a tile.
+// A TileFit says how a model is laid best as a tile.
 struct TileFit {
     bool strand = false; // end to end
     double overlap = 0;  // in shares of its cell
@@ -24,7 +24,7 @@ public:
     virtual std::vector<std::string> chosen_models(const Session& session) const = 0;
     // `also`: besides those that are chosen already.
     virtual void choose_model(Session& session, const std::string& file, bool also) = 0;
-    // How the model that was chosen last is laid best.
+    // Takes the best fit of the model that was chosen last.
     virtual void fit_model(const TileFit& fit) = 0;
     // The file of a model that a gesture waits for, once. Whoever reads it calls take_read().
     virtual std::optional<std::string> take_wanted() = 0;

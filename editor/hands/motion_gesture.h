@@ -12,8 +12,8 @@ namespace trivar {
 class MotionGesture : public GestureWith<TransformGesture> {
 public:
     using GestureWith::begin;
-    // Of what stands in a frame, in the world, along its own directions. Without a handle a key
-    // began it.
+    // Begins the motion of an object that stands in a frame, in the world, along its own
+    // directions. Without a handle a key began it.
     void begin(MotionKind kind, Id object, const MotionFrame& stands, const GizmoHandle& handle,
                const Camera& camera, const ViewportInput& input);
     // Something was meant: more than a click.

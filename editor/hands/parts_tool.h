@@ -19,7 +19,7 @@ class PartsTool {
 public:
     virtual ~PartsTool() = default;
     virtual bool choose(Session&, PartChoice) { return false; }
-    // What it has chosen goes so with the mouse from now on; false where it has nothing to move.
+    // Moves its chosen parts with the mouse from now on; false if it has nothing to move.
     virtual bool grab(Session&, MotionKind) { return false; }
     virtual bool remove(Session&) { return false; }
     // Names of the numbers of the selected object that say where the chosen parts are; empty: no

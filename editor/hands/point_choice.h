@@ -15,7 +15,7 @@ glm::ivec3 point_count(const Lattice& volume);
 // The number of a point among all, from 0 up, the last axis fastest; and back.
 int number_of(const glm::ivec3& point, const glm::ivec3& count);
 glm::ivec3 point_of(int number, const glm::ivec3& count);
-// Those that are among so many points.
+// Returns the points that exist with that count.
 Points within(Points points, const glm::ivec3& count);
 Points all_points(const glm::ivec3& count);
 Points row_of(const glm::ivec3& point, int axis, const glm::ivec3& count);   // along the axis

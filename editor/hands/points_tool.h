@@ -11,8 +11,8 @@ namespace trivar {
 
 struct EvaluatedObject;
 
-// Of more handles than that only those near the mouse are shown as such, pixels at scale 1: others
-// would be a cloud that hides the model.
+// If there are more handles than that, only those near the mouse are shown as such, pixels at scale
+// 1: others would be a cloud that hides the model.
 inline constexpr std::size_t many_handles = 300;
 inline constexpr double handles_near_px = 90;
 inline constexpr std::size_t most_shown_points = 20000; // of more those round the mouse

@@ -16,7 +16,7 @@ const EvaluatedObject* selected_tetrahedra(const Session& session);
 // The volume that an object is, or the innermost one that it stands in; 0: none.
 Id tetrahedra_holding(const Session& session, Id id);
 
-// What came of the last edit; null: nothing did.
+// Returns the result of the last edit; null: there was none.
 const TetrahedraOutcome* last_outcome(const Session& session, Id id);
 
 // The turn of the volume's own axes in the world, and the length there of a metre in it.

@@ -14,7 +14,7 @@ namespace trivar {
 // squeezed by more than half, or folds.
 gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme);
 
-// Which nodes of its rims and middle line are drawn, as densely as they can be told apart: solid
+// The nodes of its rims and middle line that are drawn, as densely as they can be told apart: solid
 // where the strip touches the scene, hollow where it bridges or met nothing; and a cross wherever
 // the volume folds. `trouble`: only those that met nothing, and the crosses.
 enum class Nodes { all, trouble };

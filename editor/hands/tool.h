@@ -71,7 +71,7 @@ public:
     virtual bool resize(Session&, double factor) { return (void)factor, false; }
     virtual void cancel(Session&) {} // the gesture
 
-    // What it draws: in the scene, over the picture, and its settings in the options bar.
+    // Draws lines in the scene, a picture over it, and its settings in the options bar.
     virtual Helpers helpers(const Session&, const ui::Theme&) const;
     virtual void overlay(const Session&, const ui::Theme&, const ViewportInput&) const {}
     virtual void options(Session&, const ui::Theme&, float width) { (void)width; }

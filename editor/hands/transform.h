@@ -40,9 +40,9 @@ private:
     std::vector<HandleShape> handles(const Session& session, double scale) const;
     void start(const Session& session, const ViewportInput& input, Grasp grasp, bool by_key);
     void refuse(Session& session);
-    // Where the selected object lies is not known yet.
+    // Whether the place of the selected object is not known yet.
     bool is_coming(const Session& session) const;
-    // What the present motion asks for; nothing: the mouse is where nothing can lie.
+    // Returns the command for the present motion; nothing: nothing can lie at the mouse.
     std::optional<Command> wanted(const Camera& camera) const;
     // Beside all that it could lie on it stays where it was seen last.
     std::optional<Command> wanted_last(const Camera& camera);

@@ -15,7 +15,7 @@ inline constexpr double click_slip_px = 3;
 // A notch of the wheel makes a ball or a brush so much larger.
 inline constexpr double radius_step = 1.1;
 
-// What a tool sees of the viewport in one frame.
+// A ViewportInput is what a tool sees of the viewport in one frame.
 struct ViewportInput {
     ui::Rect rect;         // of the picture in the window
     double scale = 1;      // of the interface
@@ -28,9 +28,9 @@ struct ViewportInput {
     double wheel = 0; // notches since the last frame, away from the hand, for a tool that takes it
     std::vector<StrokeSample> moves; // since the last frame, while down
     Id under = 0;                    // the object under the mouse, where `pressed`
-    // What is seen there, pixels of the picture, locked or not; 0: nothing.
+    // Returns the object at a place, pixels of the picture, locked or not; 0: none.
     std::function<Id(glm::dvec2)> seen_at;
-    // What is seen in a rectangle of the picture, pixels, and not locked.
+    // Returns the objects in a rectangle of the picture, pixels, that are not locked.
     std::function<std::vector<Id>(glm::dvec2 lo, glm::dvec2 hi)> seen_in;
 };
 

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// Where inked lines are in the picture and in the world.
+// PlacedInk places inked lines in the picture and in the world.
 struct PlacedInk {
     const glm::dmat4& to_world; // of their points in space
     const glm::dmat4& to_image; // of the same, to pixels and depth: how they were inked

@@ -39,7 +39,8 @@ Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t par
     return values.error_of(object, part, cause->second->refining.value_or(Refining{}));
 }
 
-// How an object is drawn in lines; no value: it is not, or was deleted since it was evaluated.
+// Returns the line drawing of an object; no value: it has none, or was deleted since it was
+// evaluated.
 std::optional<LineDrawing> line_drawing(const Document& document, Id id)
 {
     const auto own = document.objects.find(id);

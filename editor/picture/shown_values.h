@@ -24,14 +24,14 @@ public:
     Ref<std::vector<float>> error_of(const EvaluatedObject& object, std::size_t part,
                                      const Refining& refining);
 
-    // What the UVs of a part do to angles or areas, relative to the mean of the object's parts.
-    // Null where it has none, and for tiles.
+    // Returns the change of angles or areas by the UVs of a part, relative to the mean of the
+    // object's parts. Null if it has none, and for tiles.
     Ref<std::vector<float>> uvs_of(const EvaluatedObject& object, std::size_t part,
                                    UvMeasure measure);
     PictureLines lines; // of objects that are drawn in lines, and of volume data
     TetrahedraLines tetrahedra_lines;
 
-    // As many materials, all with a checkered texture.
+    // Returns so many materials, all with a checkered texture.
     Ref<std::vector<Material>> checkered(std::size_t count);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// How a picture for a file is drawn.
+// StillOptions say how a picture for a file is drawn.
 struct StillOptions {
     glm::ivec2 size_px{1280, 720};
     gpu::Level level = gpu::Level::standard;

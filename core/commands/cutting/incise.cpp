@@ -163,7 +163,7 @@ Document applied(Document document, const EditIncision& command)
     check(changed);
     check_blade(document, command.object, changed);
     return with_changed(std::move(document), command.object, [&](Object& o) {
-        // What was left of a stroke that runs the other way round is right of it now
+        // The left of a stroke is the right of its reverse.
         if (changed.cut.stroke != o.incising->cuts[index].cut.stroke &&
             changed.cut.stroke == reversed(o.incising->cuts[index]).cut.stroke)
             for (PeeledFlap& each : o.incising->flaps) {

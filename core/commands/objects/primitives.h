@@ -28,7 +28,7 @@ template <class Shape> struct AddShape {
 };
 // The document with the object that such a command adds. Throws Rejected.
 Document with_named(Document document, Object object);
-// How large a shape is: "2 × 2 m", "radius 0.5 m".
+// Return the size of a shape in words: "2 × 2 m", "radius 0.5 m".
 std::string size_words(const PlaneShape& shape);
 std::string size_words(const BoxShape& shape);
 std::string size_words(const TeapotShape& shape);

@@ -31,7 +31,7 @@ void check(const TetrahedraEdit& edit)
         throw Rejected("field \"places\" of the crease is empty");
 }
 
-// What all edits hold together.
+// Checks the totals of all edits.
 void check_totals(const TetrahedraShape& shape)
 {
     if (shape.edits.size() > most_tetrahedra_edits)

@@ -91,7 +91,7 @@ struct RemoveTetrahedraEdit {
 Document applied(Document document, const RemoveTetrahedraEdit& command);
 StepTitle title(const RemoveTetrahedraEdit& c, const StepDocuments& step);
 
-// What an edit is called: "Pull by 0.2 m", "Cut along 12 places".
+// Returns the words for an edit: "Pull by 0.2 m", "Cut along 12 places".
 std::string words_of(const TetrahedraEdit& edit, int degree);
 
 } // namespace trivar

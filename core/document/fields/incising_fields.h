@@ -42,7 +42,7 @@ template <> struct FieldsOf<IncisionProfile> {
 };
 template <> struct FieldsOf<NamedIncision> {
     static constexpr std::string_view told_as = "values of [incise](#incise)";
-    // All but the stroke.
+    // Lists all fields but the stroke.
     static void numbers(auto& i, auto&& field)
     {
         field("name", i.name, "what it is called; empty: by its number");
@@ -57,8 +57,7 @@ template <> struct FieldsOf<NamedIncision> {
             "v: its walls meet below; u: a flat floor joins them; through: it goes to the skin on "
             "the other side, which opens too, or where that fails has a sharp floor at its depth",
             any_value.called("Floor").without_keys());
-        field("floor_width", i.cut.floor_width,
-              "of a flat floor, as a share of the width at the skin",
+        field("floor_width", i.cut.floor_width, "of a flat floor, as a share of that at the skin",
               in_range(0, 1).called("Floor width").in(Unit::share));
         field("piece", i.cut.piece,
               "of a loop through the body, which ends where it began: whether the smaller part is "
@@ -107,8 +106,7 @@ template <> struct FieldsOf<IncisionLayer> {
     static void fields(auto& l, auto&& field)
     {
         field("name", l.name, "what it is called");
-        field("depth", l.depth,
-              "down to which it goes, metres on the model; the last one goes to the floor",
+        field("depth", l.depth, "of its end, metres on the model; the last one goes to the floor",
               not_negative.called("Depth").in(Unit::metres).without_keys());
         spread(l.look, field);
     }
@@ -127,8 +125,7 @@ template <> struct FieldsOf<PeeledFlap> {
         field("side_of_second", f.side_of_second, "on which side of the second one it lies",
               any_value.without_keys());
         field("lift", f.lift,
-              "by how much its tip is raised while both incisions are quite open, metres on the "
-              "model",
+              "height of its raised tip while both incisions are open, metres on the model",
               not_negative.called("Peeled").in(Unit::metres));
     }
 };

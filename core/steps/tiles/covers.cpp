@@ -56,7 +56,7 @@ const ChartNet& net_of(const CoverLayout& layout)
     return layout.limit ? layout.limit->surface().net() : layout.facets->net();
 }
 
-// How high in the cell's model a metre of a kind is.
+// Returns the height in the cell's model of a metre of a kind.
 double z_scale(const TileKind& kind, const glm::dmat4& turned)
 {
     double out = 0;
@@ -65,7 +65,7 @@ double z_scale(const TileKind& kind, const glm::dmat4& turned)
     return out;
 }
 
-// How much of it each tile shows. Tiles grow from the lowest one up.
+// Sets the share of each tile that is shown. Tiles grow from the lowest one up.
 void set_factors(CoveringPose& pose, const CoverLayout& layout, const Tiling& tiling,
                  const std::vector<MaskFactors>& masked)
 {

@@ -54,7 +54,7 @@ std::size_t vertex_count(const std::vector<Part>& parts)
     return count;
 }
 
-// Nothing where the picture lies over each tile, or is missing.
+// Returns the heights over UVs; nothing if the picture lies over each tile, or is missing.
 std::optional<TileKind::OverUvs> over_uvs(const HeightShape& shape, const StepInput& input)
 {
     if (shape.lies != HeightsLie::uv) return {};

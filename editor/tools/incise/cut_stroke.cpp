@@ -126,7 +126,7 @@ bool CutStroke::take(const Camera& camera, const std::vector<StrokeSample>& move
         }
         last_px_ = move.p_px;
         changed = true;
-        // What the pull of an end added goes as soon as the hand goes on; a crossing stays
+        // A sample that the pull of an end added goes as soon as the hand goes on; a crossing stays
         if (const auto before = std::exchange(at_end_, near);
             before && !before->along && !straight_ && hits_.size() > 1) {
             if (!before->crossing)

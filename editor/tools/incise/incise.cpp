@@ -19,8 +19,8 @@ namespace trivar {
 namespace {
 
 constexpr double cut_reach_px = 7; // of a cut under the mouse, at scale 1
-// What a new incision measures where nobody says it: shares of the model's diagonal, and at most so
-// much of its length.
+// The sizes of a new incision unless they are chosen: shares of the model's diagonal, and at most
+// so much of its length.
 constexpr double usual_width = 0.035, usual_depth = 0.07;
 constexpr double widest_of_length = 0.16, deepest_of_length = 0.35;
 

@@ -47,10 +47,10 @@ private:
     MotionFrame frame_of(const Lattice& volume) const;
 
     glm::ivec3 of_{0}; // its control points along, across and up
-    // As the gesture began: the volume's directions at the first point, by columns, before the
-    // object's own transform and after it, what takes a direction of the world there, and how far
-    // all points are. The handles' directions differ where a lattice round this one bends what is
-    // seen of it.
+    // The state in which the gesture began: the volume's directions at the first point, by columns,
+    // before the object's own transform and after it, what takes a direction of the world there,
+    // and how far all points are. The handles' directions differ where a lattice round this one
+    // bends what is seen of it.
     glm::dmat3 axes_{1}, world_axes_{1}, from_world_{1};
     // Own length by seen length along each of these axes: other volumes stretch the cage.
     glm::dvec3 own_by_seen_{1};

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Those within are fainter, so that the box reads as one.
+// Inner points are fainter, so that the box reads as one.
 bool on_shell(const glm::ivec3& count, const glm::ivec3& p)
 {
     const glm::ivec3 last = count - 1;

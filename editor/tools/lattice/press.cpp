@@ -26,8 +26,8 @@ namespace {
 
 constexpr double brush_step = 0.2; // of the radius, between samples; of the strength, each presses
 
-// What one pixel of the mouse presses, as a vector: along the picture of the way into the volume,
-// or, where that is hardly seen, downwards.
+// Returns the press of one pixel of the mouse, as a vector: along the picture of the way into the
+// volume, or, where that is hardly seen, downwards.
 glm::dvec2 metres_by_pixel(const Camera& camera, const glm::dvec3& center, const glm::dvec3& into)
 {
     const PicturePoint at = project(camera, center);
@@ -184,7 +184,7 @@ void PressTool::use(Session& session, const ViewportInput& input)
     }
     find_place(session, input);
     if (!input.pressed || session.committing()) return;
-    // What stands in a lattice is pressed with it.
+    // An object in a lattice is pressed with the lattice.
     if (const Id lattice = at_ ? 0 : lattice_of_member(session, input.under)) {
         session.selected = lattice;
         find_place(session, input);

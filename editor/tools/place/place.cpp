@@ -46,8 +46,8 @@ void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placem
                    {fmt::format("width {} m", ui::short_number(report.width_world))});
 }
 
-// What carries a model that was laid: a node of it touches the scene there. It is furniture, though
-// it was never placed itself.
+// Whether an object carries a laid model: a node of that touches the scene there. The object is
+// furniture, though it was never placed itself.
 bool carries(const EvaluatedObject& furniture, const Evaluation& evaluated)
 {
     const Box& bounds = *furniture.bounds;
@@ -61,7 +61,7 @@ bool carries(const EvaluatedObject& furniture, const Evaluation& evaluated)
     });
 }
 
-// Why no stroke can begin anywhere, and what would help; nothing: it can.
+// A Refusal says why no stroke can begin anywhere, and what would help; nothing: it can.
 struct Refusal {
     const char *what, *remedy;
 };
@@ -91,7 +91,7 @@ bool over_ground(const Session& session, const ViewportInput& input)
     return distance && *distance < seen * glm::distance(camera.eye, camera.target);
 }
 
-// Nothing can be done here: a ring with a bar across.
+// Paints a ring with a bar across: nothing can be done here.
 void paint_no(const ui::Theme& theme, glm::vec2 at)
 {
     const float radius = theme.px(7), slope = radius * 0.7f;

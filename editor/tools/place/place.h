@@ -12,7 +12,7 @@ namespace trivar {
 
 struct EvaluatedObject;
 
-// What a new stroke does with a model that lies on one already.
+// The effect of a new stroke on a model that lies on one already.
 enum class NewStroke { moves, copies };
 
 // Draw one stroke across the scene and a model lies along it. While the mouse is held every new
@@ -81,8 +81,9 @@ private:
 // Whether a stroke can lay the object: groups cannot be laid.
 bool can_be_placed(const Document& document, Id id);
 
-// What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,
-// else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.
+// Returns the object that a stroke would lay down: the chosen one, else the selected one unless it
+// is the oldest, else the newest one that is not placed yet; 0 if there is none. Groups cannot be
+// laid.
 Id model_to_place(const Session& session, Id chosen);
 
 // The objects on which the model's strokes fall; empty: all visible ones. Objects that are hidden

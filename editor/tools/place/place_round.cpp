@@ -29,7 +29,7 @@ glm::dvec3 direction_of(RoundAxis axis)
     return out;
 }
 
-// From the origin of the body to its middle along an axis, in its own space.
+// Returns the way from the origin of the body to its middle along an axis, in its own space.
 double middle_level(const Session& session, Id body, RoundAxis axis)
 {
     const Box seen = bounds_of(session, body);

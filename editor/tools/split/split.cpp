@@ -36,7 +36,8 @@ double share_of_size(const Session& session, Id id, double share)
     return std::max(rounded(share * size, 1), 1e-12);
 }
 
-// What stays upright while an obstacle parts something: the length of a bar, or else up.
+// Returns the direction that stays upright while an obstacle parts something: the length of a bar,
+// or else up.
 glm::dvec3 upright_of(const glm::dvec3& size)
 {
     constexpr double long_for_a_bar = 2.5; // times its other sides
@@ -45,7 +46,7 @@ glm::dvec3 upright_of(const glm::dvec3& size)
     return {0, 0, 1};
 }
 
-// How an object moves past another one from the first frame to the last; zero: it does not.
+// Returns how an object moves past another one from the first frame to the last; zero: it does not.
 glm::dvec3 way_past(const Document& document, Id id, Id other)
 {
     const auto apart = [&](int frame) {
@@ -70,7 +71,8 @@ void give_directions(const Session& session, Id id, Id obstacle, Splitting& spli
     const auto level = [&](const glm::dvec3& d) { return d - upright * glm::dot(upright, d); };
     const double size = glm::length(own->bounds->size());
     glm::dvec3 way = level(way_past(session.document(), id, obstacle));
-    // What does not move goes toward the obstacle; what stands in it, away from the eye
+    // An object that does not move goes toward the obstacle; one that stands in it, away from the
+    // eye
     if (glm::length(way) < 1e-3 * size)
         way = level(other->bounds->center() - own->bounds->center());
     if (glm::length(way) < 0.05 * size)
@@ -160,7 +162,7 @@ void SplitTool::use_obstacles(Session& session, const ViewportInput& input)
     const std::vector<Id> objects = chosen(session);
     const Id seen = input.hovered && input.seen_at ? input.seen_at(input.mouse) : Id{0};
     const bool other = seen != 0 && std::ranges::find(objects, seen) == objects.end();
-    // What it would do is proposed while the mouse rests on an obstacle
+    // The result is proposed while the mouse rests on an obstacle
     if (shown_ != 0 && (!other || seen != shown_) && !rests(session, input) && !input.pressed) {
         shown_ = 0;
         session.cancel();

@@ -38,7 +38,7 @@ public:
     void set_at(Session& session, SplitAt at); // as in the options bar
 
 private:
-    // What is selected and can be parted.
+    // Returns the selected objects that can be parted.
     static std::vector<Id> chosen(const Session& session);
     std::vector<Handle> handles(const Session& session, double scale) const;
     // Whether the mouse has not moved since it showed what it is on.
@@ -59,7 +59,7 @@ private:
     PlainCut one_;       // how the next cut keeps
     Splitting settings_; // of what it parts anew; what it cuts is closed and filled like that
     ObstacleUse use_;
-    // As typed; none: what suits the size of the selected object.
+    // The typed values; none: those that suit the size of the selected object.
     std::optional<double> gap_, clearance_;
     Id shown_ = 0; // the obstacle of which the opening is proposed; 0: none is
     // The mouse and the view for which it is. What opens under them may hide the obstacle, and its

@@ -23,8 +23,8 @@
 namespace trivar {
 namespace {
 
-// How far a pull by 1 moves the point in its middle. The functions there mix control points of
-// which the ball moves some less, so that it is less than 1.
+// Returns how far a pull by 1 moves the point in its middle. The functions there mix control points
+// of which the ball moves some less, so that it is less than 1.
 double carried_by(TetrahedraPull pull, const TetrahedraShape& shape, const SimplexVolume& volume)
 {
     constexpr double least = 0.2; // what hangs on less is not forced along

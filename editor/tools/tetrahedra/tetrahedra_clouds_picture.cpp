@@ -15,7 +15,7 @@
 namespace trivar {
 namespace {
 
-// How much room clouds have, from where they would cross on.
+// Paints how much room clouds have before they would cross.
 void paint_room(const ui::Theme& theme, glm::vec2 at, double room)
 {
     const double share =

@@ -27,7 +27,7 @@ void paint_words(const ui::Theme& theme, float field, const std::string& words)
                   theme.color.text_2, words);
 }
 
-// How faces meet, from as they are on: of the third degree there is one between.
+// Returns the word for how faces meet; the third degree has one more word in between.
 const char* crease_word(int depth, int degree)
 {
     if (depth == 0) return "Smooth";

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_points = 400000;
 
-// Those that can be moved: of a refinement not the ones at its rim.
+// Returns the places that can be moved: of a refinement not the ones at its rim.
 std::vector<ControlPlace> movable_places(const TetrahedraShape& shape, const SimplexVolume& volume,
                                          int layer)
 {
@@ -122,7 +122,7 @@ MotionFrame TetrahedraPoints::frame(const Session& session) const
     return {middle / static_cast<double>(chosen_.size()), axes_of(*selected_tetrahedra(session))};
 }
 
-// Those that share a cell with a chosen one.
+// Returns the chosen points and those that share a cell with one.
 std::vector<int> TetrahedraPoints::chosen_and_next() const
 {
     std::set<int> cells;

@@ -25,7 +25,7 @@ std::vector<float> TetrahedraPoints::shares() const
 
 void TetrahedraPoints::paint_point(const ui::Theme& theme, int point, const Paint& how) const
 {
-    // of the distance of neighbours; pixels at scale 1
+    // A share of the distance of neighbours, and pixels at scale 1.
     constexpr double glyph_share = 0.28, least_px = 5.5, most_px = 10;
     const TetrahedronGlyph glyph;
     const double scale = theme.scale, spacing = places_[static_cast<std::size_t>(point)].spacing;

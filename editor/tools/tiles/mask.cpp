@@ -15,8 +15,6 @@
 namespace trivar {
 namespace {
 
-// Of the largest side of what is painted on: how far a gradient round a curve goes at first.
-
 glm::dvec3 rounded_point(const glm::dvec3& p)
 {
     return {rounded(p.x, 4), rounded(p.y, 4), rounded(p.z, 4)};

@@ -11,8 +11,8 @@ namespace trivar {
 // show lines.
 std::vector<Id> curve_objects(const Session& session);
 
-// How far a gradient round a curve reaches unless somebody says so: a quarter of the longest side
-// of what a layer is painted on, metres.
+// Returns how far a gradient round a curve reaches unless somebody says so: a quarter of the
+// longest side of the base of a layer, metres.
 double usual_reach(const Session& session, Id layer);
 
 // Lays gradients over a layer of tiles: a drag says from where to where along a line, or how far
@@ -39,8 +39,8 @@ private:
         std::optional<SurfaceHit> to;
     };
     static Id layer(const Session& session); // 0: none is selected
-    // Where a ray meets what carries the layer; where that is hidden, its tiles, with the point on
-    // the base's model that has no volume.
+    // Finds the place where a ray meets the base of the layer; if that is hidden, its tiles, with
+    // the point on the base's model that has no volume.
     std::optional<SurfaceHit> hit(const Session& session, Id layer, const Ray& ray);
     // The command that lays a gradient like the settings, in place of the one that it replaces.
     MaskTiles command_for(const Session& session) const;

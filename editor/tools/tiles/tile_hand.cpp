@@ -49,7 +49,7 @@ std::vector<PaintedSet> sets_of_places(const Session& session, Id layer)
     return out;
 }
 
-// As the layer shows it; the place at rest is still to be found.
+// Returns the tile as the layer shows it; its place at rest is still to be found.
 SeenTile seen(const PlacedTile& tile, Id object)
 {
     SeenTile out;

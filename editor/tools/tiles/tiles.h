@@ -24,14 +24,14 @@ public:
     ModelTool* models() override { return this; }
     void take_read(Session& session, const TileFile& model) override;
     std::vector<std::string> chosen_models(const Session& session) const override;
-    // From now on a click covers what is under it, as with the brush Cover.
+    // Makes a click cover the object under it from now on, as with the brush Cover.
     void choose_cover(const TileCover& cover)
     {
         covers_ = true;
         cover_ = cover;
     }
     void choose_mirror(TileMirror mirror) { settings_.mirror = mirror; }
-    // From now on strokes do that.
+    // Sets the brush of strokes from now on.
     void choose_brush(TileBrush brush)
     {
         covers_ = false;
@@ -68,7 +68,7 @@ private:
         glm::dvec2 last_px{0};    // of the mouse
         double last_s = 0, speed_px = 0; // pixels per second, smoothed
     };
-    // What the strength of a stroke, or the size of its tiles, follows.
+    // The quantity that the strength of a stroke, or the size of its tiles, follows.
     enum class Follows { nothing, speed };           // what makes it weaker
     bool begins_layer(const Session& session) const; // with a model that is not in the scene yet
     bool lays_strands() const { return !covers_ && settings_.brush == TileBrush::strand; }
@@ -76,7 +76,7 @@ private:
     void cover_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     void heading_options(std::vector<ui::Option>& options, const ui::Theme& theme);
     void stroke_options(std::vector<ui::Option>& options, const ui::Theme& theme);
-    // What would be painted with of the scene, and onto what; 0: nothing.
+    // Return the object to paint with, and the base under the mouse; 0: none.
     Id tile(const Session& session) const;
     Id base_under(const Session& session, const ViewportInput& input) const;
     void take_back_files(const Session& session); // where the stroke that used them was undone

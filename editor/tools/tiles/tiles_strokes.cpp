@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Of the size of a tile, between samples; those of strands are few, and so easy to move.
+// The distance between samples, in sizes of a tile; those of strands are few, and so easy to move.
 constexpr double sample_step = 0.25, strand_step = 1;
 
 // Whether a fill may be dragged over more of what it fills.
@@ -34,7 +34,7 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     g.stroke.radius = radius(session) / hit_->scale;
     g.stroke.size = size(session) / hit_->scale;
     g.stroke.seed = ++strokes_;
-    // What this brush does not use keeps its default.
+    // Settings that this brush does not use keep their defaults.
     const TileStroke usual;
     if (g.stroke.brush == TileBrush::color) g.stroke.color = color_;
     if (g.stroke.brush != TileBrush::fill) g.stroke.area = usual.area;
