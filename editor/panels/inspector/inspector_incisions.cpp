@@ -9,7 +9,7 @@
 #include "editor/panels/inspector/incision_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/wound_section.h"
-#include "editor/tools/incise/seen_cut.h"
+#include "editor/tools/incise/seen_incision.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
 

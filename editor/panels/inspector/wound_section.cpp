@@ -169,7 +169,7 @@ WoundSection section_of(const IncisedSkin& skin, const NamedIncision& incision,
                         const std::vector<IncisionLayer>& layers)
 {
     WoundSection out;
-    const std::optional<SeenCut> seen = seen_cut(skin, incision, nullptr);
+    const std::optional<SeenIncision> seen = seen_incision(skin, incision, nullptr);
     if (!seen) return out;
     std::vector<SurfacePoint> at;
     for (const SurfaceHit& each : seen->line) at.push_back(each.at_rest);

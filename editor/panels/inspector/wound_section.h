@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/incising.h"
-#include "editor/tools/incise/seen_cut.h"
+#include "editor/tools/incise/seen_incision.h"
 #include "ui/widgets.h"
 
 namespace trivar {

@@ -26,10 +26,11 @@ struct FlapSide {
     double open = 0; // share of the opening
 };
 
-FlapSide side_of_flap(const NamedIncision& incision, const SeenCut& seen, double share,
+FlapSide side_of_flap(const NamedIncision& incision, const SeenIncision& seen, double share,
                       IncisionSide side)
 {
-    const auto i = std::min(static_cast<std::size_t>(share * SeenCut::steps), SeenCut::steps - 1);
+    const auto i =
+        std::min(static_cast<std::size_t>(share * SeenIncision::steps), SeenIncision::steps - 1);
     FlapSide out;
     out.open = share_at(incision.opening, share);
     out.across_world = seen.across[i] * (side == IncisionSide::right ? 1.0 : -1.0);
@@ -47,14 +48,14 @@ PeeledFlap flap_in(const Incising& incising, PeeledFlap place)
 }
 
 // Returns how far all other incisions near a crossing move a flap there, in the world.
-glm::dvec3 moved_by_others(const SeenIncising& seen, const CutCrossing& crossing,
+glm::dvec3 moved_by_others(const SeenIncising& seen, const IncisionCrossing& crossing,
                            const glm::dvec3& flap_world)
 {
     glm::dvec3 out(0);
     for (std::size_t k = 0; k < seen.cuts.size(); ++k) {
         const auto number = static_cast<int>(k) + 1;
         if (number == crossing.first || number == crossing.second || !seen.cuts[k]) continue;
-        const SeenCut& cut = *seen.cuts[k];
+        const SeenIncision& cut = *seen.cuts[k];
         const auto away = [&](const SurfaceHit& each) {
             return glm::distance(each.at_rest.p, crossing.at.at_rest.p);
         };
@@ -65,7 +66,7 @@ glm::dvec3 moved_by_others(const SeenIncising& seen, const CutCrossing& crossing
         const bool right = glm::dot(flap_world - near->p_world, cut.across[i]) > 0;
         const FlapSide side =
             side_of_flap(seen.incising.cuts[k], cut,
-                         static_cast<double>(i) / static_cast<double>(SeenCut::steps),
+                         static_cast<double>(i) / static_cast<double>(SeenIncision::steps),
                          right ? IncisionSide::right : IncisionSide::left);
         out += (1 - x * x) * (1 - x * x) * side.half_gap_world * side.across_world;
     }
@@ -92,13 +93,13 @@ std::optional<Command> peeled(const TakenIncision& taken, const PeeledFlap& flap
 }
 
 // The handle of a flap; nothing: it is shut, or behind the eye.
-std::optional<Handle> flap_handle(const SeenIncising& seen, const CutCrossing& crossing,
+std::optional<Handle> flap_handle(const SeenIncising& seen, const IncisionCrossing& crossing,
                                   const PeeledFlap& flap, int number, const Camera& camera,
                                   double scale, const TakeIncision& take)
 {
     const auto a = static_cast<std::size_t>(crossing.first) - 1,
                b = static_cast<std::size_t>(crossing.second) - 1;
-    const std::optional<SeenCut>&cut_a = seen.cuts.at(a), &cut_b = seen.cuts.at(b);
+    const std::optional<SeenIncision>&cut_a = seen.cuts.at(a), &cut_b = seen.cuts.at(b);
     if (!cut_a || !cut_b) return {};
     Handle out{
         .key = {"flap",
@@ -160,14 +161,14 @@ std::optional<Handle> flap_handle(const SeenIncising& seen, const CutCrossing& c
 }
 
 // The crossing at another share of the chosen incision; the other one moves with it.
-EditIncision slid(const TakenIncision& taken, const CutCrossing& crossing, double other_length,
+EditIncision slid(const TakenIncision& taken, const IncisionCrossing& crossing, double other_length,
                   double share)
 {
     const int other = crossing.other_than(taken.number);
     EditIncision out{taken.object, other,
                      taken.incising().cuts.at(static_cast<std::size_t>(other) - 1)};
-    const double s = std::clamp(share, 0.0, 1.0) * static_cast<double>(SeenCut::steps);
-    const auto i = std::min(static_cast<std::size_t>(s), SeenCut::steps - 1);
+    const double s = std::clamp(share, 0.0, 1.0) * static_cast<double>(SeenIncision::steps);
+    const auto i = std::min(static_cast<std::size_t>(s), SeenIncision::steps - 1);
     const SurfacePoint &a = taken.seen.line[i].at_rest, &b = taken.seen.line[i + 1].at_rest;
     const double t = s - static_cast<double>(i);
     const SurfacePoint to{glm::mix(a.p, b.p, t), glm::normalize(glm::mix(a.normal, b.normal, t))};
@@ -180,7 +181,7 @@ EditIncision slid(const TakenIncision& taken, const CutCrossing& crossing, doubl
     return out;
 }
 
-Handle crossing_handle(const SeenIncising& seen, const CutCrossing& crossing, int number,
+Handle crossing_handle(const SeenIncising& seen, const IncisionCrossing& crossing, int number,
                        const Camera& camera, const TakeIncision& take)
 {
     const auto first = static_cast<std::size_t>(crossing.first) - 1,
@@ -204,7 +205,7 @@ Handle crossing_handle(const SeenIncising& seen, const CutCrossing& crossing, in
         out.way_px =
             project(camera, cut->at(s + 0.01)).p_px - project(camera, cut->at(s - 0.01)).p_px;
     }
-    const std::optional<SeenCut>& other =
+    const std::optional<SeenIncision>& other =
         seen.cuts.at(static_cast<std::size_t>(crossing.other_than(number)) - 1);
     out.take = [=, other_length = other ? other->length : 0] {
         const std::optional<TakenIncision> taken = take();
@@ -232,9 +233,9 @@ std::vector<Handle> crossing_handles(const SeenIncising& seen, int number, const
                                      glm::dvec2 near_px, double scale, const TakeIncision& take)
 {
     std::vector<Handle> out;
-    const CutCrossing* nearest = nullptr;
+    const IncisionCrossing* nearest = nullptr;
     double least = flaps_near_px * scale;
-    for (const CutCrossing& each : seen.crossings) {
+    for (const IncisionCrossing& each : seen.crossings) {
         if (each.first != number && each.second != number) continue;
         const PicturePoint at = project(camera, each.at.p_world);
         if (!(at.depth_world > 0)) continue;

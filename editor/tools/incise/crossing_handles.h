@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/tools/incise/cut_crossings.h"
+#include "editor/tools/incise/incision_crossings.h"
 #include "editor/tools/incise/incision_handles.h"
 
 namespace trivar {
@@ -9,8 +9,8 @@ namespace trivar {
 // A SeenIncising is all that is seen of an object's incisions, by number; nothing of hidden ones.
 struct SeenIncising {
     const Incising& incising;
-    const std::vector<std::optional<SeenCut>>& cuts;
-    const std::vector<CutCrossing>& crossings;
+    const std::vector<std::optional<SeenIncision>>& cuts;
+    const std::vector<IncisionCrossing>& crossings;
 };
 
 // The handles where incision `number` crosses others, by the kinds of their keys, with the numbers

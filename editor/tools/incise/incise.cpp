@@ -103,7 +103,7 @@ void InciseTool::look(const Session& session)
     const auto see = [&](std::size_t i) {
         cuts_[i].reset();
         if (!incising.cuts[i].hidden)
-            cuts_[i] = seen_cut(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
+            cuts_[i] = seen_incision(skin_, open_.cuts[i], i < told.size() ? &told[i] : nullptr);
     };
     const auto& held = handles_.key().numbers;               // of both that cross, or 0
     for (int i = 0; i < static_cast<int>(cuts_.size()); ++i) // in a drag only what is in the hand
@@ -113,7 +113,7 @@ void InciseTool::look(const Session& session)
     looks_ = (looks_ + 1) % 4;
 }
 
-const SeenCut* InciseTool::seen_chosen(const Session& session) const
+const SeenIncision* InciseTool::seen_chosen(const Session& session) const
 {
     const auto number = static_cast<std::size_t>(session.incision.number);
     if (!chosen(session) || number > cuts_.size() || !cuts_[number - 1]) return nullptr;
@@ -122,12 +122,12 @@ const SeenCut* InciseTool::seen_chosen(const Session& session) const
 
 std::vector<Handle> InciseTool::handles(const Session& session, double scale) const
 {
-    const SeenCut* seen = seen_chosen(session);
+    const SeenIncision* seen = seen_chosen(session);
     if (!seen || !known_) return {};
     const int number = session.incision.number;
     const Camera& camera = session.view.camera;
     const auto take = [this, &session, number]() -> std::optional<TakenIncision> {
-        const SeenCut* now = seen_chosen(session);
+        const SeenIncision* now = seen_chosen(session);
         if (!now) return {};
         return TakenIncision{session.selected, number, session.document(), *now, skin_,
                              snaps_but(number)};
@@ -138,7 +138,7 @@ std::vector<Handle> InciseTool::handles(const Session& session, double scale) co
     std::vector<Handle> out =
         crossing_handles({open_, cuts_, crossings_}, number, camera, near_px, scale, take);
     std::vector<double> crossed;
-    for (const CutCrossing& each : crossings_)
+    for (const IncisionCrossing& each : crossings_)
         if (each.first == number || each.second == number) crossed.push_back(each.share_of(number));
     std::ranges::move(incision_handles(open_.cuts[static_cast<std::size_t>(number) - 1],
                                        *chosen(session), *seen, camera, scale, crossed, take),
@@ -152,7 +152,7 @@ CutSnaps InciseTool::snaps_but(int number) const
     for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i)
         if (static_cast<int>(i) + 1 != number && cuts_[i])
             add_snaps(out, *cuts_[i], known_->cuts[i].cut.stroke);
-    for (const CutCrossing& each : crossings_)
+    for (const IncisionCrossing& each : crossings_)
         if (snaps_ && each.first != number && each.second != number)
             out.ends.push_back({each.at.at_rest, each.at.p_world, false, true});
     return out;
@@ -232,12 +232,12 @@ Command InciseTool::command_of(const Gesture& g) const
     // The part between where the hand began and the place of the cut that is nearest to where it
     // is; the rest of the cut, where that is far away
     const std::vector<SurfacePoint> old = g.redrawn->cut.stroke, drawn = g.stroke.points();
-    const std::vector<SurfacePoint> even = at_equal_steps(old, SeenCut::steps);
+    const std::vector<SurfacePoint> even = at_equal_steps(old, SeenIncision::steps);
     double nearest = 0.05 * length_of(old), to = -1;
     for (std::size_t i = 0; i < even.size(); ++i)
         if (const double away = glm::distance(even[i].p, drawn.back().p); away < nearest) {
             nearest = away;
-            to = static_cast<double>(i) / static_cast<double>(SeenCut::steps);
+            to = static_cast<double>(i) / static_cast<double>(SeenIncision::steps);
         }
     std::vector<SurfacePoint>& stroke = out.incision.cut.stroke;
     stroke.clear();
@@ -267,8 +267,8 @@ void InciseTool::go_on(Session& session, const ViewportInput& input)
         g.factor *= std::pow(1.1, input.wheel);
         g.changed = true;
     }
-    const CutStroke::CutKeys keys{ImGui::GetIO().KeyShift || way_ == Way::straight, way_ == Way::uv,
-                                  input.scale};
+    const IncisionStroke::CutKeys keys{ImGui::GetIO().KeyShift || way_ == Way::straight,
+                                       way_ == Way::uv, input.scale};
     g.changed = g.stroke.take(session.view.camera, input.moves, keys) || g.changed;
     if (input.released || !input.down) return finish(session);
     // One proposal at a time: the next waits until the last one can be seen.

@@ -4,7 +4,7 @@
 #include "editor/hands/parts_tool.h"
 #include "editor/hands/tool.h"
 #include "editor/tools/incise/crossing_handles.h"
-#include "editor/tools/incise/cut_stroke.h"
+#include "editor/tools/incise/incision_stroke.h"
 
 namespace trivar {
 
@@ -37,7 +37,7 @@ private:
     enum class Way { free, straight, uv }; // of strokes
     struct Gesture {
         Id object = 0, under = 0;
-        CutStroke stroke;
+        IncisionStroke stroke;
         int clicked = 0;     // the incision under the mouse when it began; 0: none
         double factor = 1;   // of the width, by the wheel
         bool changed = true; // since it was proposed
@@ -68,7 +68,7 @@ private:
     void tell_how_it_ended(Session& session);
     NamedIncision drawn(const Gesture& gesture) const;
     Command command_of(const Gesture& gesture) const;
-    const SeenCut* seen_chosen(const Session& session) const; // null: it is not seen
+    const SeenIncision* seen_chosen(const Session& session) const; // null: it is not seen
     CutSnaps snaps_but(int number) const;
     void paint_stroke(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
@@ -82,8 +82,8 @@ private:
     Id known_of_ = 0;
     Incising open_; // the same, as far as blades open them now
     Ref<EvaluatedObject> known_shown_;
-    std::vector<std::optional<SeenCut>> cuts_; // by number; nothing: it is not seen
-    std::vector<CutCrossing> crossings_;
+    std::vector<std::optional<SeenIncision>> cuts_; // by number; nothing: it is not seen
+    std::vector<IncisionCrossing> crossings_;
     std::optional<CutEnd> hovered_snap_; // where a stroke from the mouse would begin
     glm::dvec2 mouse_px_{-1e9};
     int hovered_cut_ = 0;   // the incision under the mouse; 0: none

@@ -41,7 +41,7 @@ Helpers InciseTool::helpers(const Session& session, const ui::Theme& theme) cons
     const auto add = [&](std::vector<gpu::Line> lines) {
         std::ranges::move(lines, std::back_inserter(out.lines));
     };
-    const SeenCut* one = gesture_ ? nullptr : seen_chosen(session);
+    const SeenIncision* one = gesture_ ? nullptr : seen_chosen(session);
     if (one) add(cage_of(*one, theme));
     for (const auto& each : cuts_)
         if (each) add(dashes_of(*each, session.view.camera, theme, &*each == one));
@@ -51,7 +51,7 @@ Helpers InciseTool::helpers(const Session& session, const ui::Theme& theme) cons
 void InciseTool::paint_stroke(const Session& session, const ui::Theme& theme,
                               const ViewportInput& input) const
 {
-    const CutStroke& stroke = gesture_->stroke;
+    const IncisionStroke& stroke = gesture_->stroke;
     if (stroke.is_click()) return;
     paint_haloed(theme, seen_path(stroke.way_world(), session.view.camera, input),
                  theme.color.incision, 2);

@@ -68,7 +68,7 @@ bool InciseTool::begin_stroke(Session& session, const ViewportInput& input, glm:
         forget_place(snaps, *end);
     }
     typed_ = {};
-    gesture_.emplace(Gesture{base, under, CutStroke(skin, std::move(snaps), from, at_px),
+    gesture_.emplace(Gesture{base, under, IncisionStroke(skin, std::move(snaps), from, at_px),
                              base == session.selected ? hovered_cut_ : 0});
     if (redraws) {
         gesture_->redrawn = *chosen(session);

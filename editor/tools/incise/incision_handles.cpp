@@ -39,13 +39,13 @@ double world_per_px(const Camera& camera, const glm::dvec3& p_world)
 
 // The first of some steps that is on the longest part on the skin and away from where others cross;
 // the first one that is on it where none is.
-std::size_t step_away_from(const SeenCut& seen, std::span<const double> crossed,
+std::size_t step_away_from(const SeenIncision& seen, std::span<const double> crossed,
                            std::initializer_list<std::size_t> steps)
 {
     constexpr double apart = 0.09;
     const auto on_part = [&](std::size_t step) { return std::clamp(step, seen.first, seen.last); };
     for (const std::size_t step : steps) {
-        const double share = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
+        const double share = static_cast<double>(step) / static_cast<double>(SeenIncision::steps);
         if (step == on_part(step) && std::ranges::none_of(crossed, [&](double each) {
                 return std::abs(each - share) < apart;
             }))
@@ -55,19 +55,19 @@ std::size_t step_away_from(const SeenCut& seen, std::span<const double> crossed,
 }
 
 // The step at which the handles of the opening stand: the widest one, or about there.
-std::size_t step_of_opening(const SeenCut& seen, std::span<const double> crossed)
+std::size_t step_of_opening(const SeenIncision& seen, std::span<const double> crossed)
 {
     constexpr std::size_t off = 8, least = 10;
     const std::size_t k = seen.widest_at;
-    if (k < least || k + least > SeenCut::steps) return k;
+    if (k < least || k + least > SeenIncision::steps) return k;
     return step_away_from(seen, crossed, {k, k - off, k + off, k - least, k + least});
 }
 
 // The share of the width by which the lips are apart at a step when it is quite open.
-double full_share(const NamedIncision& incision, const SeenCut& seen, std::size_t step)
+double full_share(const NamedIncision& incision, const SeenIncision& seen, std::size_t step)
 {
     constexpr double least = 0.15; // nearer to an end a small drag would be a large opening
-    const double x = static_cast<double>(step) / static_cast<double>(SeenCut::steps);
+    const double x = static_cast<double>(step) / static_cast<double>(SeenIncision::steps);
     IncisionOpening quite = incision.opening;
     quite.share = 1;
     return std::max(least, value_at(incision.cut.opening_profile, x) * share_at(quite, x)) *
@@ -120,8 +120,8 @@ struct SeenWay {
 };
 // Nothing: it points at the eye. With `beside` that is drawn and dragged downward, or to the right
 // beside a cut that goes down itself.
-std::optional<SeenWay> seen_way(const SeenCut& seen, std::size_t step, const glm::dvec3& way_world,
-                                const Camera& camera, bool beside)
+std::optional<SeenWay> seen_way(const SeenIncision& seen, std::size_t step,
+                                const glm::dvec3& way_world, const Camera& camera, bool beside)
 {
     const glm::dvec3& base = seen.line[step].p_world;
     const double px = world_per_px(camera, base);
@@ -130,7 +130,7 @@ std::optional<SeenWay> seen_way(const SeenCut& seen, std::size_t step, const glm
     if (!(glm::length(way) < opening_end_on))
         return SeenWay{glm::normalize(way), px / glm::length(way) / seen.scale};
     if (!beside) return {};
-    const glm::dvec2 along = pixel(seen.line[std::min(step + 2, SeenCut::steps)].p_world) -
+    const glm::dvec2 along = pixel(seen.line[std::min(step + 2, SeenIncision::steps)].p_world) -
                              pixel(seen.line[step > 2 ? step - 2 : 0].p_world);
     return SeenWay{std::abs(along.y) > std::abs(along.x) ? glm::dvec2(1, 0) : glm::dvec2(0, 1),
                    px / seen.scale};
@@ -280,7 +280,7 @@ std::optional<std::vector<SurfacePoint>> moved_over(const IncisedSkin& skin,
 }
 
 std::vector<Handle> incision_handles(const NamedIncision& shown, const NamedIncision& now,
-                                     const SeenCut& seen, const Camera& camera, double scale,
+                                     const SeenIncision& seen, const Camera& camera, double scale,
                                      std::span<const double> crossed, const TakeIncision& take)
 {
     IncisionHandles handles{camera, take};
@@ -304,7 +304,7 @@ std::vector<Handle> incision_handles(const NamedIncision& shown, const NamedInci
              .color = &ui::Palette::incision,
              .words = length,
              .verb = "Drag to move this end"},
-            seen.line[start ? 0 : SeenCut::steps].p_world, {},
+            seen.line[start ? 0 : SeenIncision::steps].p_world, {},
             [start](NamedIncision& to, const IncisionPull& pull) { move_end(to, pull, start); });
     const std::size_t k = step_of_opening(seen, crossed);
     const double full = full_share(shown, seen, k) * shown.cut.width;
@@ -342,9 +342,9 @@ std::vector<Handle> incision_handles(const NamedIncision& shown, const NamedInci
                 });
     // The knot hangs beside the cut, so that it never lies on an end
     const glm::dvec3 zip = seen.at(shown.opening.to);
-    const auto step =
-        std::min(static_cast<std::size_t>(shown.opening.to * static_cast<double>(SeenCut::steps)),
-                 SeenCut::steps);
+    const auto step = std::min(
+        static_cast<std::size_t>(shown.opening.to * static_cast<double>(SeenIncision::steps)),
+        SeenIncision::steps);
     const auto at = cut_pixel(camera, zip),
                right = cut_pixel(camera, zip + seen.across[step] * world_per_px(camera, zip));
     glm::dvec2 off = at && right ? unit_or(*right - *at, {0, -1}) : glm::dvec2(0, -1);

@@ -3,7 +3,7 @@
 
 #include "core/commands/cutting/incise.h"
 #include "editor/hands/handles.h"
-#include "editor/tools/incise/cut_snap.h"
+#include "editor/tools/incise/incision_snap.h"
 
 namespace trivar {
 
@@ -12,7 +12,7 @@ struct TakenIncision {
     Id object = 0;
     int number = 1;
     Document before;
-    SeenCut seen;
+    SeenIncision seen;
     IncisedSkin skin;
     CutSnaps snaps; // other incisions; empty: nothing pulls
     const Incising& incising() const { return *trivar::object(before, object).incising; }
@@ -27,7 +27,7 @@ using TakeIncision = std::function<std::optional<TakenIncision>()>; // nothing: 
 // `scale`: of the interface.
 // `take`: tells how it lies when a handle is taken; nothing: it is gone.
 std::vector<Handle> incision_handles(const NamedIncision& shown, const NamedIncision& now,
-                                     const SeenCut& seen, const Camera& camera, double scale,
+                                     const SeenIncision& seen, const Camera& camera, double scale,
                                      std::span<const double> crossed, const TakeIncision& take);
 
 // A stroke moved over the skin, so that a point of it comes to another; nothing: a part of it would

@@ -11,12 +11,12 @@ constexpr float dash_px = 9, gap_px = 6; // at scale 1
 
 } // namespace
 
-std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const ui::Theme& theme,
-                                 bool strong)
+std::vector<gpu::Line> dashes_of(const SeenIncision& cut, const Camera& camera,
+                                 const ui::Theme& theme, bool strong)
 {
     std::vector<gpu::Line> out;
     if (!(cut.length_world > 0)) return out;
-    const glm::dvec3 middle = cut.line[SeenCut::steps / 2].p_world;
+    const glm::dvec3 middle = cut.line[SeenIncision::steps / 2].p_world;
     const double px = pixel_size_world(camera, project(camera, middle).depth_world);
     const double period = static_cast<double>(theme.px(dash_px + gap_px)) * px;
     constexpr double most = 400;
@@ -27,8 +27,9 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
     const glm::vec4 color =
         ui::linear_light(strong ? theme.color.incision : ui::faded(theme.color.incision, 0.6f));
     const auto step_at = [](double share) {
-        const auto i = static_cast<std::size_t>(share * static_cast<double>(SeenCut::steps) + 0.5);
-        return std::min(i, SeenCut::steps);
+        const auto i =
+            static_cast<std::size_t>(share * static_cast<double>(SeenIncision::steps) + 0.5);
+        return std::min(i, SeenIncision::steps);
     };
     // A little off the skin, so that no face of it hides the line
     const auto at = [&](double share) {
@@ -40,7 +41,7 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
             const double from = (k + (1 - dash) / 2) / count, to = from + dash / count;
             if (!cut.on_skin[step_at((from + to) / 2)]) continue;
             const int pieces =
-                1 + static_cast<int>((to - from) * static_cast<double>(SeenCut::steps));
+                1 + static_cast<int>((to - from) * static_cast<double>(SeenIncision::steps));
             for (int i = 0; i <= pieces; ++i)
                 line.points.push_back(at(from + (to - from) * i / pieces));
             if (!rim || strong) out.push_back(std::move(line));
@@ -48,7 +49,7 @@ std::vector<gpu::Line> dashes_of(const SeenCut& cut, const Camera& camera, const
     return out;
 }
 
-std::vector<gpu::Line> cage_of(const SeenCut& cut, const ui::Theme& theme)
+std::vector<gpu::Line> cage_of(const SeenIncision& cut, const ui::Theme& theme)
 {
     std::vector<gpu::Line> out;
     const glm::vec4 outer = ui::linear_light(ui::faded(theme.color.lattice, 0.7f)),

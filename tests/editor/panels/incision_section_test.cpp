@@ -138,7 +138,7 @@ TEST(WoundSection, KnowsHowThickTheBodyIs)
     skin.look(rig.editor.session, 1);
     const WoundSection section = section_of(skin, rig.one(), {});
     EXPECT_NEAR(section.length, 0.95, 0.1);
-    ASSERT_EQ(section.thickness.size(), SeenCut::steps + 1);
+    ASSERT_EQ(section.thickness.size(), SeenIncision::steps + 1);
     for (const double each : section.thickness) EXPECT_NEAR(each, 2, 0.05);
 }
 

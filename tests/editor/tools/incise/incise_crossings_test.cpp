@@ -187,7 +187,7 @@ TEST(InciseTool, CutsAlongALineOfTheTextureCoordinates)
     const glm::dvec2 middle = 0.5 * glm::dvec2(camera.size_px);
     const auto from = skin.hit(ray_through(camera, middle + glm::dvec2(-60, 20)));
     ASSERT_TRUE(from);
-    CutStroke stroke(skin, {}, *from, middle + glm::dvec2(-60, 20));
+    IncisionStroke stroke(skin, {}, *from, middle + glm::dvec2(-60, 20));
     const std::vector<StrokeSample> way{{.p_px = middle + glm::dvec2(0, 25)},
                                         {.p_px = middle + glm::dvec2(70, 12)}};
     EXPECT_TRUE(stroke.take(camera, way, {.straight = false, .along_uv = true, .scale = 1}));

@@ -25,7 +25,7 @@ NamedIncision over_ball(int points, const std::function<bool(int)>& in_air)
     return out;
 }
 
-std::optional<SeenCut> seen_of(InciseRig& rig, const NamedIncision& incision)
+std::optional<SeenIncision> seen_of(InciseRig& rig, const NamedIncision& incision)
 {
     rig.editor.session.run(ClearIncisions{{1}});
     rig.editor.session.run(Incise{1, incision});
@@ -33,24 +33,24 @@ std::optional<SeenCut> seen_of(InciseRig& rig, const NamedIncision& incision)
     rig.wait();
     IncisedSkin skin;
     skin.look(rig.editor.session, 1);
-    return seen_cut(skin, incision, nullptr);
+    return seen_incision(skin, incision, nullptr);
 }
 
-TEST(SeenCut, OfAStrokeInTheAirIsNothing)
+TEST(SeenIncision, OfAStrokeInTheAirIsNothing)
 {
     InciseRig rig;
     EXPECT_FALSE(seen_of(rig, over_ball(9, [](int) { return true; })));
     EXPECT_TRUE(rig.tool().handles(rig.editor.session, 1).empty());
 }
 
-TEST(SeenCut, OfAStrokeThatJumpsAGapHasItsHandlesOnTheLongestPart)
+TEST(SeenIncision, OfAStrokeThatJumpsAGapHasItsHandlesOnTheLongestPart)
 {
     InciseRig rig;
     const auto seen = seen_of(rig, over_ball(21, [](int i) { return i > 4 && i < 10; }));
     ASSERT_TRUE(seen);
     EXPECT_FALSE(seen->on_skin[20]);
     EXPECT_GT(seen->first, 24u);
-    EXPECT_EQ(seen->last, SeenCut::steps);
+    EXPECT_EQ(seen->last, SeenIncision::steps);
     const auto handles = rig.tool().handles(rig.editor.session, 1);
     EXPECT_GE(handles.size(), 5u);
     for (const Handle& each : handles)
@@ -65,7 +65,7 @@ TEST(SeenCut, OfAStrokeThatJumpsAGapHasItsHandlesOnTheLongestPart)
 }
 
 // Whatever leaves the skin wherever, all that reads a cut finds a place for each step.
-TEST(SeenCut, HasAPlaceForEachStepWhateverOfItIsInTheAir)
+TEST(SeenIncision, HasAPlaceForEachStepWhateverOfItIsInTheAir)
 {
     InciseRig rig;
     std::mt19937 dice(7);
@@ -90,7 +90,7 @@ TEST(SeenCut, HasAPlaceForEachStepWhateverOfItIsInTheAir)
     }
 }
 
-TEST(SeenCut, CrossesNothingInTheAir)
+TEST(SeenIncision, CrossesNothingInTheAir)
 {
     InciseRig rig;
     rig.editor.session.run(Incise{1, over_ball(21, [](int i) { return i > 6 && i < 14; })});

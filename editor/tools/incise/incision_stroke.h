@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/tools/incise/cut_snap.h"
+#include "editor/tools/incise/incision_snap.h"
 
 namespace trivar {
 
-// A CutStroke is the way of a hand over a skin, from which an incision becomes. The skin stays as
-// it was when the hand began, so that the wound that opens does not swallow the stroke.
-class CutStroke {
+// A IncisionStroke is the way of a hand over a skin, from which an incision becomes. The skin stays
+// as it was when the hand began, so that the wound that opens does not swallow the stroke.
+class IncisionStroke {
 public:
     // `snaps`: to which its own ends are pulled; empty: nothing pulls.
-    CutStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px);
+    IncisionStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px);
 
     struct CutKeys {
         bool straight = false; // a straight line in the picture from where this began to be held

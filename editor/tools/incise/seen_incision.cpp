@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tools/incise/seen_cut.h"
+#include "editor/tools/incise/seen_incision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v)
 }
 
 // Directions to the right, as they are seen.
-void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
+void find_across(SeenIncision& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
                  const std::vector<glm::dvec3>& rights, double reach)
 {
     const double step = 0.02 * cut.length;
@@ -65,7 +65,7 @@ void find_across(SeenCut& cut, const IncisedSkin& skin, const std::vector<Surfac
 }
 
 // Puts the places on the skin, and those in the air between them; false: none is on the skin.
-bool find_line(SeenCut& cut, const std::vector<std::optional<SurfaceHit>>& on_skin)
+bool find_line(SeenIncision& cut, const std::vector<std::optional<SurfaceHit>>& on_skin)
 {
     const std::size_t count = cut.line.size();
     std::size_t before = count,
@@ -90,7 +90,7 @@ bool find_line(SeenCut& cut, const std::vector<std::optional<SurfaceHit>>& on_sk
 }
 
 // The net over what gives way: its sides turn more slowly than the cut, so that they do not cross.
-void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
+void find_cage(SeenIncision& cut, const IncisedSkin& skin, const std::vector<SurfacePoint>& even,
                const std::vector<glm::dvec3>& rights, double reach)
 {
     constexpr int across = 12;            // points from the cut to a rim
@@ -99,7 +99,7 @@ void find_cage(SeenCut& cut, const IncisedSkin& skin, const std::vector<SurfaceP
     constexpr double most_off = 0.5;      // of the way from the cut: beyond lies another limb
     constexpr double leap = 3;            // steps along a line: there it goes through the air
     const double window = std::clamp(reach / std::max(cut.length, 1e-12), 0.1, 1.0);
-    const auto wide = static_cast<long>(window * static_cast<double>(SeenCut::steps));
+    const auto wide = static_cast<long>(window * static_cast<double>(SeenIncision::steps));
     const auto last = static_cast<long>(even.size()) - 1;
     std::vector<SurfacePoint> wanted;
     for (long i = 0; i <= last; ++i) {
@@ -174,19 +174,19 @@ std::vector<SurfacePoint> part_of(std::span<const SurfacePoint> stroke, double f
     return out;
 }
 
-glm::dvec3 SeenCut::at(double share) const
+glm::dvec3 SeenIncision::at(double share) const
 {
     const double s = std::clamp(share, 0.0, 1.0) * static_cast<double>(steps);
     const auto i = std::min(static_cast<std::size_t>(s), steps - 1);
     return glm::mix(line[i].p_world, line[i + 1].p_world, s - static_cast<double>(i));
 }
 
-std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
-                                const IncisingEffects::OfIncision* told)
+std::optional<SeenIncision> seen_incision(const IncisedSkin& skin, const NamedIncision& incision,
+                                          const IncisingEffects::OfIncision* told)
 {
-    SeenCut out;
+    SeenIncision out;
     const Incision& cut = incision.cut;
-    const std::vector<SurfacePoint> even = at_equal_steps(cut.stroke, SeenCut::steps);
+    const std::vector<SurfacePoint> even = at_equal_steps(cut.stroke, SeenIncision::steps);
     if (even.empty() || skin.empty()) return {};
     const double reach = skin_reach * skin.diagonal();
     if (!find_line(out, skin.seen(even, reach))) return {};
@@ -194,7 +194,7 @@ std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& in
     out.length = told && told->length > 0 ? told->length : of_stroke;
     out.widest = told && told->refusal.empty() ? told->widest : 1;
     out.depth = told && told->depth > 0 ? told->depth : cut.depth;
-    const std::size_t last = SeenCut::steps;
+    const std::size_t last = SeenIncision::steps;
     std::vector<glm::dvec3> rights; // at rest
     double most = -1;
     for (std::size_t i = 0; i <= last; ++i) {
@@ -215,7 +215,7 @@ std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& in
     return out;
 }
 
-std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::dvec2 p_px)
+std::optional<NearCut> near_cut(const SeenIncision& cut, const Camera& camera, glm::dvec2 p_px)
 {
     std::optional<NearCut> out;
     glm::dvec2 before(0);
@@ -232,8 +232,9 @@ std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::d
             const double t = far > 0 ? std::clamp(glm::dot(p_px - before, way) / far, 0.0, 1.0) : 0;
             const double away = glm::distance(p_px, before + t * way);
             if (!out || away < out->away_px)
-                out = NearCut{
-                    (static_cast<double>(i) - 1 + t) / static_cast<double>(SeenCut::steps), away};
+                out = NearCut{(static_cast<double>(i) - 1 + t) /
+                                  static_cast<double>(SeenIncision::steps),
+                              away};
         }
         before = at.p_px;
         follows = true;

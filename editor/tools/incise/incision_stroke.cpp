@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tools/incise/cut_stroke.h"
+#include "editor/tools/incise/incision_stroke.h"
 
 #include "editor/hands/tool.h"
 #include "editor/hands/viewport_input.h"
@@ -18,7 +18,8 @@ constexpr int smoothing_rounds = 2;
 
 } // namespace
 
-CutStroke::CutStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px)
+IncisionStroke::IncisionStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from,
+                               glm::dvec2 at_px)
     : skin_(std::move(skin)),
       snaps_(std::move(snaps)),
       hits_{{from, false}},
@@ -27,7 +28,7 @@ CutStroke::CutStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, g
 {
 }
 
-void CutStroke::add(const Camera& camera, glm::dvec2 p_px, bool free)
+void IncisionStroke::add(const Camera& camera, glm::dvec2 p_px, bool free)
 {
     const Ray ray = ray_through(camera, p_px);
     const auto hit = skin_.hit(ray);
@@ -35,7 +36,7 @@ void CutStroke::add(const Camera& camera, glm::dvec2 p_px, bool free)
     on_wall_ = hit ? std::nullopt : skin_.wall_hit(ray);
 }
 
-void CutStroke::go_straight(const Camera& camera, glm::dvec2 to_px)
+void IncisionStroke::go_straight(const Camera& camera, glm::dvec2 to_px)
 {
     hits_.resize(std::min(corner_ + 1, hits_.size()));
     const glm::dvec2 from = project(camera, hits_.back().hit.p_world).p_px;
@@ -45,7 +46,7 @@ void CutStroke::go_straight(const Camera& camera, glm::dvec2 to_px)
         add(camera, glm::mix(from, to_px, static_cast<double>(i) / steps), false);
 }
 
-void CutStroke::go_freely(const Camera& camera, glm::dvec2 to_px)
+void IncisionStroke::go_freely(const Camera& camera, glm::dvec2 to_px)
 {
     const glm::dvec2 from = project(camera, hits_.back().hit.p_world).p_px;
     const int steps = std::max(1, static_cast<int>(glm::distance(from, to_px) / straight_px));
@@ -53,12 +54,12 @@ void CutStroke::go_freely(const Camera& camera, glm::dvec2 to_px)
         add(camera, glm::mix(from, to_px, static_cast<double>(i) / steps), true);
 }
 
-bool CutStroke::lacks_uv() const
+bool IncisionStroke::lacks_uv() const
 {
     return uv_lines_ && (*uv_lines_)[0].places.empty() && (*uv_lines_)[1].places.empty();
 }
 
-void CutStroke::go_along_uv(const Camera& camera, glm::dvec2 to_px)
+void IncisionStroke::go_along_uv(const Camera& camera, glm::dvec2 to_px)
 {
     double nearest = 1e300;
     const IncisedSkin::SeenUvLine* on = nullptr;
@@ -99,8 +100,8 @@ void CutStroke::go_along_uv(const Camera& camera, glm::dvec2 to_px)
     hits_.push_back({last, false});
 }
 
-bool CutStroke::take(const Camera& camera, const std::vector<StrokeSample>& moves,
-                     const CutKeys& keys)
+bool IncisionStroke::take(const Camera& camera, const std::vector<StrokeSample>& moves,
+                          const CutKeys& keys)
 {
     if (keys.straight && !straight_) {
         at_end_.reset();
@@ -153,7 +154,7 @@ bool CutStroke::take(const Camera& camera, const std::vector<StrokeSample>& move
     return changed;
 }
 
-std::vector<SurfacePoint> CutStroke::points() const
+std::vector<SurfacePoint> IncisionStroke::points() const
 {
     std::vector<SurfacePoint> out;
     for (const CutSample& each : hits_) out.push_back(each.hit.at_rest);
@@ -178,7 +179,7 @@ std::vector<SurfacePoint> CutStroke::points() const
     return out;
 }
 
-std::vector<glm::dvec3> CutStroke::way_world() const
+std::vector<glm::dvec3> IncisionStroke::way_world() const
 {
     std::vector<glm::dvec3> out;
     for (const CutSample& each : hits_) out.push_back(each.hit.p_world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tools/incise/cut_snap.h"
+#include "editor/tools/incise/incision_snap.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ SurfacePoint mixed_place(const SurfacePoint& a, const SurfacePoint& b, double t)
 
 } // namespace
 
-void add_snaps(CutSnaps& snaps, const SeenCut& cut, const std::vector<SurfacePoint>& stroke)
+void add_snaps(CutSnaps& snaps, const SeenIncision& cut, const std::vector<SurfacePoint>& stroke)
 {
     if (cut.on_skin.front()) snaps.ends.push_back({stroke.front(), cut.line.front().p_world});
     if (cut.on_skin.back()) snaps.ends.push_back({stroke.back(), cut.line.back().p_world});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tools/incise/cut_crossings.h"
+#include "editor/tools/incise/incision_crossings.h"
 
 #include "core/base/box.h"
 
@@ -34,7 +34,7 @@ std::optional<SegmentCrossing> crossing_of_segments(const SurfacePoint& a0, cons
     return SegmentCrossing{s, t};
 }
 
-Box box_of_line(const SeenCut& cut)
+Box box_of_line(const SeenIncision& cut)
 {
     Box out;
     for (const SurfaceHit& each : cut.line) out.add(each.at_rest.p);
@@ -58,25 +58,25 @@ SurfaceHit mixed_hit(const SurfaceHit& a, const SurfaceHit& b, double t)
 
 } // namespace
 
-std::vector<CutCrossing> crossings_of(const std::vector<std::optional<SeenCut>>& cuts)
+std::vector<IncisionCrossing> crossings_of(const std::vector<std::optional<SeenIncision>>& cuts)
 {
-    std::vector<CutCrossing> out;
+    std::vector<IncisionCrossing> out;
     std::vector<Box> boxes;
     for (const auto& each : cuts) boxes.push_back(each ? box_of_line(*each) : Box{});
-    constexpr auto steps = static_cast<double>(SeenCut::steps);
+    constexpr auto steps = static_cast<double>(SeenIncision::steps);
     for (std::size_t a = 0; a < cuts.size(); ++a)
         for (std::size_t b = a + 1; b < cuts.size(); ++b) {
             if (!cuts[a] || !cuts[b]) continue;
             const double step = (cuts[a]->length + cuts[b]->length) / steps;
             if (!boxes_meet(boxes[a], boxes[b], step)) continue;
-            for (std::size_t i = 0; i < SeenCut::steps; ++i) {
+            for (std::size_t i = 0; i < SeenIncision::steps; ++i) {
                 if (!cuts[a]->on_skin[i] || !cuts[a]->on_skin[i + 1]) continue;
                 const SurfaceHit &a0 = cuts[a]->line[i], &a1 = cuts[a]->line[i + 1];
                 Box near;
                 near.add(a0.at_rest.p);
                 near.add(a1.at_rest.p);
                 if (!boxes_meet(near, boxes[b], step)) continue;
-                for (std::size_t k = 0; k < SeenCut::steps; ++k) {
+                for (std::size_t k = 0; k < SeenIncision::steps; ++k) {
                     if (!cuts[b]->on_skin[k] || !cuts[b]->on_skin[k + 1]) continue;
                     const SurfaceHit &b0 = cuts[b]->line[k], &b1 = cuts[b]->line[k + 1];
                     if (glm::distance(a0.at_rest.p, b0.at_rest.p) > 2 * step) continue;

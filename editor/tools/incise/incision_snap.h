@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/tools/incise/seen_cut.h"
+#include "editor/tools/incise/seen_incision.h"
 
 #include <optional>
 
@@ -20,7 +20,7 @@ struct CutSnaps {
     bool empty() const { return ends.empty() && lines.empty(); }
 };
 // Adds an incision, and those of its ends that are on the skin; of one in parts the longest.
-void add_snaps(CutSnaps& snaps, const SeenCut& cut, const std::vector<SurfacePoint>& stroke);
+void add_snaps(CutSnaps& snaps, const SeenIncision& cut, const std::vector<SurfacePoint>& stroke);
 // Takes away what begins or ends at a place, or goes through it.
 void forget_place(CutSnaps& snaps, const CutEnd& place);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/tools/incise/seen_cut.h"
+#include "editor/tools/incise/seen_incision.h"
 
 namespace trivar {
 
-// A CutCrossing is a place where two incisions cross, seen on the shut skin.
-struct CutCrossing {
+// A IncisionCrossing is a place where two incisions cross, seen on the shut skin.
+struct IncisionCrossing {
     int first = 1, second = 2; // their numbers, the lower one first
     double share_of_first = 0, share_of_second = 0;
     SurfaceHit at;
@@ -16,6 +16,6 @@ struct CutCrossing {
 
 // All crossings of incisions, by number; those that are not seen have no line. Incisions that
 // cross themselves are no crossing of two.
-std::vector<CutCrossing> crossings_of(const std::vector<std::optional<SeenCut>>& cuts);
+std::vector<IncisionCrossing> crossings_of(const std::vector<std::optional<SeenIncision>>& cuts);
 
 } // namespace trivar

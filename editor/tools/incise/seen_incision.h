@@ -8,10 +8,10 @@
 
 namespace trivar {
 
-// A SeenCut is where an incision is seen: places at equal steps of its length, from 0 to 1, on the
-// shut skin and in the world. Where its stroke goes through air, a place lies between those before
-// and after that are on the skin, or at the nearest of them.
-struct SeenCut {
+// A SeenIncision is where an incision is seen: places at equal steps of its length, from 0 to 1, on
+// the shut skin and in the world. Where its stroke goes through air, a place lies between those
+// before and after that are on the skin, or at the nearest of them.
+struct SeenIncision {
     static constexpr std::size_t steps = 64;
     template <class T> using AtSteps = std::array<T, steps + 1>;
     AtSteps<SurfaceHit> line;
@@ -33,15 +33,15 @@ struct SeenCut {
 std::vector<SurfacePoint> at_equal_steps(std::span<const SurfacePoint> stroke, std::size_t steps);
 
 // `told`: what became of it; null: not known. Nothing: none of it is on the skin.
-std::optional<SeenCut> seen_cut(const IncisedSkin& skin, const NamedIncision& incision,
-                                const IncisingEffects::OfIncision* told);
+std::optional<SeenIncision> seen_incision(const IncisedSkin& skin, const NamedIncision& incision,
+                                          const IncisingEffects::OfIncision* told);
 
 // The share of a seen cut's length that is nearest to a pixel, and how far that is, in pixels.
 // Nothing: it is behind the eye.
 struct NearCut {
     double share = 0, away_px = 0;
 };
-std::optional<NearCut> near_cut(const SeenCut& cut, const Camera& camera, glm::dvec2 p_px);
+std::optional<NearCut> near_cut(const SeenIncision& cut, const Camera& camera, glm::dvec2 p_px);
 
 // The stroke between two shares of its length, as its points are.
 std::vector<SurfacePoint> part_of(std::span<const SurfacePoint> stroke, double from, double to);
