@@ -5,8 +5,8 @@
 #include "core/steps/cutting.h"
 #include "core/steps/incising.h"
 #include "core/steps/lacking.h"
+#include "core/steps/laying/following.h"
 #include "core/steps/laying/laying.h"
-#include "core/steps/laying/riding.h"
 #include "core/steps/moving/moving.h"
 #include "core/steps/shading_step.h"
 #include "core/steps/simplifying.h"
@@ -42,15 +42,15 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<UnwrappingStep>());
     steps.push_back(std::make_unique<ShadingStep>());
     steps.push_back(std::make_unique<IncisingStep>());
-    const auto carriages = std::make_shared<Carriages>();
-    steps.push_back(std::make_unique<Laying>(carriages));
-    steps.push_back(std::make_unique<Moving>());
+    const auto stroke_motions = std::make_shared<StrokeMotions>();
+    steps.push_back(std::make_unique<LayingStep>(stroke_motions));
+    steps.push_back(std::make_unique<MovingStep>());
     steps.push_back(std::make_unique<TilingStep>());
-    steps.push_back(std::make_unique<Riding>(carriages));
-    steps.push_back(std::make_unique<LatticeVolume>());
+    steps.push_back(std::make_unique<FollowingStep>(stroke_motions));
+    steps.push_back(std::make_unique<LatticeStep>());
     steps.push_back(std::make_unique<TetrahedraStep>());
     steps.push_back(std::make_unique<WithinReach>());
-    steps.push_back(std::make_unique<InLattices>());
+    steps.push_back(std::make_unique<BendingStep>());
     steps.push_back(std::make_unique<RefiningStep>());
     steps.push_back(std::make_unique<CuttingStep>(false));
     steps.push_back(std::make_unique<SplittingStep>());

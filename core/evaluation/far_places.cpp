@@ -5,7 +5,7 @@
 #include "core/document/bases.h"
 #include "core/mesh/far_origin.h"
 #include "core/split/split_field.h"
-#include "core/steps/laying/riding.h"
+#include "core/steps/laying/following.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -212,12 +212,12 @@ Stage moved_on(Stage stage, const glm::dvec3& by, Id id, const std::function<boo
         move(supports, by, laid);
         stage.supports = make_ref(std::move(supports));
     }
-    if (stage.carriage) {
-        Carriage carriage = *stage.carriage;
-        carriage.to_world = along(carriage.to_world, by);
-        move(carriage.sketch, by);
-        move(carriage.supports, by, laid);
-        stage.carriage = make_ref(std::move(carriage));
+    if (stage.stroke_motion) {
+        StrokeMotion stroke_motion = *stage.stroke_motion;
+        stroke_motion.to_world = along(stroke_motion.to_world, by);
+        move(stroke_motion.sketch, by);
+        move(stroke_motion.supports, by, laid);
+        stage.stroke_motion = make_ref(std::move(stroke_motion));
     }
     stage.own_to_world = laid(id) ? along(stage.own_to_world, by) : there * stage.own_to_world;
     if (laid(id)) move_all(stage.own_parts);

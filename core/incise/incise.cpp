@@ -306,7 +306,7 @@ void tell_outcomes(IncisedMesh& out, const Made& made, std::span<const Incision>
 std::optional<IncisedMesh> cut(SlitLayout& layout, std::span<const Incision> all,
                                const InciseOptions& options,
                                std::vector<IncisedMesh::Outcome> outcomes, Shortfalls& shortfalls,
-                               Lender<Mesh>& lender, Effort& effort)
+                               RefPool<Mesh>& pool, Effort& effort)
 {
     IncisedMesh out;
     out.original = out.rest = layout.drawing.skin().mesh();
@@ -330,12 +330,12 @@ std::optional<IncisedMesh> cut(SlitLayout& layout, std::span<const Incision> all
     for (const ThroughSlit& each : layout.throughs)
         out.outcomes[layout.runs[each.near].incision].crossed_through +=
             static_cast<int>(each.crossings.size());
-    make_rest(out, made->shape, all, cutter.borders(), options.layers, lender);
+    make_rest(out, made->shape, all, cutter.borders(), options.layers, pool);
     return out;
 }
 
 IncisedMesh as_asked(const SlitSkin& skin, std::span<const Incision> all,
-                     const InciseOptions& options, Lender<Mesh>& made, Effort& effort)
+                     const InciseOptions& options, RefPool<Mesh>& made, Effort& effort)
 {
     Shortfalls shortfalls(all.size());
     for (;;) { // ends as every turn without a result adds a shortfall
@@ -357,12 +357,12 @@ IncisedMesh as_asked(const SlitSkin& skin, std::span<const Incision> all,
 IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> all,
                    const InciseOptions& options)
 {
-    Lender<Mesh> none;
+    RefPool<Mesh> none;
     return incise(skin, all, options, none);
 }
 
 IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> asked,
-                   const InciseOptions& options, Lender<Mesh>& made, const Progress& progress)
+                   const InciseOptions& options, RefPool<Mesh>& made, const Progress& progress)
 {
     Effort effort{progress};
     std::vector<Incision> all(asked.begin(), asked.end());

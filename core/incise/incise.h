@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/lender.h"
 #include "core/base/progress.h"
+#include "core/base/ref_pool.h"
 #include "core/incise/incised.h"
 #include "core/incise/slit_skin.h"
 
@@ -31,6 +31,7 @@ IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> incisions,
 //   made      lends the mesh, in the memory of one that nobody has any more
 //   progress  told of each attempt; its throw ends the work
 IncisedMesh incise(const SlitSkin& skin, std::span<const Incision> incisions,
-                   const InciseOptions& options, Lender<Mesh>& made, const Progress& progress = {});
+                   const InciseOptions& options, RefPool<Mesh>& made,
+                   const Progress& progress = {});
 
 } // namespace trivar

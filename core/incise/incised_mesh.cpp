@@ -25,7 +25,7 @@ public:
     }
 
     void make(IncisedMesh& out, std::span<const int> borders, std::span<const WallLayer> layers,
-              Lender<Mesh>& made)
+              RefPool<Mesh>& made)
     {
         Mesh rest = copied(made.take_back().value_or(Mesh()));
         if (!layers.empty() && rest.face_material.empty())
@@ -302,7 +302,7 @@ private:
 } // namespace
 
 void make_rest(IncisedMesh& incised, const SlitShape& shape, std::span<const Incision> incisions,
-               std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made)
+               std::span<const int> borders, std::span<const WallLayer> layers, RefPool<Mesh>& made)
 {
     RestMesh(shape, incisions, *incised.original).make(incised, borders, layers, made);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/lender.h"
+#include "core/base/ref_pool.h"
 #include "core/incise/incised.h"
 #include "core/incise/slit_shape.h"
 
@@ -13,6 +13,7 @@ namespace trivar {
 // cut, depth) in units of the mesh. Fills `rest`, which `made` lends, the terms and the lists of
 // moving vertices.
 void make_rest(IncisedMesh& incised, const SlitShape& shape, std::span<const Incision> incisions,
-               std::span<const int> borders, std::span<const WallLayer> layers, Lender<Mesh>& made);
+               std::span<const int> borders, std::span<const WallLayer> layers,
+               RefPool<Mesh>& made);
 
 } // namespace trivar

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/box.h"
-#include "core/base/lender.h"
+#include "core/base/ref_pool.h"
 #include "core/incise/flaps.h"
 
 namespace trivar {
@@ -27,7 +27,7 @@ private:
     Ref<IncisedMesh> incised_;
     Ref<IncisedFlaps> flaps_; // null: none
     Box shut_, still_;        // of the original, and of the vertices that nothing moves
-    std::shared_ptr<Lender<Mesh>> meshes_ = std::make_shared<Lender<Mesh>>();
+    std::shared_ptr<RefPool<Mesh>> meshes_ = std::make_shared<RefPool<Mesh>>();
 };
 
 } // namespace trivar

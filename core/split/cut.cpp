@@ -5,7 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_region.h"
 #include "core/refinement/born_vertices.h"
-#include "core/split/heights_apart.h"
+#include "core/split/crossed_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 namespace trivar {
 
 // Results of steps, by name alone: a source that looks into one includes its header.
-struct Carriage;
+struct StrokeMotion;
 class Journey;
 struct Placement;
 class RayScene;
@@ -34,7 +34,7 @@ struct LayingEffects {
     Ref<Placement> placement; // null: the object is not laid
     Ref<ShapedVolume> shaped; // null: its volume was not shaped
     // The scene on which its stroke falls, and the parts of that; null: nothing. Both are in the
-    // space where the stroke was drawn, which the carriage moves to the world.
+    // space where the stroke was drawn, which the stroke_motion moves to the world.
     Ref<RayScene> lies_on;
     Ref<std::vector<Support>> supports;
 };
@@ -57,7 +57,7 @@ struct TetrahedraEffects {
     glm::dmat4 tetrahedra_to_world{1};
 };
 struct CarriageEffects {
-    Ref<Carriage> carriage; // null: nothing carries it
+    Ref<StrokeMotion> stroke_motion; // null: nothing carries it
     // The transform from the object's own space to the world: that of its model, or where it lay
     // before it was carried.
     glm::dmat4 own_to_world{1};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/lender.h"
 #include "core/base/recent.h"
+#include "core/base/ref_pool.h"
 #include "core/incise/flaps.h"
 #include "core/incise/incise.h"
 #include "core/incise/opened_frames.h"
@@ -61,7 +61,7 @@ private:
                             const StepInput& input);
     Ref<SlitSkin> skin_of(const Ref<Mesh>& mesh, const StepInput& input);
 
-    Lender<Mesh> made_; // meshes of cuts at rest
+    RefPool<Mesh> made_; // meshes of cuts at rest
     Recent<Ref<Mesh>, Ref<SlitSkin>> skins_;
     Recent<std::pair<Ref<Shape>, Incising>, Ref<Wounds>> wounds_; // all open, of no look
     Recent<std::pair<Ref<IncisedMesh>, std::vector<FlapPlace>>, Frames> frames_;

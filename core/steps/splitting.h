@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/lender.h"
 #include "core/base/recent.h"
+#include "core/base/ref_pool.h"
 #include "core/split/split.h"
 #include "core/stages/step.h"
 
@@ -11,9 +11,9 @@ namespace trivar {
 // SplitPartMemory keeps the memory that the splitting of a part uses again at the next frame.
 struct SplitPartMemory {
     SplitMemory split;
-    Lender<Mesh> made; // results
-    Ref<Mesh> of;      // null: none yet
-    Mesh in_world;     // that mesh in the world at the last frame, with points
+    RefPool<Mesh> made; // results
+    Ref<Mesh> of;       // null: none yet
+    Mesh in_world;      // that mesh in the world at the last frame, with points
     bool mirrored = false;
 };
 

@@ -74,7 +74,7 @@ std::vector<Incision> large_cuts(int count, double length, double width)
 void incise_cuts(benchmark::State& state, const SlitSkin& skin, const std::vector<Incision>& cuts,
                  bool guarded)
 {
-    Lender<Mesh> meshes; // as while a cut is changed, frame by frame
+    RefPool<Mesh> meshes; // as while a cut is changed, frame by frame
     IncisedMesh made;
     for (auto _ : state) made = incise(skin, cuts, {.guarded = guarded}, meshes);
     state.counters["triangles"] = static_cast<double>(skin.triangle_count());

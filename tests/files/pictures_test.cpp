@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/files/pictures/apart.h"
+#include "core/files/pictures/decoder_process.h"
 #include "core/files/pictures/image.h"
 #include "core/files/pictures/kinds.h"
 #include "tests/fuzz/pictures_campaign.h"
@@ -125,7 +125,7 @@ TEST(Pictures, DecodedApartTakeNoMoreMemoryThanTheyMay)
     image.size_px = {4096, 4096};
     image.rgba.assign(std::size_t{4} << 24, 77);
     const std::string tga = encoded_image(image, ".tga", {{"compression", "rle"}});
-    ApartDecoder decoder;
+    DecoderProcess decoder;
     const DecodeTask task{tga, "targa", image.size_px, {}};
     const auto decode = [&](std::uint64_t memory_bytes) {
         return decoder.decode(task, {memory_bytes, 60}, [](auto) {}).whole;

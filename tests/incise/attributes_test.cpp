@@ -134,7 +134,7 @@ TEST_F(RichSphere, EdgesThatStayWholeKeepTheirCrease)
 
 TEST_F(RichSphere, IsTheSameInTheMemoryOfAnother)
 {
-    Lender<Mesh> meshes;
+    RefPool<Mesh> meshes;
     incise(skin_of(icosphere(3)), crossing_cuts_on_sphere(), {}, meshes);
     EXPECT_EQ(*incise(skin, crossing_cuts_on_sphere(), {}, meshes).rest,
               *incise(skin, crossing_cuts_on_sphere()).rest);

@@ -84,7 +84,7 @@ TEST(Scribbles, CostLittleMoreThanTheirFirstAttempt)
             EXPECT_TRUE(done >= 0 && done <= 1);
             ++attempts;
         };
-        Lender<Mesh> none;
+        RefPool<Mesh> none;
         const IncisedMesh made = incise(slab, std::vector{scribble(corners, 5)}, {}, none, counts);
         EXPECT_TRUE(faults_of(made).none());
         EXPECT_TRUE(made.outcomes[0].refusal.empty()) << made.outcomes[0].refusal;
@@ -99,7 +99,7 @@ TEST(Scribbles, EndWhereTheirProgressThrows)
     const Progress cancels = [&](double, std::string_view) {
         if (++attempts == 2) throw Cancelled();
     };
-    Lender<Mesh> none;
+    RefPool<Mesh> none;
     EXPECT_THROW(incise(slab, std::vector{scribble(13, 5)}, {}, none, cancels), Cancelled);
     EXPECT_EQ(attempts, 2);
 }

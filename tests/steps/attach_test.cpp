@@ -9,7 +9,7 @@
 #include "core/commands/placement/place.h"
 #include "core/commands/placement/travel.h"
 #include "core/placement/placement.h"
-#include "core/stages/carriage.h"
+#include "core/stages/stroke_motion.h"
 #include "core/steps/laying/attaching.h"
 
 #include "core/base/rejected.h"
@@ -127,7 +127,7 @@ TEST(Attaching, KeepsThePlaceOfWhatLiesThere)
         Evaluator evaluate = new_evaluator();
         const Evaluation before = evaluate(document), now = evaluate(attached(document, id));
         EXPECT_EQ(digest(before), digest(now));
-        EXPECT_FALSE(now.objects.at(id)->carriage->moved());
+        EXPECT_FALSE(now.objects.at(id)->stroke_motion->moved());
         EXPECT_FALSE(was_laid(now) && id == laid_id);
     }
 }
@@ -414,7 +414,7 @@ TEST(Attaching, KeepsToTheBackOfWhatWalks)
         const Document document = on_a_reptile(travels);
         Evaluator evaluate(std::make_shared<const AssetStore>("/"));
         const Evaluation first = evaluate(document, 1);
-        EXPECT_FALSE(first.objects.at(2)->carriage->moved());
+        EXPECT_FALSE(first.objects.at(2)->stroke_motion->moved());
         const std::vector<glm::dvec3> before = points_of(first, 1);
         const glm::dvec3 middle = evaluate_middle(*first.objects.at(2)->placement);
         std::vector<std::size_t> near;

@@ -9,10 +9,10 @@
 #include <span>
 #include <string_view>
 
-// This header is the door to OpenImageIO. What lies behind it is a file of its own,
-// trivar-codec.so, which is opened when the first picture is decoded or encoded (pictures/door.h):
-// the library brings 250 others, which take a seventh of a second and 110 MB to load and which few
-// runs of the program need.
+// This header is the interface of the plugin that holds OpenImageIO: trivar-codec.so, which is
+// opened when the first picture is decoded or encoded (pictures/codec_plugin.h). The library brings
+// 250 others, which take a seventh of a second and 110 MB to load and which few runs of the program
+// need.
 namespace trivar {
 
 struct DecodeTask {
@@ -50,4 +50,4 @@ struct Codec {
 
 } // namespace trivar
 
-extern "C" const trivar::Codec trivar_codec; // what the door looks for
+extern "C" const trivar::Codec trivar_codec; // the symbol that the plugin exports

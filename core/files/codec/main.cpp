@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// trivar-picture decodes pictures for Trivar, which starts it (core/files/pictures/apart.h): it
-// reads orders from its standard input and writes pixels to its standard output. Its memory and
-// time are limited, and it may fail in any way.
+// trivar-picture decodes pictures for Trivar, which starts it
+// (core/files/pictures/decoder_process.h): it reads orders from its standard input and writes
+// pixels to its standard output. Its memory and time are limited, and it may fail in any way.
 #include "core/base/rejected.h"
-#include "core/files/pictures/door.h"
-#include "core/files/pictures/wire.h"
+#include "core/files/pictures/codec_plugin.h"
+#include "core/files/pictures/decoder_protocol.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -81,14 +81,14 @@ void write_all(const void* from, std::size_t count)
     }
 }
 
-void answer(PictureAnswer::What what, int bits, const void* bytes, std::size_t count)
+void answer(DecoderAnswer::What what, int bits, const void* bytes, std::size_t count)
 {
-    const PictureAnswer head{what, bits, count};
+    const DecoderAnswer head{what, bits, count};
     write_all(&head, sizeof(head));
     write_all(bytes, count);
 }
 
-void decode(const Codec& codec, const PictureOrder& order, const std::string& words,
+void decode(const Codec& codec, const DecoderOrder& order, const std::string& words,
             std::string_view file)
 {
     DecodeTask task{file,
@@ -101,19 +101,19 @@ void decode(const Codec& codec, const PictureOrder& order, const std::string& wo
         at += task.tags.back().size() + 1;
     }
     const DecodeResult decoded = codec.decode(task, [](std::span<const std::uint8_t> rows) {
-        answer(PictureAnswer::What::rows, 0, rows.data(), rows.size());
+        answer(DecoderAnswer::What::rows, 0, rows.data(), rows.size());
     });
     std::string tags;
     for (const auto& [tag, text] : decoded.tags) tags += tag + '\0' + text + '\0';
-    answer(decoded.whole ? PictureAnswer::What::whole : PictureAnswer::What::damaged, decoded.bits,
+    answer(decoded.whole ? DecoderAnswer::What::whole : DecoderAnswer::What::damaged, decoded.bits,
            tags.data(), tags.size());
 }
 
 void serve(const Codec& codec)
 {
     const std::uint64_t at_start = address_space();
-    answer(PictureAnswer::What::ready, 0, nullptr, 0);
-    for (PictureOrder order; read_all(&order, sizeof(order));) {
+    answer(DecoderAnswer::What::ready, 0, nullptr, 0);
+    for (DecoderOrder order; read_all(&order, sizeof(order));) {
         bound(RLIMIT_AS, RLIM_INFINITY);
         std::string words(order.word_bytes, '\0'), file(order.file_bytes, '\0');
         if (!read_all(words.data(), words.size()) || !read_all(file.data(), file.size())) return;

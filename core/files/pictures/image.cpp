@@ -3,8 +3,8 @@
 
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
-#include "core/files/pictures/apart.h"
-#include "core/files/pictures/door.h"
+#include "core/files/pictures/codec_plugin.h"
+#include "core/files/pictures/decoder_process.h"
 #include "core/files/pictures/kinds.h"
 #include "core/files/pictures/pixels.h"
 
@@ -22,7 +22,7 @@ constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30;
 // Returns the limits of decoding a picture in the helper process. Time is for a slow four million
 // pixels per second; memory is for the pixels, if they are not delivered in rows, which matters for
 // large files only.
-ApartLimits limits_of(const PictureHead& head, std::size_t file_bytes)
+DecoderLimits limits_of(const PictureHead& head, std::size_t file_bytes)
 {
     constexpr std::uint64_t least_memory = std::uint64_t{384} << 20, memory_a_byte = 64;
     constexpr std::uint32_t least_s = 3;
@@ -78,7 +78,8 @@ DecodeResult PictureReader::decoded(std::string_view bytes, const std::string& n
     };
     std::string reason;
     try {
-        if (!kind.decode && (!apart_ || apart_->ended())) apart_ = std::make_unique<ApartDecoder>();
+        if (!kind.decode && (!apart_ || apart_->ended()))
+            apart_ = std::make_unique<DecoderProcess>();
         DecodeResult result = kind.decode
                                   ? kind.decode(task, take_known)
                                   : apart_->decode(task, limits_of(head, bytes.size()), take_known);

@@ -27,7 +27,7 @@ struct ImageHead {
     ImageTags tags; // the requested ones that exist
 };
 
-class ApartDecoder;
+class DecoderProcess;
 struct DecodeResult;
 
 // A PictureReader decodes pictures one after another into 8-bit RGBA: PNG and JPEG here, the other
@@ -52,7 +52,7 @@ private:
                          const std::vector<std::string>& tags,
                          const std::function<void(std::span<const std::uint8_t>)>& take,
                          bool numbers = false);
-    std::unique_ptr<ApartDecoder> apart_;
+    std::unique_ptr<DecoderProcess> apart_;
 };
 
 // A single picture, as PictureReader reads it.

@@ -27,7 +27,7 @@ Part before_bending(const Part& part)
 
 } // namespace
 
-Ref<ShapedVolume> LatticeVolume::in_world(const LatticeShape& shape, const StepInput& input)
+Ref<ShapedVolume> LatticeStep::in_world(const LatticeShape& shape, const StepInput& input)
 {
     const std::vector<Ref<VolumeEdit>>& shaping = input.object.shaping;
     if (!at_rest_ || shape_ != shape) {
@@ -49,7 +49,7 @@ Ref<ShapedVolume> LatticeVolume::in_world(const LatticeShape& shape, const StepI
     return mapped_;
 }
 
-Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> LatticeStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const auto* lattice = std::get_if<LatticeShape>(&input.object.source);
     if (!lattice) return before;
@@ -79,7 +79,7 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
     });
 }
 
-Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> BendingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const std::vector<BendingVolume> volumes = volumes_round(input.document, input.id, input.done);
     if (volumes.empty()) return before;
@@ -99,8 +99,8 @@ Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& inp
     });
 }
 
-void InLattices::tell_what_is_outside(const std::vector<BendingVolume>& volumes,
-                                      std::vector<std::string>& notices) const
+void BendingStep::tell_what_is_outside(const std::vector<BendingVolume>& volumes,
+                                       std::vector<std::string>& notices) const
 {
     for (std::size_t l = 0; l < volumes.size(); ++l) {
         if (!volumes[l].tetrahedra) continue;
@@ -114,7 +114,8 @@ void InLattices::tell_what_is_outside(const std::vector<BendingVolume>& volumes,
 }
 
 // Extends the volume once for all parts, so that touching parts stay together.
-Ref<Lattice> InLattices::reaching_round(const std::vector<Part>& parts, const BendingVolume& volume)
+Ref<Lattice> BendingStep::reaching_round(const std::vector<Part>& parts,
+                                         const BendingVolume& volume)
 {
     if (!volume.goes_on) return volume.volume;
     Box uvw;
@@ -128,8 +129,8 @@ Ref<Lattice> InLattices::reaching_round(const std::vector<Part>& parts, const Be
     return longer_({volume.volume, *out}, [&] { return out; });
 }
 
-std::vector<Part> InLattices::bent(std::vector<Part> parts,
-                                   const std::vector<BendingVolume>& volumes)
+std::vector<Part> BendingStep::bent(std::vector<Part> parts,
+                                    const std::vector<BendingVolume>& volumes)
 {
     bendings_.resize(volumes.size());
     simplex_bendings_.resize(volumes.size());

@@ -9,9 +9,9 @@
 
 namespace trivar {
 
-// LatticeVolume gives a lattice its volume, and renews it when box, steps or place change. The
+// LatticeStep gives a lattice its volume, and renews it when box, steps or place change. The
 // volume of a stroke on which the lattice lies is put aside, to bend the box. Stage: shape.
-class LatticeVolume : public Step {
+class LatticeStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
@@ -28,10 +28,10 @@ private:
     Recent<std::pair<Ref<Stage>, Ref<ShapedVolume>>, Ref<Stage>> known_;
 };
 
-// InLattices deforms the parts of one object by the volumes round it, one after the other, each
+// BendingStep deforms the parts of one object by the volumes round it, one after the other, each
 // starting from the result of the one before. A part that already lies in a volume is deformed at
 // once, so that it can be deformed further.
-class InLattices : public Step {
+class BendingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 

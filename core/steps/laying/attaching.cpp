@@ -5,7 +5,7 @@
 #include "core/placement/placement.h"
 #include "core/placement/view.h"
 #include "core/rays/ray_scene.h"
-#include "core/stages/carriage.h"
+#include "core/stages/stroke_motion.h"
 
 #include <algorithm>
 #include <map>
@@ -42,17 +42,17 @@ AttachedSample anchored(const Hit& hit, const RayScene& scene, const Support& su
 
 glm::dmat4 stroke_to_world(const Stage& laid)
 {
-    return laid.carriage ? laid.carriage->to_world : glm::dmat4(1);
+    return laid.stroke_motion ? laid.stroke_motion->to_world : glm::dmat4(1);
 }
 
 Sketch stroke_now(const Stage& laid, const PlacementStep& step)
 {
-    return laid.carriage ? laid.carriage->sketch : step.sketch;
+    return laid.stroke_motion ? laid.stroke_motion->sketch : step.sketch;
 }
 
 std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step)
 {
-    if (!step.attach || !laid.carriage || !laid.supports) return {};
+    if (!step.attach || !laid.stroke_motion || !laid.supports) return {};
     const std::vector<AttachedHost>& known = step.attach->hosts;
     Attachment out;
     const auto add = [&](Id id) {
@@ -87,8 +87,8 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
     for (const StrokeSample& sample : sketch.samples) rays.push_back(view.ray(sample.p_px));
     // The strip is in the world, where its hosts carried it; the rays are in the space of the
     // stroke.
-    const bool moved = laid.carriage && laid.carriage->moved();
-    const glm::dmat4 back = moved ? glm::inverse(laid.carriage->to_world) : glm::dmat4(1);
+    const bool moved = laid.stroke_motion && laid.stroke_motion->moved();
+    const glm::dmat4 back = moved ? glm::inverse(laid.stroke_motion->to_world) : glm::dmat4(1);
     for (const StripNode& node : laid.stroke_placement()->nodes)
         if (node.contact != Contact::missed) // beyond an edge it lies on nothing that is seen there
             rays.push_back(view.ray_to(glm::dvec3(back * glm::dvec4(node.p_world, 1))));

@@ -10,8 +10,8 @@ namespace trivar {
 // Finds the hosts of a stroke as it lies now: the objects hit by the rays through its samples and
 // strip nodes, except beyond an edge that the strip spans. AttachedHost says how the other objects
 // under it count. A stroke on the ground alone has no host. `sketch`: the object's, or one in the
-// same space (Carriage::sketch). Empty: it lies nowhere, or nothing is hit. O(number of samples and
-// nodes).
+// same space (StrokeMotion::sketch). Empty: it lies nowhere, or nothing is hit. O(number of samples
+// and nodes).
 std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketch& sketch,
                                         bool skip_back_faces);
 

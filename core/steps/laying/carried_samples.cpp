@@ -53,7 +53,8 @@ void fill_between(std::vector<glm::dvec2>& by, const std::vector<char>& known)
 }
 
 // Adds a notice if hosts have moved apart where the stroke passes from one to the other.
-void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<glm::dvec3>& places)
+void tell_gaps(StrokeMotion& stroke_motion, const StrokeHosts& stroke,
+               const std::vector<glm::dvec3>& places)
 {
     const std::vector<SampleFoot>& feet = stroke.feet;
     double length = 0, widest = 0;
@@ -71,28 +72,28 @@ void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<
     }
     constexpr double much = 0.1; // of the stroke
     if (widest > much * length)
-        carriage.notices.push_back(
+        stroke_motion.notices.push_back(
             fmt::format("its hosts have moved {} m apart; it spans the gap", number_text(widest)));
 }
 
 // Adds a notice if a host, or a part of one, is missing: what lay on it moves with the rest.
-void tell_missing(Carriage& carriage, const StrokeHosts& stroke)
+void tell_missing(StrokeMotion& stroke_motion, const StrokeHosts& stroke)
 {
     for (std::size_t i = 0; i < stroke.feet.size(); ++i)
         if (stroke.attachment.samples[i].host >= 0 && !stroke.feet[i].now) {
-            carriage.notices.emplace_back("a part of its hosts is not visible in this frame; "
-                                          "what lay on that goes with the rest");
+            stroke_motion.notices.emplace_back("a part of its hosts is not visible in this frame; "
+                                               "what lay on that goes with the rest");
             return;
         }
 }
 
 } // namespace
 
-void carry_samples(Carriage& carriage, const StrokeHosts& stroke)
+void carry_samples(StrokeMotion& stroke_motion, const StrokeHosts& stroke)
 {
-    Sketch& sketch = carriage.sketch;
+    Sketch& sketch = stroke_motion.sketch;
     const std::vector<SampleFoot>& feet = stroke.feet;
-    tell_missing(carriage, stroke);
+    tell_missing(stroke_motion, stroke);
     if (feet.size() != sketch.samples.size()) return;
     const View view(sketch.camera);
     std::vector<glm::dvec2> by(feet.size(), glm::dvec2(0));
@@ -110,7 +111,7 @@ void carry_samples(Carriage& carriage, const StrokeHosts& stroke)
         by[i] = known[i] ? here.p_px - then.p_px : glm::dvec2(0);
         any = any || by[i] != glm::dvec2(0);
     }
-    tell_gaps(carriage, stroke, places);
+    tell_gaps(stroke_motion, stroke, places);
     if (!any) return;
     fill_between(by, known);
     for (std::size_t i = 0; i < by.size(); ++i) sketch.samples[i].p_px += by[i];

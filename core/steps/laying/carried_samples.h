@@ -5,10 +5,10 @@
 
 namespace trivar {
 
-// Moves each sample of the carriage's stroke along to the present place of its point in the space
-// of the stroke, and samples whose host is missing, or that met none, in between. Adds notices
-// where a part of a host is missing, and where hosts moved apart so far that the stroke bridges a
-// gap. Hosts must know where they stand in that space.
-void carry_samples(Carriage& carriage, const StrokeHosts& stroke);
+// Moves each sample of the stroke_motion's stroke along to the present place of its point in the
+// space of the stroke, and samples whose host is missing, or that met none, in between. Adds
+// notices where a part of a host is missing, and where hosts moved apart so far that the stroke
+// bridges a gap. Hosts must know where they stand in that space.
+void carry_samples(StrokeMotion& stroke_motion, const StrokeHosts& stroke);
 
 } // namespace trivar

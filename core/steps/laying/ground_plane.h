@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/rays/ray_scene.h"
-#include "core/stages/carriage.h"
+#include "core/stages/stroke_motion.h"
 
 #include <optional>
 

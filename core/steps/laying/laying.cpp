@@ -124,18 +124,18 @@ bool travels_through(const Supports& supports, const Stage& without, const Camer
 
 } // namespace
 
-Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> LayingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const Object& o = input.object;
     if (!o.stroke) return before;
     const glm::dmat3 turned(o.transform.matrix());
     std::optional<glm::dvec3> lattice;
     if (const auto* shape = std::get_if<LatticeShape>(&o.source)) lattice = shape->size;
-    if (const Ref<Carriage> carriage = (*carriages_)(input)) {
+    if (const Ref<StrokeMotion> stroke_motion = (*stroke_motions_)(input)) {
         PlacementStep step = *o.stroke;
-        step.sketch = carriage->sketch;
+        step.sketch = stroke_motion->sketch;
         step.attach.reset(); // hosts do not change how it lies
-        return laid_on({before, turned, lattice, std::move(step), carriage->supports}, input);
+        return laid_on({before, turned, lattice, std::move(step), stroke_motion->supports}, input);
     }
     const Supports supports = supports_of(*o.stroke, input.done, ground_);
     const auto laid = [&](const std::vector<Support>& on) {
@@ -147,7 +147,7 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
                                                                         : without;
 }
 
-Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
+Ref<Stage> LayingStep::laid_on(Stroke stroke, const StepInput& input)
 {
     ShapedStroke key{std::move(stroke), {}};
     // The edits of a lattice shape its box
@@ -174,7 +174,7 @@ Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
     });
 }
 
-Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
+LayingStep::Landing LayingStep::fall(const Stroke& stroke, const StepInput& input)
 {
     const Shape& shape = *stroke.before->shape;
     const PlacementStep& step = stroke.step;
@@ -212,7 +212,7 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
     }
 }
 
-Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, const StepInput& input)
+Ref<RayScene> LayingStep::scene_of(const std::vector<Support>& supports, const StepInput& input)
 {
     return scenes_(supports, [&] {
         std::vector<RayScene::Entry> entries;
@@ -226,7 +226,7 @@ Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, const StepI
     });
 }
 
-void Laying::bend(Stage& stage, const glm::dmat3& turned)
+void LayingStep::bend(Stage& stage, const glm::dmat3& turned)
 {
     const Embedding& embedding = stage.placement->embedding;
     const Ref<Lattice> volume(stage.placement, &stage.placement->volume);

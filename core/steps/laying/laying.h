@@ -5,18 +5,21 @@
 #include "core/placement/shaper.h"
 #include "core/stages/bending.h"
 #include "core/stages/step.h"
-#include "core/steps/laying/carriages.h"
 #include "core/steps/laying/ground_plane.h"
+#include "core/steps/laying/stroke_motions.h"
 
 namespace trivar {
 
-// Laying lays an object along its stroke, or round a closed surface, while its stroke, its
+// LayingStep lays an object along its stroke, or round a closed surface, while its stroke, its
 // parameters or the scene change. It keeps the scene for rays and the sorting of the meshes into
 // the volume, too. Stages: rays, springs, lift and volume, as place() names them, shape, and deform
 // for the objects on which it lies.
-class Laying : public Step {
+class LayingStep : public Step {
 public:
-    explicit Laying(std::shared_ptr<Carriages> carriages) : carriages_(std::move(carriages)) {}
+    explicit LayingStep(std::shared_ptr<StrokeMotions> stroke_motions)
+        : stroke_motions_(std::move(stroke_motions))
+    {
+    }
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
@@ -43,7 +46,7 @@ private:
     Ref<RayScene> scene_of(const std::vector<Support>& supports, const StepInput& input);
     void bend(Stage& stage, const glm::dmat3& turned);
 
-    std::shared_ptr<Carriages> carriages_;
+    std::shared_ptr<StrokeMotions> stroke_motions_;
     GroundPlane ground_;
     Recent<Stroke, Landing> fallen_;
     Recent<ShapedStroke, Ref<Stage>> laid_;

@@ -24,7 +24,7 @@ std::vector<Part> own_parts(const EvaluatedObject& object)
 } // namespace
 
 StrokeHosts stroke_hosts(const Attachment& attachment,
-                         const std::vector<Ref<EvaluatedObject>>& hosts, Footings& footings,
+                         const std::vector<Ref<EvaluatedObject>>& hosts, MeshAnchors& anchors,
                          const StepInput& input)
 {
     StrokeHosts out{attachment, {}, main_host(attachment), {}, {}};
@@ -45,7 +45,7 @@ StrokeHosts stroke_hosts(const Attachment& attachment,
         if (sample.host < 0) continue;
         const HostNow& now = out.host_of(i);
         SampleFoot& foot = out.feet[i];
-        if (now.object) foot.now = footings(sample, i, *now.object, now.parts, input);
+        if (now.object) foot.now = anchors(sample, i, *now.object, now.parts, input);
         foot.drawn = taken_by(now.stood, sample.drawn);
         if (out.is_on_main(i)) out.drawn.add(foot.drawn);
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/box.h"
-#include "core/stages/carriage.h"
-#include "core/steps/laying/footing.h"
+#include "core/stages/stroke_motion.h"
+#include "core/steps/laying/mesh_anchor.h"
 
 namespace trivar {
 
@@ -18,7 +18,7 @@ struct HostNow {
 };
 
 struct SampleFoot { // of a sample
-    std::optional<FootPlace> now;
+    std::optional<AnchorPlace> now;
     glm::dvec3 drawn{0}; // in the space of the stroke
 };
 
@@ -42,7 +42,7 @@ struct StrokeHosts {
 };
 // `hosts` are those of the attachment, null where one is not there. The result refers to both.
 StrokeHosts stroke_hosts(const Attachment& attachment,
-                         const std::vector<Ref<EvaluatedObject>>& hosts, Footings& footings,
+                         const std::vector<Ref<EvaluatedObject>>& hosts, MeshAnchors& anchors,
                          const StepInput& input);
 
 // A point where an affine matrix takes it.

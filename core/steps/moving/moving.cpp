@@ -96,7 +96,7 @@ std::vector<CurvePart> curves_of(const Stage& at_rest, const std::vector<Member>
 
 } // namespace
 
-Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> MovingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const Object& o = input.object;
     const Ref<Shape> posed =
@@ -125,7 +125,7 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
     });
 }
 
-Ref<Journey> Moving::journey(const Ref<Stage>& laid, const Object& object)
+Ref<Journey> MovingStep::journey(const Ref<Stage>& laid, const Object& object)
 {
     const Travel& travel = object.travel;
     if (travel.speed == 0 && travel.followers == 0) return nullptr;
@@ -135,7 +135,8 @@ Ref<Journey> Moving::journey(const Ref<Stage>& laid, const Object& object)
     });
 }
 
-Ref<Stage> Moving::gone(const Ref<Stage>& before, const Ref<Shape>& posed, const StepInput& input)
+Ref<Stage> MovingStep::gone(const Ref<Stage>& before, const Ref<Shape>& posed,
+                            const StepInput& input)
 {
     const Object& o = input.object;
     const PlacementParameters& parameters = o.stroke->parameters;

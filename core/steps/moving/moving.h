@@ -17,9 +17,9 @@ struct Member {
     bool operator==(const Member&) const = default;
 };
 
-// Moving puts an object into the pose that its clip has at a frame: in the world, or where it is
-// laid, with all its followers, as far along the stroke as they have gone.
-class Moving : public Step {
+// MovingStep puts an object into the pose that its clip has at a frame: in the world, or where it
+// is laid, with all its followers, as far along the stroke as they have gone.
+class MovingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 

@@ -3,7 +3,7 @@
 
 #include "core/rays/ray_scene.h"
 #include "core/stages/evaluated.h"
-#include "core/steps/laying/footing.h"
+#include "core/steps/laying/mesh_anchor.h"
 
 #include <algorithm>
 #include <memory>
@@ -32,8 +32,8 @@ public:
         NearestPlace best;
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             const Part& part = object_.parts[i];
-            const Footing at =
-                nearest_footing(*meshes_[i], glm::inverse(part.to_world) * glm::dvec4(p, 1));
+            const MeshAnchor at =
+                nearest_anchor(*meshes_[i], glm::inverse(part.to_world) * glm::dvec4(p, 1));
             const auto mixed = [&](const Mesh& mesh) {
                 glm::dvec3 sum(0);
                 for (int k = 0; k < 3; ++k)

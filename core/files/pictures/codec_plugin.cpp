@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/pictures/door.h"
+#include "core/files/pictures/codec_plugin.h"
 
 #include "core/base/rejected.h"
 #include "core/base/this_program.h"

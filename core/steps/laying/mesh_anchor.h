@@ -10,42 +10,42 @@
 
 namespace trivar {
 
-// A Footing is a point of a mesh as barycentric weights of three vertices, so that it can be found
-// in any pose.
-struct Footing {
+// A MeshAnchor is a point of a mesh as barycentric weights of three vertices, so that it can be
+// found in any pose.
+struct MeshAnchor {
     glm::uvec3 vertices{0};
     glm::dvec3 shares{1, 0, 0};
 };
 // The place on the mesh that is nearest to a point. O(number of triangles), most of them passed
 // over in blocks.
-Footing nearest_footing(const RayMesh& mesh, const glm::dvec3& p);
+MeshAnchor nearest_anchor(const RayMesh& mesh, const glm::dvec3& p);
 
 // A mesh of a shape before a pose moves its vertices; null: it has none of that slot.
 Ref<Mesh> rest_mesh(const Shape& shape, int slot);
 
-// A FootPlace is the present place of a sample on its host, in the host's own space.
-struct FootPlace {
+// A AnchorPlace is the present place of a sample on its host, in the host's own space.
+struct AnchorPlace {
     glm::dvec3 p{0}, normal{0};
 };
 
 // Finds the places of samples on their hosts, however these are posed and bent; keeps where on the
 // mesh at rest they are.
-class Footings {
+class MeshAnchors {
 public:
     // Finds the place; nothing if the host does not show that mesh.
-    std::optional<FootPlace> operator()(const AttachedSample& sample, std::size_t index,
-                                        const EvaluatedObject& host, const std::vector<Part>& parts,
-                                        const StepInput& input);
+    std::optional<AnchorPlace> operator()(const AttachedSample& sample, std::size_t index,
+                                          const EvaluatedObject& host,
+                                          const std::vector<Part>& parts, const StepInput& input);
 
 private:
-    // A SampleFooting is where on a mesh at rest a sample is; it holds for this mesh and place
+    // A SampleAnchor is where on a mesh at rest a sample is; it holds for this mesh and place
     // alone.
-    struct SampleFooting {
+    struct SampleAnchor {
         glm::dvec3 rest{0};
         Ref<Mesh> mesh;
-        Footing footing;
+        MeshAnchor anchor;
     };
-    std::vector<std::optional<SampleFooting>> known_; // by sample
+    std::vector<std::optional<SampleAnchor>> known_; // by sample
 };
 
 } // namespace trivar

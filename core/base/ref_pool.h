@@ -9,10 +9,10 @@
 
 namespace trivar {
 
-// A Lender is a pool of one: it gives values away as Refs and gets the memory of one of them back
+// A RefPool is a pool of one: it gives values away as Refs and gets the memory of one of them back
 // when nobody has it any more, so that values made anew frame by frame take no new memory. Refs may
 // outlive it, and may end on any thread.
-template <class T> class Lender {
+template <class T> class RefPool {
 public:
     Ref<T> lend(T value)
     {

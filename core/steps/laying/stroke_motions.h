@@ -3,8 +3,8 @@
 
 #include "core/base/recent.h"
 #include "core/stages/step.h"
-#include "core/steps/laying/footing.h"
 #include "core/steps/laying/ground_plane.h"
+#include "core/steps/laying/mesh_anchor.h"
 
 namespace trivar {
 
@@ -17,11 +17,11 @@ Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& o
 // the matrices; else it is the nearest motion of the places under the stroke, and each sample goes
 // to where its place is. Shoots no rays. O(number of samples); where a host is posed or bent, its
 // mesh is searched once for the samples' places.
-class Carriages {
+class StrokeMotions {
 public:
     // Null: the object is attached to nothing that is left. Equal input gives the same pointer, as
     // for a Step.
-    Ref<Carriage> operator()(const StepInput& input);
+    Ref<StrokeMotion> operator()(const StepInput& input);
 
 private:
     struct From {
@@ -29,9 +29,9 @@ private:
         std::vector<Ref<EvaluatedObject>> hosts, others; // null where one is not there
         bool operator==(const From&) const = default;
     };
-    Footings footings_;
+    MeshAnchors anchors_;
     GroundPlane ground_;
-    Recent<From, Ref<Carriage>> known_;
+    Recent<From, Ref<StrokeMotion>> known_;
 };
 
 } // namespace trivar

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/laying/footing.h"
+#include "core/steps/laying/mesh_anchor.h"
 
 #include <algorithm>
 
@@ -65,10 +65,10 @@ Ref<Mesh> rest_mesh(const Shape& shape, int slot)
     return found == shape.meshes.end() ? nullptr : found->rest;
 }
 
-Footing nearest_footing(const RayMesh& mesh, const glm::dvec3& p)
+MeshAnchor nearest_anchor(const RayMesh& mesh, const glm::dvec3& p)
 {
     const std::vector<glm::uvec3>& all = mesh.triangles();
-    Footing best;
+    MeshAnchor best;
     double least = 1e300;
     for (std::size_t b = 0; b < mesh.block_boxes().size(); ++b) {
         if (mesh.block_boxes()[b].distance(p) > least) continue;
@@ -85,10 +85,10 @@ Footing nearest_footing(const RayMesh& mesh, const glm::dvec3& p)
     return best;
 }
 
-std::optional<FootPlace> Footings::operator()(const AttachedSample& sample, std::size_t index,
-                                              const EvaluatedObject& host,
-                                              const std::vector<Part>& parts,
-                                              const StepInput& input)
+std::optional<AnchorPlace> MeshAnchors::operator()(const AttachedSample& sample, std::size_t index,
+                                                   const EvaluatedObject& host,
+                                                   const std::vector<Part>& parts,
+                                                   const StepInput& input)
 {
     const Ref<Mesh> rest = rest_mesh(*host.shape, sample.mesh);
     if (!rest) return {};
@@ -104,23 +104,23 @@ std::optional<FootPlace> Footings::operator()(const AttachedSample& sample, std:
         if (part == host.own_parts.end()) return {};
     }
     if (!part->posed && !part->bent)
-        return FootPlace{glm::dvec3(part->to_world * glm::dvec4(sample.rest, 1)), sample.normal};
+        return AnchorPlace{glm::dvec3(part->to_world * glm::dvec4(sample.rest, 1)), sample.normal};
     known_.resize(std::max(known_.size(), index + 1));
-    std::optional<SampleFooting>& known = known_[index];
+    std::optional<SampleAnchor>& known = known_[index];
     if (!known || known->mesh != rest || known->rest != sample.rest) {
         const Ref<RayMesh> rays = input.ray_meshes(rest, input.timings);
         if (rays->triangles().empty()) return {};
-        known = {sample.rest, rest, nearest_footing(*rays, sample.rest)};
+        known = {sample.rest, rest, nearest_anchor(*rays, sample.rest)};
     }
-    const auto t = corners(*mesh_of(*part, input.timings), known->footing.vertices);
+    const auto t = corners(*mesh_of(*part, input.timings), known->anchor.vertices);
     std::array<glm::dvec3, 3> own;
     for (std::size_t i = 0; i < 3; ++i) own[i] = glm::dvec3(part->to_world * glm::dvec4(t[i], 1));
     const glm::dvec3 normal = glm::cross(own[1] - own[0], own[2] - own[0]);
     const bool inside_out = glm::determinant(glm::dmat3(part->to_world)) < 0;
     const double length =
         glm::length(normal) * (inside_out != is_turned_round(*part->rest, *rest) ? -1 : 1);
-    return FootPlace{mixed(own, known->footing.shares),
-                     length != 0 ? normal / length : glm::dvec3(0)};
+    return AnchorPlace{mixed(own, known->anchor.shares),
+                       length != 0 ? normal / length : glm::dvec3(0)};
 }
 
 } // namespace trivar

@@ -3,7 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/placement/shaper.h"
-#include "core/steps/laying/carriages.h"
+#include "core/steps/laying/stroke_motions.h"
 
 #include <memory>
 
@@ -11,14 +11,17 @@ namespace trivar {
 
 // Moves an object on an attached stroke to the present place of its hosts, volume and all: by one
 // matrix, so nothing is laid again and no vertex is worked out before somebody asks for it.
-class Riding : public Step {
+class FollowingStep : public Step {
 public:
-    explicit Riding(std::shared_ptr<Carriages> carriages) : carriages_(std::move(carriages)) {}
+    explicit FollowingStep(std::shared_ptr<StrokeMotions> stroke_motions)
+        : stroke_motions_(std::move(stroke_motions))
+    {
+    }
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    std::shared_ptr<Carriages> carriages_;
-    Recent<std::pair<Ref<Stage>, Ref<Carriage>>, Ref<Stage>> known_;
+    std::shared_ptr<StrokeMotions> stroke_motions_;
+    Recent<std::pair<Ref<Stage>, Ref<StrokeMotion>>, Ref<Stage>> known_;
 };
 
 // A placement where a matrix takes it that turns, scales evenly and shifts; lengths of its report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/split/heights_apart.h"
+#include "core/split/crossed_edges.h"
 
 #include <algorithm>
 #include <cmath>

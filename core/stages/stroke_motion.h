@@ -19,10 +19,10 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
-// A Carriage says how an attached stroke follows its hosts. The stroke is laid in the space where
-// it was drawn, with its hosts as they stood then, except for changes that are no motion; the
+// A StrokeMotion says how an attached stroke follows its hosts. The stroke is laid in the space
+// where it was drawn, with its hosts as they stood then, except for changes that are no motion; the
 // result is moved to the world by the hosts' motion since then.
-struct Carriage {
+struct StrokeMotion {
     glm::dmat4 to_world{1}; // turns, scales evenly and shifts
     Sketch sketch;          // as its samples go with their hosts; as drawn where these only moved
     std::vector<Support> supports;

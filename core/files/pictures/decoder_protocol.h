@@ -9,7 +9,7 @@ namespace trivar {
 
 // A message to the helper: a picture to decode. Words follow (the format's name, then tags, each
 // ended by a null byte), then the file's bytes.
-struct PictureOrder {
+struct DecoderOrder {
     std::uint64_t file_bytes = 0, word_bytes = 0;
     std::uint64_t memory_bytes = 0; // it may take beside what it holds at its start
     std::int32_t width_px = 0, height_px = 0;
@@ -19,7 +19,7 @@ struct PictureOrder {
 
 // A message of the helper: ready, pixel rows, complete, with words (tags and their texts, each
 // ended by a null byte), or damaged.
-struct PictureAnswer {
+struct DecoderAnswer {
     enum class What : std::uint32_t { ready, rows, whole, damaged } what = What::damaged;
     std::int32_t bits = 0; // a channel of the file, where it is whole
     std::uint64_t bytes = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/laying/riding.h"
+#include "core/steps/laying/following.h"
 
 #include "core/stages/bending.h"
 
@@ -66,16 +66,16 @@ Placement carried(Placement placement, const glm::dmat4& to_world)
     return placement;
 }
 
-Ref<Stage> Riding::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> FollowingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    const Ref<Carriage> carriage = (*carriages_)(input);
-    if (!carriage) return before;
-    return known_({before, carriage}, [&] {
+    const Ref<StrokeMotion> stroke_motion = (*stroke_motions_)(input);
+    if (!stroke_motion) return before;
+    return known_({before, stroke_motion}, [&] {
         Stage stage = *before;
-        stage.carriage = carriage;
-        stage.notices.insert(stage.notices.end(), carriage->notices.begin(),
-                             carriage->notices.end());
-        if (!carriage->shown) {
+        stage.stroke_motion = stroke_motion;
+        stage.notices.insert(stage.notices.end(), stroke_motion->notices.begin(),
+                             stroke_motion->notices.end());
+        if (!stroke_motion->shown) {
             stage.parts.clear();
             stage.curves.clear();
             stage.own_parts.clear();
@@ -83,14 +83,14 @@ Ref<Stage> Riding::operator()(const Ref<Stage>& before, const StepInput& input)
         }
         if (!stage.placement) return make_ref(std::move(stage));
         stage.own_parts = stage.parts;
-        stage.own_to_world = carriage->to_world;
-        if (!carriage->moved()) return make_ref(std::move(stage));
+        stage.own_to_world = stroke_motion->to_world;
+        if (!stroke_motion->moved()) return make_ref(std::move(stage));
         if (stage.shaped) {
-            stage.shaped = carried(*stage.shaped, carriage->to_world);
+            stage.shaped = carried(*stage.shaped, stroke_motion->to_world);
             stage.placement = stage.shaped->placement;
         } else
-            stage.placement = make_ref(carried(*stage.placement, carriage->to_world));
-        CarriedParts carry(*before, stage, carriage->to_world);
+            stage.placement = make_ref(carried(*stage.placement, stroke_motion->to_world));
+        CarriedParts carry(*before, stage, stroke_motion->to_world);
         for (Part& part : stage.parts) part = carry(std::move(part));
         for (CurvePart& curve : stage.curves) curve.points = carry(std::move(curve.points));
         return make_ref(std::move(stage));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/pictures/apart.h"
+#include "core/files/pictures/decoder_process.h"
 
 #include "core/base/rejected.h"
 #include "core/base/this_program.h"
-#include "core/files/pictures/wire.h"
+#include "core/files/pictures/decoder_protocol.h"
 
 #include <algorithm>
 #include <array>
@@ -71,7 +71,7 @@ pid_t started(const std::string& program, int line)
 
 } // namespace
 
-ApartDecoder::ApartDecoder()
+DecoderProcess::DecoderProcess()
 {
     constexpr const char* file = "trivar-picture";
     const std::string program = part_of(this_program(), file).string();
@@ -92,7 +92,7 @@ ApartDecoder::ApartDecoder()
         throw;
     }
     try {
-        received(sizeof(PictureAnswer), start_ms); // the helper is ready
+        received(sizeof(DecoderAnswer), start_ms); // the helper is ready
     } catch (const HelperEnd&) {
         end();
         throw Rejected(
@@ -100,12 +100,12 @@ ApartDecoder::ApartDecoder()
     }
 }
 
-ApartDecoder::~ApartDecoder()
+DecoderProcess::~DecoderProcess()
 {
     end();
 }
 
-int ApartDecoder::end()
+int DecoderProcess::end()
 {
     int status = 0;
     if (id_ < 0) return status;
@@ -116,7 +116,7 @@ int ApartDecoder::end()
     return status;
 }
 
-bool ApartDecoder::waited(short event, int wait_ms)
+bool DecoderProcess::waited(short event, int wait_ms)
 {
     pollfd line{line_, event, 0};
     int ready = 0;
@@ -125,7 +125,7 @@ bool ApartDecoder::waited(short event, int wait_ms)
     return ready > 0;
 }
 
-void ApartDecoder::send(std::string_view bytes, int wait_ms)
+void DecoderProcess::send(std::string_view bytes, int wait_ms)
 {
     while (!bytes.empty()) {
         if (!waited(POLLOUT, wait_ms)) throw HelperEnd{true};
@@ -136,7 +136,7 @@ void ApartDecoder::send(std::string_view bytes, int wait_ms)
     }
 }
 
-std::string ApartDecoder::received(std::uint64_t bytes, int wait_ms)
+std::string DecoderProcess::received(std::uint64_t bytes, int wait_ms)
 {
     std::string out(bytes, '\0');
     for (std::size_t have = 0; have < out.size();) {
@@ -148,7 +148,7 @@ std::string ApartDecoder::received(std::uint64_t bytes, int wait_ms)
     return out;
 }
 
-void ApartDecoder::fail(bool silent, const ApartLimits& limits)
+void DecoderProcess::fail(bool silent, const DecoderLimits& limits)
 {
     const int status = end();
     if (silent || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
@@ -161,13 +161,13 @@ void ApartDecoder::fail(bool silent, const ApartLimits& limits)
     throw Rejected("is damaged: its decoder fails");
 }
 
-DecodeResult ApartDecoder::decode(const DecodeTask& task, const ApartLimits& limits,
-                                  const TakeRows& take)
+DecodeResult DecoderProcess::decode(const DecodeTask& task, const DecoderLimits& limits,
+                                    const TakeRows& take)
 try {
     const int wait_ms = static_cast<int>(limits.cpu_s) * silent_ms_a_cpu_s;
     std::string words = task.format + '\0';
     for (const std::string& tag : task.tags) words += tag + '\0';
-    PictureOrder order;
+    DecoderOrder order;
     order.file_bytes = task.bytes.size();
     order.word_bytes = words.size();
     order.memory_bytes = limits.memory_bytes;
@@ -182,14 +182,14 @@ try {
         (std::uint64_t{1} << 20) + 4 * static_cast<std::uint64_t>(order.width_px) *
                                        static_cast<std::uint64_t>(order.height_px);
     while (true) {
-        const auto answer = message_of<PictureAnswer>(received(sizeof(PictureAnswer), wait_ms));
+        const auto answer = message_of<DecoderAnswer>(received(sizeof(DecoderAnswer), wait_ms));
         if (answer.bytes > most) throw HelperEnd{}; // the helper is corrupted
         const std::string bytes = received(answer.bytes, wait_ms);
-        if (answer.what == PictureAnswer::What::rows) {
+        if (answer.what == DecoderAnswer::What::rows) {
             take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
             continue;
         }
-        DecodeResult decoded{answer.what == PictureAnswer::What::whole, answer.bits, {}};
+        DecodeResult decoded{answer.what == DecoderAnswer::What::whole, answer.bits, {}};
         for (std::size_t at = 0; at < bytes.size();) {
             const std::string tag = bytes.c_str() + at;
             const std::string text = bytes.c_str() + std::min(bytes.size(), at + tag.size() + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/steps/laying/carriages.h"
+#include "core/steps/laying/stroke_motions.h"
 
 #include "core/steps/laying/carried_samples.h"
 #include "core/steps/laying/host_motion.h"
@@ -16,27 +16,29 @@ bool is_on_ground_alone(const PlacementStep& step)
 }
 
 // Sets the transforms of the hosts in the space of the stroke, and the parts that it may fall on.
-void stand(Carriage& carriage, StrokeHosts& stroke, bool exact)
+void stand(StrokeMotion& stroke_motion, StrokeHosts& stroke, bool exact)
 {
-    const glm::dmat4 back = glm::inverse(carriage.to_world);
+    const glm::dmat4 back = glm::inverse(stroke_motion.to_world);
     for (HostNow& now : stroke.hosts) {
         if (!now.object) continue;
-        now.unmoved = exact && (now.moved == carriage.to_world ||
-                                alike(stroke, now.moved, carriage.to_world));
+        now.unmoved = exact && (now.moved == stroke_motion.to_world ||
+                                alike(stroke, now.moved, stroke_motion.to_world));
         now.own_to_drawn = now.unmoved ? now.stood : back * now.object->own_to_world;
         if (!now.unmoved && !now.host->touched) continue;
         for (Part part : now.parts) {
             part.to_world = now.own_to_drawn * part.to_world;
-            carriage.supports.push_back(support_of(*now.object, std::move(part), now.own_to_drawn));
+            stroke_motion.supports.push_back(
+                support_of(*now.object, std::move(part), now.own_to_drawn));
         }
     }
 }
 
-// Makes the carriage of a step; `others` are the objects that it lies on without being attached.
-Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
-                     const std::vector<Ref<EvaluatedObject>>& others, const GroundPlane& ground)
+// Makes the stroke_motion of a step; `others` are the objects that it lies on without being
+// attached.
+StrokeMotion carriage_of(const PlacementStep& step, StrokeHosts stroke,
+                         const std::vector<Ref<EvaluatedObject>>& others, const GroundPlane& ground)
 {
-    Carriage out;
+    StrokeMotion out;
     out.sketch = step.sketch;
     const bool stays = is_on_ground_alone(step);
     if (!stays && !stroke.main_host().object) {
@@ -67,7 +69,7 @@ Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& o
     return {object.id, std::move(part), rest, own_to_drawn};
 }
 
-Ref<Carriage> Carriages::operator()(const StepInput& input)
+Ref<StrokeMotion> StrokeMotions::operator()(const StepInput& input)
 {
     const std::optional<PlacementStep>& step = input.object.stroke;
     if (!step || !step->attach || step->round) return nullptr;
@@ -85,7 +87,7 @@ Ref<Carriage> Carriages::operator()(const StepInput& input)
     return known_(from, [&] {
         const Attachment& attachment = *from.step.attach;
         return make_ref(carriage_of(from.step,
-                                    stroke_hosts(attachment, from.hosts, footings_, input),
+                                    stroke_hosts(attachment, from.hosts, anchors_, input),
                                     from.others, ground_));
     });
 }
