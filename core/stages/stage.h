@@ -56,7 +56,7 @@ struct TetrahedraEffects {
     Ref<ShapedTetrahedra> tetrahedra;
     glm::dmat4 tetrahedra_to_world{1};
 };
-struct CarriageEffects {
+struct StrokeMotionEffects {
     Ref<StrokeMotion> stroke_motion; // null: nothing carries it
     // The transform from the object's own space to the world: that of its model, or where it lay
     // before it was carried.
@@ -110,7 +110,7 @@ struct Stage : SimplifyingEffects,
                LayingEffects,
                LatticeEffects,
                TetrahedraEffects,
-               CarriageEffects,
+               StrokeMotionEffects,
                TravelEffects,
                RefiningEffects,
                TilingEffects,
