@@ -43,4 +43,7 @@ template <> struct FieldsOf<CopiedObject> {
     }
 };
 
+// Checks each value of an object as the command that gives it to an object does. Throws Rejected.
+void check_values(const Object& object);
+
 } // namespace trivar

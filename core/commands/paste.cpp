@@ -3,10 +3,18 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/commands/cutting/split.h"
 #include "core/commands/edits/edits.h"
 #include "core/commands/edits/numbering.h"
-#include "core/commands/every_command.h"
 #include "core/commands/json_text.h"
+#include "core/commands/objects/animate.h"
+#include "core/commands/objects/group.h"
+#include "core/commands/objects/shape.h"
+#include "core/commands/placement/place.h"
+#include "core/commands/placement/travel.h"
+#include "core/commands/tiles/mask_tiles.h"
+#include "core/commands/tiles/mix_tiles.h"
+#include "core/commands/tiles/tiles.h"
 #include "core/document/band.h"
 #include "core/document/bases.h"
 #include "core/document/parameters.h"
@@ -23,23 +31,10 @@ namespace {
 
 using CopiedIds = std::map<Id, Id>; // by the ids at the place where they were copied
 
-// Does what the commands that give a value to an object check of it.
-template <class T> void check_own(const T& value)
-{
-    if constexpr (is_choice<T>)
-        std::visit([](const auto& chosen) { check_own(chosen); }, value);
-    else if constexpr (is_optional<T>) {
-        if (value) check_own(*value);
-    } else if constexpr (std::is_same_v<T, Transform>)
-        check_transform(value);
-    else if constexpr (requires { check(value); })
-        check(value);
-}
-
 Object object_of(const CopiedObject& copy, const CopiedIds& made)
 {
     Object out = copy.value;
-    each_field(out, [](std::string_view, const auto& value, auto&&...) { check_own(value); });
+    check_values(out);
     if (const auto* file = std::get_if<ImportedFile>(&out.source); file && file->path.empty())
         throw Rejected("field \"path\" names no file");
     if (out.name.empty()) throw Rejected("field \"name\" is empty");

@@ -16,7 +16,6 @@ struct BaseUse {
     std::string_view words; // "painted on"
 };
 std::vector<BaseUse> bases_of(const Object& object); // an id may come twice
-inline constexpr std::string_view lies_on_words = "laid on";
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the
 // rest, and its stroke stays in the world if nothing else carries it; its tiles are mixed with the

@@ -5,6 +5,7 @@
 #include "core/commands/edits/edits.h"
 #include "core/commands/objects/arrange.h"
 #include "core/document/bases.h"
+#include "core/document/fields/placement_fields.h"
 #include "core/placement/attachment.h"
 #include "core/steps/laying/attaching.h"
 #include "editor/commands/clipboard.h"

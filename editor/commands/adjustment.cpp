@@ -14,7 +14,7 @@ template <class T> inline constexpr bool adds = false;
 template <class Shape> inline constexpr bool adds<AddShape<Shape>> = true;
 
 template <class T>
-concept OnObjects = std::is_same_v<T, SetMaterial> || std::is_same_v<T, ClearMaterial> ||
+concept OnChosenObjects = std::is_same_v<T, SetMaterial> || std::is_same_v<T, ClearMaterial> ||
     std::is_same_v<T, Hide> || std::is_same_v<T, Show> || std::is_same_v<T, Lock> ||
     std::is_same_v<T, Unlock> || std::is_same_v<T, Delete> || std::is_same_v<T, Duplicate>;
 
@@ -98,7 +98,7 @@ std::optional<Command> repeated(const Session& session)
     const auto again = [&]<class C>(const C& c) -> std::optional<Command> {
         if constexpr (adds<C>) {
             return c;
-        } else if constexpr (OnObjects<C>) {
+        } else if constexpr (OnChosenObjects<C>) {
             if (ids.empty()) return std::nullopt;
             C next = c;
             next.objects = ids;

@@ -16,7 +16,7 @@ constexpr std::size_t most_samples = 4;
 struct KnownSample {
     const char *file, *title, *words;
 };
-constexpr std::array<KnownSample, 5> known{{
+constexpr std::array<KnownSample, 5> known_samples{{
     {"first_placement", "Snake on a landscape", "One stroke"},
     {"ants_moebius", "Ants round a band", "Play: they walk on and on"},
     {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
@@ -32,7 +32,7 @@ std::vector<Sample> samples_among(const std::vector<std::string>& paths)
     const auto stem = [](const std::string& path) {
         return std::filesystem::path(path).stem().string();
     };
-    for (const KnownSample& each : known)
+    for (const KnownSample& each : known_samples)
         for (const std::string& path : paths)
             if (stem(path) == each.file) samples.push_back({path, each.title, each.words});
     for (const std::string& path : paths)
@@ -47,8 +47,8 @@ std::string sample_title(const std::string& path)
     const std::filesystem::path file(path);
     if (file.parent_path().filename() == "tutorials") return scene_title(path);
     if (file.parent_path().filename() != "scenes") return {};
-    const auto found = std::ranges::find(known, file.stem(), &KnownSample::file);
-    return found == known.end() ? std::string() : found->title;
+    const auto found = std::ranges::find(known_samples, file.stem(), &KnownSample::file);
+    return found == known_samples.end() ? std::string() : found->title;
 }
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/field.h"
+#include "core/document/fields/flap_fields.h"
 #include "core/document/fields/surfacing_fields.h"
 
 namespace trivar {
@@ -16,8 +17,6 @@ inline constexpr std::array<std::string_view, 3> choice_words<Incision::Floor>{
     "sharp", "flat", "none: through the body"};
 template <>
 inline constexpr std::array<std::string_view, 2> choice_names<Incision::Piece>{"kept", "left_out"};
-template <>
-inline constexpr std::array<std::string_view, 2> choice_names<IncisionSide>{"left", "right"};
 
 template <> struct FieldsOf<SurfacePoint> {
     static constexpr std::string_view told_as = "[surface point](#surface-point)",
@@ -109,24 +108,6 @@ template <> struct FieldsOf<IncisionLayer> {
         field("depth", l.depth, "of its end, metres on the model; the last one goes to the floor",
               not_negative.called("Depth").in(Unit::metres).without_keys());
         spread(l.look, field);
-    }
-};
-template <> struct FieldsOf<PeeledFlap> {
-    static constexpr std::string_view told_as = "values of [peel_flap](#peel_flap)";
-    static void fields(auto& f, auto&& field)
-    {
-        field("first", f.first, "number of one of the two incisions between which it lies",
-              required_in_range(1, 64).without_keys());
-        field("second", f.second, "number of the other one",
-              required_in_range(1, 64).without_keys());
-        field("side_of_first", f.side_of_first,
-              "on which side of the first one it lies, seen along its stroke from outside",
-              any_value.without_keys());
-        field("side_of_second", f.side_of_second, "on which side of the second one it lies",
-              any_value.without_keys());
-        field("lift", f.lift,
-              "height of its raised tip while both incisions are open, metres on the model",
-              not_negative.called("Peeled").in(Unit::metres));
     }
 };
 template <> struct FieldsOf<Incising> {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/bases.h"
 #include "core/document/fields/attachment_fields.h"
 #include "core/document/fields/cutting_fields.h"
 #include "core/document/fields/import_fields.h"
@@ -54,7 +53,7 @@ template <> struct FieldsOf<PlacementStep> {
         field("sketch", p.sketch, "the stroke; none if it lies round an object",
               any_value.without_keys());
         field("parameters", p.parameters, "how it lies", any_value.as_its_own());
-        field("onto", p.onto, "its hosts: other copies, or objects of the scene",
+        field("onto", p.onto, "ids of its hosts: in a copy other copies, or objects of the scene",
               any_value.without_keys().names_object(lies_on_words));
         field("round", p.round, "about the only one of onto, in place of a stroke",
               any_value.counts(Counting::marked).as_its_own());

@@ -5,6 +5,8 @@
 
 namespace trivar {
 
+inline constexpr std::string_view lies_on_words = "laid on"; // what a host is to what lies on it
+
 // The ranges that a panel offers and a log may hold; place() may still refuse a combination.
 template <> struct FieldsOf<PlacementParameters> {
     static constexpr std::string_view told_as = "[parameters](#parameters)",

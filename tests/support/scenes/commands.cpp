@@ -53,7 +53,9 @@ double random_number(std::mt19937& random, const Rule& rule)
     return lo + (hi - lo) * static_cast<double>(random()) / 4294967295.0;
 }
 
-template <class T> void randomize(std::mt19937& random, T& value, const Rule& rule)
+// Not inlined, because g++ would take the values of empty options for uninitialized ones.
+template <class T>
+[[gnu::noinline]] void randomize(std::mt19937& random, T& value, const Rule& rule)
 {
     if constexpr (Nested<T>)
         each_field(value, [&](std::string_view, auto& v, std::string_view, Rule inner = {}) {
