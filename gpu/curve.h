@@ -21,8 +21,8 @@ struct CurveStyle {
     HiddenParts hidden = HiddenParts::dashed;
     // above 0: dashes with flat ends all along the curve, and the gaps after them; each so long
     float dash_px = 0;
-    // World units that the surface of the same id may lie before the curve without hiding it, where
-    // one knows already that it does not.
+    // World units: a surface of the same id that lies less far before the curve does not hide it.
+    // 0: each surface before the curve does.
     float own_reach_world = 0;
     // It is drawn as files of drawings have it: what it covers of a pixel looks as if encoded
     // colours were mixed, in place of linear light, where dark lines on white look thinner.

@@ -205,7 +205,7 @@ void add_instance(Scene& scene, const Instance& instance, const Picture& picture
                                      : mirror.box_world(instance.mesh, glm::dmat4(1));
     if (instance.copies) {
         const MirroredCopies& copies = mirror.copies(instance.copies, at);
-        const double size = std::cbrt(std::abs(glm::determinant(glm::dmat3(instance.to_world))));
+        const double size = mean_scale(instance.to_world);
         item.extent = static_cast<float>(glm::length(own.size()) * size * copies.scale);
         add_copies(scene.items, item, copies, values);
     } else {

@@ -22,33 +22,22 @@ struct Option {
 // menu behind a button at the end.
 void option_bar(const Theme& theme, const std::vector<Option>& options, float room_px);
 
-// Options for a value of an enumeration, by the names of all its values: as a list, or beside each
-// other. The theme and the value outlive them.
+// Returns the option for a value of an enumeration, by the names of all its values: `draw` is
+// choice, a list, or segments, which lie beside each other. The theme and the value outlive it.
 template <class Enum>
-Option choice_option(const Theme& theme, const char* words, float width, const char* id,
-                     Enum& value, const std::vector<std::string>& names, const char* help)
+Option enum_option(decltype(choice)& draw, const Theme& theme, const char* words, float width,
+                   const char* id, Enum& value, const std::vector<std::string>& names,
+                   const char* help)
 {
     return {words, width,
-            [&theme, id, &value, names](float field) {
+            [&draw, &theme, id, &value, names](float field) {
                 int chosen = static_cast<int>(value);
-                choice(theme, id, chosen, names, field);
+                draw(theme, id, chosen, names, field);
                 value = static_cast<Enum>(chosen);
             },
             help};
 }
-template <class Enum>
-Option segments_option(const Theme& theme, const char* words, float width, const char* id,
-                       Enum& value, const std::vector<std::string>& names, const char* help)
-{
-    return {words, width,
-            [&theme, id, &value, names](float field) {
-                int chosen = static_cast<int>(value);
-                segments(theme, id, chosen, names, field);
-                value = static_cast<Enum>(chosen);
-            },
-            help};
-}
-// The option for a switch.
+// Returns the option for a switch.
 inline Option check_option(const Theme& theme, const char* words, const char* id, bool& value,
                            const char* help)
 {

@@ -19,7 +19,8 @@ template <class Shape> constexpr std::string_view shape_field()
 }
 [[noreturn]] void refuse_second_shape(std::string_view field);
 
-// The fields of an owner as those of a copy of it. Names are read where they are const.
+// CopyFields turns the fields of an owner into those of a copy of it. A copy that is const is
+// written, with the names that are known; another one is read, and its names are noted.
 template <class Owner, class Names, class Field> struct CopyFields {
     Names& names;
     Field& field;

@@ -29,13 +29,14 @@ template <> struct FieldsOf<KnownObject> {
 using KnownNames = std::map<Id, std::string>; // of objects, by their ids where they were copied
 KnownObject known(const KnownNames& names, Id id);
 
-// A Copied value tells by name, too, on what it depends.
+// A Copied value comes with the names of the objects on which it depends.
 template <class T> struct Copied {
     T value = {};
     KnownNames names = {};
 };
 
-// A value as it is told of a copy, and what is told as the value.
+// as_copied() returns the value that a copy holds in place of a value, with the names of the
+// objects that it depends on; as_named() returns the value of such a one, and adds its names.
 template <class T> auto as_copied(const T& value, const KnownNames& names)
 {
     if constexpr (is_ref<T>)

@@ -52,7 +52,8 @@ public:
         if (is_new) cells_.emplace_back();
         cells_[cell].push_back({at, number});
     }
-    void near(const glm::vec2& at, auto&& use) const // of a number and its distance
+    // Calls use(number, distance) for each number within the reach.
+    void near(const glm::vec2& at, auto&& use) const
     {
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x) {

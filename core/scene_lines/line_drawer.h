@@ -20,8 +20,9 @@ struct ObjectLines {
         DrawingLayer drawing;   // called by the level or by the kind
         glm::dmat4 to_world{1}; // of the places that its lines have in space
         glm::dmat4 to_image{1}; // of the same, to pixels and depth: how they were inked
-        // How far triangles of its own object may lie before lines that are seen, metres: any way
-        // where rays have found what hides them, but not in quick lines of one level of several.
+        // Metres: triangles of the same object that lie less far before a seen line do not hide it.
+        // Unbounded where rays have found what hides it; they do not look for quick lines of one
+        // level among several.
         double own_reach = std::numeric_limits<double>::infinity();
     };
     int object = 0; // its id

@@ -27,7 +27,8 @@ struct LineScene {
     // object's line, no lines of tiles, and no intersections. See LineEffort.
     bool is_simple() const;
 };
-// Whether volume data show the surface of another level than the one with that surface, -1: none.
+// Returns whether volume data show the surface of a level other than the one with that surface; -1
+// is a level without one.
 bool shows_others(const ShownVolume& volume, int surface);
 
 // The scene without those objects, ascending, that are hidden in the view alone.

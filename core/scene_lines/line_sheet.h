@@ -14,7 +14,7 @@ std::vector<DrawingLayer> drawing_layers(const SceneLines& lines, bool named = t
 // A LineSheet is a sheet with the lines of a scene alone.
 struct LineSheet {
     DrawingSheet sheet;
-    AppliedEdits edits;
+    AppliedEdits edits;               // how many of the given ones were applied
     std::vector<std::string> notices; // as SceneLines has them
 };
 // The lines as a camera sees them: a layer per level of volume data and per kind of line of each

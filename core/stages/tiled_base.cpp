@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/stages/tiled_base.h"
 
+#include "core/base/mean_scale.h"
 #include "core/base/rejected.h"
 
 #include <cmath>
@@ -96,7 +97,7 @@ bool RestToWorld::mirrors(const glm::dvec3& p_model) const
 
 double RestToWorld::scale(const glm::dvec3& p_model) const
 {
-    return std::cbrt(std::abs(glm::determinant(at(p_model).jacobian)));
+    return mean_scale(at(p_model).jacobian);
 }
 
 std::vector<RestToWorld> ways_to_world(const TiledPieces& pieces, const std::vector<Part>& parts)

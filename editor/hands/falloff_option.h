@@ -9,8 +9,8 @@ namespace trivar {
 // The choice of a falloff in a tool's bar. The theme and the falloff outlive it.
 inline ui::Option falloff_option(const ui::Theme& theme, Decay& falloff, const char* help)
 {
-    return ui::choice_option(theme, "Falloff", 104, "decay", falloff,
-                             {"Gaussian", "Hat", "Box", "Smooth"}, help);
+    return ui::enum_option(ui::choice, theme, "Falloff", 104, "decay", falloff,
+                           {"Gaussian", "Hat", "Box", "Smooth"}, help);
 }
 
 } // namespace trivar

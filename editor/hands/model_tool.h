@@ -20,7 +20,7 @@ struct TileFit {
 class ModelTool {
 public:
     virtual ~ModelTool() = default;
-    // The files of those that it works with; none where they are no files' or there are none.
+    // Returns the files of the models that it works with; empty: none is chosen, or not of a file.
     virtual std::vector<std::string> chosen_models(const Session& session) const = 0;
     // `also`: besides those that are chosen already.
     virtual void choose_model(Session& session, const std::string& file, bool also) = 0;

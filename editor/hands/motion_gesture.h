@@ -16,7 +16,8 @@ public:
     // directions. Without a handle a key began it.
     void begin(MotionKind kind, Id object, const MotionFrame& stands, const GizmoHandle& handle,
                const Camera& camera, const ViewportInput& input);
-    // Something was meant: more than a click.
+    // Returns whether it is more than a click: the hand went further, or a key began it, or a
+    // number is typed.
     bool meant() const;
     // `wanted` is asked where the motion is more than nothing.
     State go_on(Session& session, const ViewportInput& input, const Wanted& wanted,

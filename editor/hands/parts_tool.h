@@ -27,7 +27,7 @@ public:
     virtual std::optional<std::vector<std::string>> numbers(const Session&) const { return {}; }
     // Whether neighbours of what it moves go along; null where it has no such switch.
     virtual bool* proportional() { return nullptr; }
-    // All that bends with what it has hold of, of the volume of the selected placement.
+    // Returns the parts of the volume of the selected placement that bend with what it holds.
     virtual std::vector<VolumePart> held(const Session&) const;
 };
 

@@ -15,8 +15,8 @@ struct PlacedInk {
     const glm::dmat4& to_image; // of the same, to pixels and depth: how they were inked
     int id = 0;                 // of the object
     float wider = 1; // width of a line in pixels per pixel of a picture of the usual height
-    // How far the object's surface may lie before a line that is seen. Rays have found what hides a
-    // line, and a surface of triangles is not quite where lines of smooth ones are. World units.
+    // World units: the object's surface does not hide a seen line if it lies less far before it.
+    // Rays have found what hides a line, and triangles are not quite where the smooth surface is.
     float own_reach = std::numeric_limits<float>::infinity();
 };
 

@@ -27,15 +27,7 @@ Curve curve_through(const std::vector<glm::vec3>& points, CurveStyle style = {})
 // White on black, seen along +Y: x to the right, z up.
 class Curves : public WithContext {
 protected:
-    Curves()
-    {
-        picture.camera.eye = {0, -10, 0};
-        picture.camera.target = {0, 0, 0};
-        picture.camera.perspective = false;
-        picture.camera.height_world = 6;
-        picture.settings.ground = false;
-        picture.backdrop = Backdrop{};
-    }
+    Curves() { look_along_y(picture); }
     // A block that hides what is behind it and left of the middle.
     void hide_the_left()
     {

@@ -15,15 +15,7 @@ constexpr float unbounded = std::numeric_limits<float>::infinity();
 // White lines on black, seen along +Y: x to the right, z up.
 class LineDrawings : public WithContext {
 protected:
-    LineDrawings()
-    {
-        picture.camera.eye = {0, -10, 0};
-        picture.camera.target = {0, 0, 0};
-        picture.camera.perspective = false;
-        picture.camera.height_world = 6;
-        picture.settings.ground = false;
-        picture.backdrop = Backdrop{};
-    }
+    LineDrawings() { look_along_y(picture); }
     static Curve curve(const std::vector<glm::vec3>& points, const CurveStyle& style, int id)
     {
         return {.line = make_ref(Polyline{points, {}}), .style = style, .id = id};

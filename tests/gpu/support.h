@@ -21,6 +21,18 @@ private:
     HeadlessContext context_;
 };
 
+// Looks along +Y at the origin: x to the right, z up, 6 m from the top of the picture to its
+// bottom. Nothing is behind what a test draws.
+inline void look_along_y(Picture& picture)
+{
+    picture.camera.eye = {0, -10, 0};
+    picture.camera.target = {0, 0, 0};
+    picture.camera.perspective = false;
+    picture.camera.height_world = 6;
+    picture.settings.ground = false;
+    picture.backdrop = Backdrop{};
+}
+
 inline Instance instance_of(Mesh mesh, const glm::dmat4& to_world = glm::dmat4(1),
                             Material material = {})
 {

@@ -146,9 +146,9 @@ std::vector<Handle> InciseTool::handles(const Session& session, double scale) co
     return out;
 }
 
-CutSnaps InciseTool::snaps_but(int number) const
+IncisionSnaps InciseTool::snaps_but(int number) const
 {
-    CutSnaps out;
+    IncisionSnaps out;
     for (std::size_t i = 0; i < cuts_.size() && snaps_; ++i)
         if (static_cast<int>(i) + 1 != number && cuts_[i])
             add_snaps(out, *cuts_[i], known_->cuts[i].cut.stroke);
@@ -267,8 +267,8 @@ void InciseTool::go_on(Session& session, const ViewportInput& input)
         g.factor *= std::pow(1.1, input.wheel);
         g.changed = true;
     }
-    const IncisionStroke::CutKeys keys{ImGui::GetIO().KeyShift || way_ == Way::straight,
-                                       way_ == Way::uv, input.scale};
+    const IncisionStroke::HeldKeys keys{ImGui::GetIO().KeyShift || way_ == Way::straight,
+                                        way_ == Way::uv, input.scale};
     g.changed = g.stroke.take(session.view.camera, input.moves, keys) || g.changed;
     if (input.released || !input.down) return finish(session);
     // One proposal at a time: the next waits until the last one can be seen.

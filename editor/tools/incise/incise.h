@@ -69,7 +69,7 @@ private:
     NamedIncision drawn(const Gesture& gesture) const;
     Command command_of(const Gesture& gesture) const;
     const SeenIncision* seen_chosen(const Session& session) const; // null: it is not seen
-    CutSnaps snaps_but(int number) const;
+    IncisionSnaps snaps_but(int number) const;
     void paint_stroke(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
 
@@ -84,7 +84,7 @@ private:
     Ref<EvaluatedObject> known_shown_;
     std::vector<std::optional<SeenIncision>> cuts_; // by number; nothing: it is not seen
     std::vector<IncisionCrossing> crossings_;
-    std::optional<CutEnd> hovered_snap_; // where a stroke from the mouse would begin
+    std::optional<IncisionSnap> hovered_snap_; // where a stroke from the mouse would begin
     glm::dvec2 mouse_px_{-1e9};
     int hovered_cut_ = 0;   // the incision under the mouse; 0: none
     double hovered_at_ = 0; // share of its length

@@ -106,14 +106,15 @@ void InciseTool::options(Session&, const ui::Theme& theme, float width)
     };
     length("Width", width_world_, "How wide the next incision gapes when it is quite open.");
     length("Depth", depth_world_, "How deep the next incision goes, as far as there is body.");
-    options.push_back(ui::segments_option(
-        theme, "Floor", 160, "floor", settings_.cut.floor, {"Sharp", "Flat", "Through"},
+    options.push_back(ui::enum_option(
+        ui::segments, theme, "Floor", 160, "floor", settings_.cut.floor,
+        {"Sharp", "Flat", "Through"},
         "Sharp: its walls meet at the bottom. Flat: a floor joins them. Through: it "
         "goes through the body."));
-    options.push_back(ui::segments_option(
-        theme, "Stroke", 120, "stroke", way_, {"Free", "Line", "UV"},
-        "As the hand goes, straight as it is seen, or along a line of the model's "
-        "texture coordinates."));
+    options.push_back(
+        ui::enum_option(ui::segments, theme, "Stroke", 120, "stroke", way_, {"Free", "Line", "UV"},
+                        "As the hand goes, straight as it is seen, or along a line of the model's "
+                        "texture coordinates."));
     options.push_back({"Open", 100,
                        [&](float) { ui::check_box(theme, "open", opens_, "as it cuts"); },
                        "It opens while it is drawn; else it is shut, to be opened later."});

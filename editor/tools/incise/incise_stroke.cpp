@@ -59,7 +59,7 @@ bool InciseTool::begin_stroke(Session& session, const ViewportInput& input, glm:
     if (!hit) return false;
     const bool redraws = ImGui::GetIO().KeyCtrl && hovered_cut_ != 0 &&
                          hovered_cut_ == session.incision.number && chosen(session);
-    CutSnaps snaps;
+    IncisionSnaps snaps;
     if (base == session.selected) snaps = snaps_but(redraws ? hovered_cut_ : 0);
     SurfaceHit from = *hit;
     if (const auto end = snap_near(snaps, camera, at_px, input.scale)) {

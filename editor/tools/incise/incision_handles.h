@@ -14,7 +14,7 @@ struct TakenIncision {
     Document before;
     SeenIncision seen;
     IncisedSkin skin;
-    CutSnaps snaps; // other incisions; empty: nothing pulls
+    IncisionSnaps snaps; // other incisions; empty: nothing pulls
     const Incising& incising() const { return *trivar::object(before, object).incising; }
 };
 using TakeIncision = std::function<std::optional<TakenIncision>()>; // nothing: it is gone

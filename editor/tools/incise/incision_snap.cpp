@@ -17,7 +17,8 @@ SurfacePoint mixed_place(const SurfacePoint& a, const SurfacePoint& b, double t)
 
 } // namespace
 
-void add_snaps(CutSnaps& snaps, const SeenIncision& cut, const std::vector<SurfacePoint>& stroke)
+void add_snaps(IncisionSnaps& snaps, const SeenIncision& cut,
+               const std::vector<SurfacePoint>& stroke)
 {
     if (cut.on_skin.front()) snaps.ends.push_back({stroke.front(), cut.line.front().p_world});
     if (cut.on_skin.back()) snaps.ends.push_back({stroke.back(), cut.line.back().p_world});
@@ -25,9 +26,10 @@ void add_snaps(CutSnaps& snaps, const SeenIncision& cut, const std::vector<Surfa
                              cut.line.begin() + static_cast<std::ptrdiff_t>(cut.last) + 1);
 }
 
-void forget_place(CutSnaps& snaps, const CutEnd& place)
+void forget_place(IncisionSnaps& snaps, const IncisionSnap& place)
 {
-    std::erase_if(snaps.ends, [&](const CutEnd& each) { return each.p_world == place.p_world; });
+    std::erase_if(snaps.ends,
+                  [&](const IncisionSnap& each) { return each.p_world == place.p_world; });
     std::erase_if(snaps.lines, [&](const std::vector<SurfaceHit>& line) {
         double nearest = 1e300, length = 0;
         for (std::size_t i = 1; i < line.size(); ++i) {
@@ -42,12 +44,12 @@ void forget_place(CutSnaps& snaps, const CutEnd& place)
     });
 }
 
-std::optional<CutEnd> snap_near(const CutSnaps& snaps, const Camera& camera, glm::dvec2 p_px,
-                                double scale)
+std::optional<IncisionSnap> snap_near(const IncisionSnaps& snaps, const Camera& camera,
+                                      glm::dvec2 p_px, double scale)
 {
-    std::optional<CutEnd> out;
+    std::optional<IncisionSnap> out;
     double nearest = end_reach_px * scale;
-    for (const CutEnd& end : snaps.ends)
+    for (const IncisionSnap& end : snaps.ends)
         if (const PicturePoint at = project(camera, end.p_world); at.depth_world > 0)
             if (const double away = glm::distance(at.p_px, p_px);
                 away < nearest && (!end.crossing || away < line_reach_px * scale)) {
@@ -67,8 +69,8 @@ std::optional<CutEnd> snap_near(const CutSnaps& snaps, const Camera& camera, glm
             const double away = glm::distance(a.p_px + t * way, p_px);
             if (away >= nearest) continue;
             nearest = away;
-            out = CutEnd{mixed_place(line[i - 1].at_rest, line[i].at_rest, t),
-                         glm::mix(line[i - 1].p_world, line[i].p_world, t), true};
+            out = IncisionSnap{mixed_place(line[i - 1].at_rest, line[i].at_rest, t),
+                               glm::mix(line[i - 1].p_world, line[i].p_world, t), true};
         }
     return out;
 }

@@ -18,7 +18,7 @@ constexpr int smoothing_rounds = 2;
 
 } // namespace
 
-IncisionStroke::IncisionStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from,
+IncisionStroke::IncisionStroke(IncisedSkin skin, IncisionSnaps snaps, const SurfaceHit& from,
                                glm::dvec2 at_px)
     : skin_(std::move(skin)),
       snaps_(std::move(snaps)),
@@ -101,7 +101,7 @@ void IncisionStroke::go_along_uv(const Camera& camera, glm::dvec2 to_px)
 }
 
 bool IncisionStroke::take(const Camera& camera, const std::vector<StrokeSample>& moves,
-                          const CutKeys& keys)
+                          const HeldKeys& keys)
 {
     if (keys.straight && !straight_) {
         at_end_.reset();
@@ -157,7 +157,7 @@ bool IncisionStroke::take(const Camera& camera, const std::vector<StrokeSample>&
 std::vector<SurfacePoint> IncisionStroke::points() const
 {
     std::vector<SurfacePoint> out;
-    for (const CutSample& each : hits_) out.push_back(each.hit.at_rest);
+    for (const SkinSample& each : hits_) out.push_back(each.hit.at_rest);
     if (out.size() < 2) return {};
     if (at_end_)
         out.back() = at_end_->at_rest;
@@ -182,7 +182,7 @@ std::vector<SurfacePoint> IncisionStroke::points() const
 std::vector<glm::dvec3> IncisionStroke::way_world() const
 {
     std::vector<glm::dvec3> out;
-    for (const CutSample& each : hits_) out.push_back(each.hit.p_world);
+    for (const SkinSample& each : hits_) out.push_back(each.hit.p_world);
     if (at_end_) out.back() = at_end_->p_world;
     return out;
 }

@@ -10,15 +10,15 @@ namespace trivar {
 class IncisionStroke {
 public:
     // `snaps`: to which its own ends are pulled; empty: nothing pulls.
-    IncisionStroke(IncisedSkin skin, CutSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px);
+    IncisionStroke(IncisedSkin skin, IncisionSnaps snaps, const SurfaceHit& from, glm::dvec2 at_px);
 
-    struct CutKeys {
+    struct HeldKeys {
         bool straight = false; // a straight line in the picture from where this began to be held
         bool along_uv = false; // that of the lines along U and V through its start that is nearer
         double scale = 1;      // of the interface
     };
     // Takes more of the hand's way; what misses the skin is left out. Returns whether it changed.
-    bool take(const Camera& camera, const std::vector<StrokeSample>& moves, const CutKeys& keys);
+    bool take(const Camera& camera, const std::vector<StrokeSample>& moves, const HeldKeys& keys);
     bool is_click() const { return !moved_; } // the hand never left the place where it began
 
     // The points of the incision: smoothed where they were drawn freely, with few digits; fewer
@@ -30,12 +30,12 @@ public:
     {
         return hits_.front().hit.scale;
     } // metres in the world per metre on the model
-    const std::optional<CutEnd>& end() const { return at_end_; } // that it is pulled to
+    const std::optional<IncisionSnap>& end() const { return at_end_; } // that it is pulled to
     bool lacks_uv() const; // it was to go along a UV line, but there is none
     const IncisedSkin& skin() const { return skin_; }
 
 private:
-    struct CutSample {
+    struct SkinSample {
         SurfaceHit hit;
         bool free = true; // drawn freely: smoothed
     };
@@ -45,12 +45,12 @@ private:
     void go_along_uv(const Camera& camera, glm::dvec2 to_px);
 
     IncisedSkin skin_;
-    CutSnaps snaps_;
-    std::vector<CutSample> hits_;
+    IncisionSnaps snaps_;
+    std::vector<SkinSample> hits_;
     glm::dvec2 begun_px_{0}, last_px_{0};
     std::size_t corner_ = 0; // from which the straight piece goes
     bool straight_ = false, moved_ = false;
-    std::optional<CutEnd> at_end_;
+    std::optional<IncisionSnap> at_end_;
     std::optional<SurfaceHit> on_wall_; // where the hand is, where that is over an open incision
     std::optional<std::array<IncisedSkin::SeenUvLine, 2>> uv_lines_; // once they are wanted
 };

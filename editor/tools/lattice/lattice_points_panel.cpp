@@ -16,8 +16,8 @@ void LatticePointsTool::add_falloff_options(std::vector<ui::Option>& options,
                                             const ui::Theme& theme, const Lattice& volume)
 {
     options.push_back(
-        ui::choice_option(theme, "Falloff", 96, "falloff", falloff_, falloff_names,
-                          "How the motion fades from the selected points to the radius."));
+        ui::enum_option(ui::choice, theme, "Falloff", 96, "falloff", falloff_, falloff_names,
+                        "How the motion fades from the selected points to the radius."));
     options.push_back({"Radius", 88,
                        [&](float field) {
                            double metres = radius(volume);

@@ -369,8 +369,8 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                        },
                        "Radius of the ball; 0 follows the width of the volume. The wheel changes "
                        "it while you press."});
-    options.push_back(ui::segments_option(
-        theme, "Mode", 120, "by", by_, {"Drag", "Brush"},
+    options.push_back(ui::enum_option(
+        ui::segments, theme, "Mode", 120, "by", by_, {"Drag", "Brush"},
         "Drag: the ball presses as deep as you drag; the other way it pulls. Brush: "
         "it presses wherever you draw; with Ctrl it pulls."));
     double shown_strength = laid ? strength(*laid->placement) : strength_;

@@ -68,8 +68,9 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                        "The model that a stroke lays."});
     options_of_round(session, theme, options, model);
     if (model == 0 || !object(session.document(), model).stroke) return;
-    options.push_back(ui::segments_option(
-        theme, "New stroke", 152, "new stroke", new_stroke_, {"Moves it", "Lays a copy"},
+    options.push_back(ui::enum_option(
+        ui::segments, theme, "New stroke", 152, "new stroke", new_stroke_,
+        {"Moves it", "Lays a copy"},
         "What a stroke does with a placed model. Hold Alt while you draw for the other choice."));
 }
 
@@ -86,8 +87,8 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
         {"Height", 88,
          [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
          "Size away from the surface. Auto: in proportion to the model."});
-    options.push_back(ui::segments_option(
-        theme, "Brush", 192, "brush", brush_, {"Even", "Speed", "Wheel"},
+    options.push_back(ui::enum_option(
+        ui::segments, theme, "Brush", 192, "brush", brush_, {"Even", "Speed", "Wheel"},
         "What makes the stroke wider and narrower: nothing, the hand's speed, or "
         "the wheel."));
     options.push_back({"Gaps", 144,

@@ -254,9 +254,9 @@ void SplitTool::options(Session& session, const ui::Theme& theme, float width)
         add_obstacle_options(options, session, theme);
     else
         add_cut_options(options, session, theme);
-    options.push_back(ui::choice_option(theme, "Inside", 84, "inside", settings_.inside,
-                                        {"None", "Wood", "Flesh", "Metal"},
-                                        "What fills it, seen where it opens."));
+    options.push_back(ui::enum_option(ui::choice, theme, "Inside", 84, "inside", settings_.inside,
+                                      {"None", "Wood", "Flesh", "Metal"},
+                                      "What fills it, seen where it opens."));
     ui::option_bar(theme, options, width);
 }
 
@@ -278,12 +278,14 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const Ses
                                             {.lo = 0, .unit = "m", .zero = "as needed"}, field);
                        },
                        "Over what distance the opening fades away."});
-    options.push_back(ui::choice_option(
-        theme, "Falloff", 100, "fades", use_.kernel, {"Soft", "Smooth", "Sharp", "Linear"},
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Falloff", 100, "fades", use_.kernel,
+        {"Soft", "Smooth", "Sharp", "Linear"},
         "How the opening fades with the distance from the obstacle; linear needs the least "
         "room."));
-    options.push_back(ui::choice_option(
-        theme, "Closing", 100, "closing", settings_.closing, {"Open", "Capped", "Stitched"},
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Closing", 100, "closing", settings_.closing,
+        {"Open", "Capped", "Stitched"},
         "Cap both halves, so that they stay solid, or stitch the skin together beside the "
         "obstacle."));
 }
@@ -291,9 +293,9 @@ void SplitTool::add_obstacle_options(std::vector<ui::Option>& options, const Ses
 void SplitTool::add_cut_options(std::vector<ui::Option>& options, const Session& session,
                                 const ui::Theme& theme)
 {
-    options.push_back(
-        ui::choice_option(theme, "Keep", 112, "keep", one_.keep, {"Both parts", "Above", "Below"},
-                          "Which part to keep; \"Above\" is the part above the line as drawn."));
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Keep", 112, "keep", one_.keep, {"Both parts", "Above", "Below"},
+        "Which part to keep; \"Above\" is the part above the line as drawn."));
     options.push_back(
         {"Gap", 84,
          [&](float field) {

@@ -44,8 +44,8 @@ void TetrahedraTool::around_options(Session& session, const ui::Theme& theme, fl
             {"Select a volume of tetrahedra, or objects to put one round", 1, [](float) {}});
         return ui::option_bar(theme, options, width);
     }
-    options.push_back(ui::choice_option(
-        theme, "Around", 104, "around", around_, {"Box", "Fitted", "Hull", "Cage"},
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Around", 104, "around", around_, {"Box", "Fitted", "Hull", "Cage"},
         "Tetrahedra bend objects as a lattice does, and can be fine in one place alone, have "
         "creases and open along cuts. A box; about 2,000 that follow the shape, or fill its "
         "convex "

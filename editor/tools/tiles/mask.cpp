@@ -179,8 +179,9 @@ void MaskTool::overlay(const Session& session, const ui::Theme& theme,
 void MaskTool::options(Session&, const ui::Theme& theme, float width)
 {
     std::vector<ui::Option> options;
-    options.push_back(ui::choice_option(
-        theme, "Drives", 96, "drives", settings_.drives, {"Density", "Scale", "Height", "Morph"},
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Drives", 96, "drives", settings_.drives,
+        {"Density", "Scale", "Height", "Morph"},
         "What of the tiles fades. Another gradient for the same replaces the first one."));
     options.push_back(
         {"Gradient", 112,
@@ -205,9 +206,9 @@ void MaskTool::options(Session&, const ui::Theme& theme, float width)
            line ? "The factor where the drag begins." : "The factor away from it.");
     factor(line ? "To" : "Near", settings_.high,
            line ? "The factor where the drag ends." : "The factor at it.");
-    options.push_back(ui::choice_option(theme, "Easing", 96, "easing", settings_.easing,
-                                        {"Even", "Smooth", "Slow start", "Slow end"},
-                                        "How it goes from one to the other."));
+    options.push_back(ui::enum_option(ui::choice, theme, "Easing", 96, "easing", settings_.easing,
+                                      {"Even", "Smooth", "Slow start", "Slow end"},
+                                      "How it goes from one to the other."));
     ui::option_bar(theme, options, width);
 }
 

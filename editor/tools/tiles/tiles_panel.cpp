@@ -108,8 +108,8 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
 
 void TilesTool::heading_options(std::vector<ui::Option>& options, const ui::Theme& theme)
 {
-    options.push_back(ui::choice_option(
-        theme, "Heading", 124, "heading", settings_.heading,
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Heading", 124, "heading", settings_.heading,
         {"Along stroke", "Upward", "Random", "Least curvature", "Most curvature", "To a point"},
         "Where the X axis of the tile points: along the stroke, up, anywhere, where "
         "the surface bends least or most, or to a point."));
@@ -129,10 +129,11 @@ void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme
 {
     const TileBrush brush = settings_.brush;
     if (brush == TileBrush::fill)
-        options.push_back(ui::choice_option(
-            theme, "Area", 88, "area", settings_.area, {"Island", "Material", "Faces", "All"},
-            "What a click fills: all that is connected, all of that material, the "
-            "face alone, or the whole object."));
+        options.push_back(
+            ui::enum_option(ui::choice, theme, "Area", 88, "area", settings_.area,
+                            {"Island", "Material", "Faces", "All"},
+                            "What a click fills: all that is connected, all of that material, the "
+                            "face alone, or the whole object."));
     if (brush == TileBrush::color)
         options.push_back({"Colour", 96,
                            [&](float field) {
@@ -142,13 +143,13 @@ void TilesTool::stroke_options(std::vector<ui::Option>& options, const ui::Theme
                            },
                            "The colours of the materials are multiplied by it; Ctrl takes it away "
                            "again."});
-    options.push_back(
-        ui::choice_option(theme, "Mirror", 64, "mirror", settings_.mirror, {"Off", "X", "Y", "Z"},
-                          "The stroke works on the other side, too: across this axis of what is "
-                          "painted on."));
+    options.push_back(ui::enum_option(
+        ui::choice, theme, "Mirror", 64, "mirror", settings_.mirror, {"Off", "X", "Y", "Z"},
+        "The stroke works on the other side, too: across this axis of what is "
+        "painted on."));
     if (brush != TileBrush::fill && brush != TileBrush::grab)
-        options.push_back(ui::choice_option(
-            theme, "Weaker by", 72, "pressure", follows_, {"Nothing", "Speed"},
+        options.push_back(ui::enum_option(
+            ui::choice, theme, "Weaker by", 72, "pressure", follows_, {"Nothing", "Speed"},
             "What makes tiles smaller or the brush weaker: a fast stroke, or nothing."));
 }
 
